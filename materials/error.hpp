@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace diurna {
+
+/// One thing that is wrong with an input, told so that its author can mend it.
+struct Mistake {
+    std::string where;    ///< "ridge.toml:41:13: weather.wind_m_s", or a file's name
+    std::string problem;  ///< what was found and what was expected, in one line
+    std::string hint;     ///< nearest valid spelling or another way out; may be empty
+
+    std::string line() const;  ///< "where: problem (hint)"
+};
+
+/// An input cannot be used. Thrown where text becomes a value; `main` prints every mistake on its
+/// own line and leaves with code 2, before anything has been written.
+class InputError : public std::runtime_error {
+ public:
+    InputError(std::string where, std::string problem, std::string hint = "");
+    explicit InputError(std::vector<Mistake> mistakes);
+
+    const std::vector<Mistake>& mistakes() const { return mistakes_; }
+
+ private:
+    std::vector<Mistake> mistakes_;
+};
+
+/// The candidate with the smallest edit distance to `word`, or "" if none is near enough
+/// (distance at most 2, or a third of the word's length).
+std::string nearest(std::string_view word, std::span<const std::string> candidates);
+
+/// "did you mean 'emissivity'?", or "" if no candidate is near.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+}  // namespace diurna

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace diurna {
+
+/// Absorbing gases carried by a profile, in the order of the tables.
+enum class Gas {
+    water,
+    carbon_dioxide,
+    ozone,
+    nitrous_oxide,
+    carbon_monoxide,
+    methane,
+    oxygen,
+    nitric_acid
+};
+inline constexpr std::size_t gas_count = 8;
+
+/// Vertical profile of the air: levels ascending in height. Pressure and mixing ratios are
+/// interpolated in their logarithm, temperature linearly.
+struct Profile {
+    std::string name;
+    std::vector<double> height_km;  // above the sea
+    std::vector<double> pressure_hPa;
+    std::vector<double> temperature;                              // [K]
+    std::array<std::vector<double>, gas_count> mixing_ratio_ppm;  // by volume
+};
+
+/// The six AFGL models by name: TROP MLS MLW SAS SAW US76 (AFGL-TR-86-0110). Throws InputError with
+/// the nearest name for any other.
+Profile afgl_profile(const std::string& name);
+std::vector<std::string> afgl_profile_names();
+
+/// The profile with the air at `ground_km` made to have the given temperature [K] and vapour
+/// pressure [hPa]; the change fades linearly to nothing `depth_km` higher, so that a day's weather
+/// reaches the boundary layer and leaves the free troposphere alone.
+Profile with_surface(Profile profile, double ground_km, double temperature,
+                     double vapour_pressure_hPa, double depth_km = 1.5);
+
+/// The same temperature [K] at every level (for enclosure tests).
+Profile isothermal(Profile profile, double temperature);
+
+}  // namespace diurna

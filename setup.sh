@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that diurna is built from. Without root it names what is missing and stops.
+set -euo pipefail
+
+packages=(
+    # building
+    cmake ninja-build g++ ccache pkg-config git clang-format
+    # geometry, places, elevation, rays
+    libcgal-dev libopenmesh-dev libembree-dev libeigen3-dev libgeographiclib-dev libgdal-dev
+    libproj-dev proj-data liberfa-dev libtbb-dev
+    # files, messages, pictures
+    libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libspdlog-dev libfmt-dev libnetcdf-dev
+    libopenexr-dev libpng-dev libssl-dev
+    # tests and benches
+    catch2 libsundials-dev libbenchmark-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+    [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null)" = installed ] ||
+        missing+=("$package")
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+if [ "$(id -u)" -ne 0 ]; then
+    echo "setup.sh: these packages are missing: ${missing[*]}" >&2
+    echo "setup.sh: run it once as root (sudo ./setup.sh), then again as yourself" >&2
+    exit 1
+fi
+echo "setup.sh: installing ${missing[*]}" >&2
+export DEBIAN_FRONTEND=noninteractive
+apt-get update -qq
+apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "terrain/site.hpp"
+
+namespace diurna {
+
+/// An elevation raster: heights at posts (pixel centres), row 0 first as in the file. Heights are
+/// above the geoid or ellipsoid as the file has them; the difference is a constant over a scene and
+/// left out.
+struct Dem {
+    std::string source;  // file it came from
+    int columns = 0, rows = 0;
+    std::vector<float> height;          // (row, column) [m]; NaN where void
+    std::array<double, 6> transform{};  // GDAL's affine transform, pixel corner convention
+    std::string crs_wkt;
+
+    float at(int row, int column) const { return height[std::size_t(row) * columns + column]; }
+    std::size_t voids = 0;  // posts without elevation in the file
+};
+
+enum class VoidPolicy { refuse, fill };  // fill: from the nearest valid posts, by distance
+
+struct DemOptions {
+    VoidPolicy voids = VoidPolicy::refuse;
+    /// Keep only posts within this distance [m] of a place; none: the whole raster.
+    std::optional<Geodetic> centre;
+    double radius = 0.0;
+};
+
+/// Reads any elevation raster of the allow-listed GDAL drivers (GeoTIFF, DTED, SRTM HGT, USGS DEM,
+/// ESRI ASCII, ENVI, netCDF). Sizes are checked against the file before memory is taken; declared
+/// and undeclared void values (−32768, −32767, −9999, NaN) are voids. Throws InputError in one
+/// clear line.
+Dem read_dem(const std::filesystem::path& file, const DemOptions& options = {});
+
+/// Geodetic latitude, longitude and height of every post, (row, column), by PROJ through the
+/// raster's CRS.
+std::vector<Geodetic> post_places(const Dem& dem);
+/// The place in the middle of the raster, at the height of the nearest valid post.
+Geodetic dem_centre(const Dem& dem);
+/// Height [m] at a place, bilinear between posts; NaN outside or beside a void.
+double height_at(const Dem& dem, double latitude_deg, double longitude_deg);
+
+}  // namespace diurna

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "terrain/facets.hpp"
+
+namespace diurna {
+
+struct Ray {
+    Eigen::Vector3f origin;     // east-north-up [m]
+    float near = 0.0f;          // [m] along the direction
+    Eigen::Vector3f direction;  // unit
+    float far = 1e30f;
+};
+
+struct Hit {
+    FacetId facet = no_facet;  // no_facet: nothing was hit
+    float range = 0.0f;        // [m], recomputed in double from the facet's corners
+};
+
+enum class Coherence { coherent, incoherent };  // neighbouring rays alike, or scattered
+
+/// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
+/// Non-finite or wildly indexed triangles are refused by an assertion of FacetSet's makers.
+class RayScene {
+ public:
+    explicit RayScene(const FacetSet& facets);
+    ~RayScene();
+    RayScene(RayScene&&) noexcept;
+    RayScene& operator=(RayScene&&) noexcept;
+
+    /// The nearest facet along each ray. Rays are traced 16 at a time in the order given.
+    void closest(std::span<const Ray> rays, std::span<Hit> hits,
+                 Coherence coherence = Coherence::coherent) const;
+    /// blocked[i] = 1 if anything lies between near and far.
+    void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
+                  Coherence coherence = Coherence::coherent) const;
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace diurna

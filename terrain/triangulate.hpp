@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "terrain/dem.hpp"
+
+namespace diurna {
+
+/// A triangulated irregular network over the posts of a raster.
+struct Tin {
+    std::vector<std::array<std::int32_t, 2>> post;       // (vertex) column, row
+    std::vector<std::array<std::uint32_t, 3>> triangle;  // counterclockwise seen from above
+                                                         // (columns east, rows south)
+};
+
+/// Greedy insertion into a Delaunay triangulation (CGAL, exact predicates) until no post of the
+/// raster lies further than `tolerance` [m] from the surface, measured vertically. Voids are not
+/// inserted nor covered. `keep`: polylines of posts that become vertices. tolerance 0 keeps every
+/// post that is not exactly on the surface.
+Tin triangulate(const Dem& dem, double tolerance,
+                std::span<const std::array<std::int32_t, 2>> keep = {});
+
+/// Checks a network by rasterising each triangle anew, independent of how it was made.
+struct TinCheck {
+    double worst_error = 0.0;         // [m] vertical
+    double rms_error = 0.0;           // [m]
+    std::size_t uncovered_posts = 0;  // valid posts under no triangle
+    std::size_t flipped_triangles = 0;
+};
+TinCheck check_tin(const Dem& dem, const Tin& tin);
+
+}  // namespace diurna

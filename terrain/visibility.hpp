@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "terrain/facets.hpp"
+#include "terrain/ray_scene.hpp"
+
+namespace diurna {
+
+/// Facet-to-facet view factors in compressed rows: facet f sees facet[k] with factor[k] for k in
+/// [row[f], row[f+1]). A row sums to 1 − sky_view(f) (− what falls below the terrain's edge).
+struct Exchange {
+    std::vector<std::uint32_t> row;  // size() + 1
+    std::vector<FacetId> facet;
+    std::vector<float> factor;
+};
+
+/// What each facet sees through its own hemisphere, cosine-weighted about its own normal.
+/// `sky_view` + Σ exchange row + `below` = 1, where `below` is what leaves the scene's edge under
+/// the horizontal: far ground not modelled, to be taken as ground like the facet's own
+/// surroundings.
+struct SkyView {
+    std::vector<float> sky_view;  // 0 to 1
+    std::vector<float> below;     // 0 to 1
+    Exchange exchange;
+};
+
+struct SkyViewOptions {
+    int rays = 64;  // stratified, cosine-weighted directions per facet
+    std::uint64_t seed = 1;
+};
+
+/// By rays from points spread over each facet. Standard error about 0.5/rays^0.75 per facet
+/// (stratified); the same numbers for any number of threads.
+SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOptions& options = {});
+
+struct SunFractionOptions {
+    int samples = 4;  // points over the facet × directions over the sun's disc, stratified together
+    std::uint64_t seed = 1;
+};
+
+/// The share of each facet (area × sun's disc) that the sun at `direction` (unit, towards the sun)
+/// reaches, 0 to 1, self-shading by the facet's own orientation included: zero where
+/// normal·direction ≤ 0. `fraction` has facets.size() entries. For a sun below the horizon all are
+/// zero.
+void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
+                  std::span<float> fraction, const SunFractionOptions& options = {});
+
+}  // namespace diurna

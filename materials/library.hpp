@@ -27,11 +27,26 @@ class MaterialLibrary {
     std::vector<Material> materials_;
 };
 
-/// Reads a library file (TOML): one table per material, spectra as CSV beside it. Broadband albedo
-/// (weighted by the sun's spectrum at the ground, ASTM G173 global) and emissivity (weighted by
-/// Planck at 300 K) are computed from the spectra. Every mistake carries file:line:column. See
+/// TOML is read through materials/document.hpp (Section: typed keys, ranges, positions, unknown
+/// keys). Reads a library file (TOML): one table per material, spectra as CSV beside it. Broadband
+/// albedo (weighted by the sun's spectrum at the ground, ASTM G173 global) and emissivity (weighted
+/// by Planck at 300 K) are computed from the spectra. Every mistake carries file:line:column. See
 /// materials/library.toml.
 MaterialLibrary load_material_library(const std::filesystem::path& file);
+
+/// Materials defined inside another TOML text (a scene, a column file), with the same keys as in
+/// the library: what stands under `key` may be one table `[material]`, an array `[[material]]` or a
+/// table of tables `[material.NAME]`. Nothing under `key`: none.
+///
+/// text    whole text of the file    file_name  for messages: "file:line:column: key"
+/// base    materials that `like = "NAME"` starts from; a table with a `name` known there and no
+///         `like` starts from that one, so `name = "asphalt"` alone is the library's asphalt
+/// folder  where relative names of spectrum files start
+///
+/// Throws one InputError with every mistake found under `key`.
+std::vector<Material> parse_materials(const std::string& text, const std::string& file_name,
+                                      const std::string& key, const MaterialLibrary& base,
+                                      const std::filesystem::path& folder);
 
 /// The library that comes with the program: data_folder() / "library.toml".
 MaterialLibrary default_material_library();

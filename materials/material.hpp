@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,6 +48,13 @@ struct Evaporation {
     double wetness = 0.0;
 };
 
+/// The open back of a thin plate: air, and surroundings at the air's temperature, behind the last
+/// layer, which then has no other bottom.
+struct ExposedBack {
+    double emissivity = 0.9;
+    double albedo = 0.9;
+};
+
 /// What the heat balance needs of a surface: broadband optics, exchange with the air, the column.
 /// albedo + solar transmittance + absorptance = 1; longwave: absorptance = emissivity.
 struct ThermalSurface {
@@ -60,6 +68,7 @@ struct ThermalSurface {
     double internal_heat = 0.0;  // [W m⁻²] released at the surface
     std::vector<Layer> layers;
     Bottom bottom = FixedFlux{0.0};
+    std::optional<ExposedBack> back;  // if set, in place of `bottom`
 };
 
 /// A kind of matter: its spectra for the picture, its thermal surface for the balance. Opaque or

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,18 @@ std::vector<std::string> afgl_profile_names();
 /// reaches the boundary layer and leaves the free troposphere alone.
 Profile with_surface(Profile profile, double ground_km, double temperature,
                      double vapour_pressure_hPa, double depth_km = 1.5);
+
+/// The state of the air at a height [km]; below the first and above the last level their values.
+struct AirSample {
+    double pressure_hPa;
+    double temperature;                              // [K]
+    std::array<double, gas_count> mixing_ratio_ppm;  // by volume
+};
+AirSample air_at(const Profile& profile, double height_km);
+
+/// Throws InputError unless levels ascend, lengths agree, pressures and temperatures are positive
+/// and mixing ratios are not negative.
+void check(const Profile& profile);
 
 /// The same temperature [K] at every level (for enclosure tests).
 Profile isothermal(Profile profile, double temperature);

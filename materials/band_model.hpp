@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "materials/profile.hpp"
+#include "materials/sight_line.hpp"
+
+namespace diurna {
+
+/// The embedded band model: seven gases, water and nitrogen continua, Rayleigh extinction, ozone's
+/// visible bands, nitric acid and boundary-layer aerosol on 433 bins of 25 to 200 cm⁻¹.
+///
+/// Per gas and bin τ = exp(−(C·W)^a), W = Σ u (P/P₀)ⁿ (T₀/T)ᵐ ds; continua are linear in their
+/// amounts; aerosols follow Shettle and Fenn's extinction by humidity, ln 50 / visibility at
+/// 0.55 µm, below 2 km only. Below 5000 cm⁻¹ calibrated to MODTRAN 5, above to LOWTRAN7.
+/// Tables and their origin: data_folder()/atmosphere/SOURCE.md.
+///
+/// Extinction is counted whole (scattered light leaves the beam and none comes back): transmittance
+/// and direct sun are right, sky light scattered from the sun is not there.
+struct BandModel {
+    Profile profile;
+    std::string aerosol = "none";      // or one of aerosol_names()
+    double visibility_km = 23.0;       // 0.5 to 300
+    double co2_ppm = 420.0;            // scales the profile's carbon dioxide (330 at the ground)
+    double space_temperature = 2.725;  // [K] behind the air
+};
+
+/// "none", rural, maritime, urban, tropospheric, desert...: what `BandModel::aerosol` may be.
+std::vector<std::string> aerosol_names();
+
+/// Throws InputError if a value is out of range, the aerosol unknown or the profile unusable.
+void check(const BandModel& model);
+
+/// Edges of the spectral bins as wavelengths [µm], ascending (bin count + 1): 0.351 to 20.
+std::span<const double> bin_edges_um();
+inline std::size_t bin_count() { return bin_edges_um().size() - 1; }
+/// The bin that holds a wavelength; below and above the grid the first and the last.
+std::size_t bin_of(double wavelength_um);
+
+/// Bins [first, last): work is proportional to their number.
+struct BinRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    std::size_t size() const { return last - first; }
+};
+BinRange all_bins();
+/// The bins that hold the given wavelengths, from the shortest to the longest.
+BinRange bins_of(std::span<const double> wavelengths_um);
+
+/// Transmittance from the observer to the far end of each segment.
+struct CumulativeTransmittance {
+    BinRange bins;
+    std::vector<double> temperature;    // (segment) [K]
+    std::vector<double> transmittance;  // (segment, bin), bins.size() a row
+
+    std::size_t segments() const { return temperature.size(); }
+    std::span<const double> row(std::size_t segment) const {
+        return std::span(transmittance).subspan(segment * bins.size(), bins.size());
+    }
+};
+CumulativeTransmittance cumulative_transmittance(const BandModel& model, const SightLine& line,
+                                                 BinRange bins);
+
+/// Transmittance to the end of the line alone, (bin); the fastest way to it.
+std::vector<double> transmittance(const BandModel& model, const SightLine& line, BinRange bins);
+
+/// The sun's irradiance above the air at 1 AU, mean over each bin [W m⁻² µm⁻¹].
+/// Source: data_folder()/atmosphere/solar.csv and the SOURCE.md beside it.
+std::span<const double> solar_irradiance_above_air();
+
+}  // namespace diurna

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/document.hpp"
 #include "materials/material.hpp"
 
 namespace diurna {
@@ -34,19 +35,18 @@ class MaterialLibrary {
 /// materials/library.toml.
 MaterialLibrary load_material_library(const std::filesystem::path& file);
 
-/// Materials defined inside another TOML text (a scene, a column file), with the same keys as in
-/// the library: what stands under `key` may be one table `[material]`, an array `[[material]]` or a
-/// table of tables `[material.NAME]`. Nothing under `key`: none.
+/// A material read from a table of any document (library, scene, column file), all with the same
+/// keys; see materials/library.toml for them.
 ///
-/// text    whole text of the file    file_name  for messages: "file:line:column: key"
-/// base    materials that `like = "NAME"` starts from; a table with a `name` known there and no
-///         `like` starts from that one, so `name = "asphalt"` alone is the library's asphalt
-/// folder  where relative names of spectrum files start
+/// base      what `like = "NAME"` starts from. Without `like`, a table whose `name` is known
+///           there starts from that one, so `name = "asphalt"` alone is the library's asphalt and
+///           `name = "asphalt", albedo = 0.08` is that asphalt made darker
+/// folder    where relative names of spectrum files start
+/// name      the material's name where the table has no `name` of its own
 ///
-/// Throws one InputError with every mistake found under `key`.
-std::vector<Material> parse_materials(const std::string& text, const std::string& file_name,
-                                      const std::string& key, const MaterialLibrary& base,
-                                      const std::filesystem::path& folder);
+/// Mistakes are noted in the section's document, which throws them all in finish().
+Material read_material(const Section& section, const MaterialLibrary& base,
+                       const std::filesystem::path& folder, const std::string& name = "");
 
 /// The library that comes with the program: data_folder() / "library.toml".
 MaterialLibrary default_material_library();

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "materials/material.hpp"
+#include "terrain/instant.hpp"
+#include "terrain/site.hpp"
+#include "thermal/irradiance.hpp"
+#include "thermal/weather.hpp"
+
+namespace diurna {
+
+/// Air and surroundings behind a thin plate.
+struct ExposedBack {
+    double emissivity = 0.9;
+    double albedo = 0.9;
+};
+
+enum class SpinUp { none, first_day, periodic };
+
+/// One facet under a series of weather: what column.toml says.
+struct ColumnJob {
+    Site site;
+    double elevation = 0.0;   // [m] above the sea
+    double slope_deg = 0.0;   // 0 to 180
+    double aspect_deg = 180;  // the way it faces, clockwise from north
+    double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself
+    ThermalSurface surface;
+    std::optional<ExposedBack> back;
+    Weather weather;
+    ClearSky clear_sky;
+    Instant start{}, end{};
+    SpinUp spin_up = SpinUp::first_day;
+    double step = 1800.0;                       // output cadence [s]
+    double longest_step = 60.0;                 // of the integration [s]
+    double initial_temperature = not_measured;  // [K] uniform, for SpinUp::none
+};
+
+/// One row of the result; fluxes are positive towards the surface [W m⁻²] and sum, with the
+/// internal heat, to the storage of the surface node's half cell.
+struct ColumnRow {
+    Instant instant;
+    double surface_temperature;  // [K]
+    double absorbed_solar, longwave_in, longwave_out, sensible, latent, conducted;
+    double back_temperature;  // [K]
+};
+
+struct ColumnResult {
+    std::vector<ColumnRow> row;  // at start, start + step, ... end
+    bool has_back = false;
+    std::string note;                // what was modelled for want of measurements
+    int passes = 0;                  // of the spin-up
+    double periodic_residual = 0.0;  // [K]
+    double worst_energy_closure = 0.0;
+};
+
+/// Reads a column file (TOML; see the README, "The point tool") and its weather. Throws InputError
+/// with every mistake: file:line:column, what was expected, the nearest key.
+ColumnJob read_column_job(const std::filesystem::path& file);
+
+ColumnResult run_column(const ColumnJob& job);
+
+/// The result as text: `time,surface_temperature_K,...`, comment lines first for what was modelled.
+std::string column_csv(const ColumnResult& result);
+
+}  // namespace diurna

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "terrain/instant.hpp"
+#include "terrain/site.hpp"
+#include "terrain/sun.hpp"
+#include "thermal/weather.hpp"
+
+namespace diurna {
+
+/// What a cloudless sky does to sunlight (Bird & Hulstrom 1981).
+struct ClearSky {
+    double aerosol_380nm = 0.15;                  // optical depth
+    double aerosol_500nm = 0.10;                  // optical depth
+    double ozone_cm = 0.3;                        // [atm cm]
+    double precipitable_water_cm = not_measured;  // NaN: from the vapour pressure, 46.5 e/T
+    double ground_albedo = 0.2;                   // of the surroundings, for the back-scattered sky
+};
+
+struct ClearSun {
+    double direct_normal;       // [W m⁻²]
+    double diffuse_horizontal;  // [W m⁻²]
+};
+
+/// Clear-sky sunlight at the ground, Bird & Hulstrom 1981 (SERI/TR-642-761): 5 to 10 % of rigorous
+/// codes for known aerosol and water. Zero for a sun at or below the horizon.
+///
+/// sun_elevation_deg  refracted          distance_au  sun
+/// pressure           [Pa]               water_cm     precipitable [cm]
+ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+                        double water_cm, const ClearSky& sky = {});
+
+/// Longwave radiation of a clear sky on the horizontal [W m⁻²], Dilley & O'Brien 1998:
+/// 59.38 + 113.7 (T/273.16)⁶ + 96.96 √(w/2.5), w = 4.65 e/T [cm, e in Pa over 10].
+/// 7 to 15 W m⁻² rms at six stations from desert to snow.
+double clear_longwave(const AirState& air);
+/// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear.
+double cloudy_longwave(const AirState& air, double cloud_fraction);
+
+/// Diffuse share of global sunlight from the clearness index kt, Erbs et al. 1982.
+double erbs_diffuse_share(double clearness);
+
+/// The sky over the whole scene at one instant.
+struct SkyState {
+    SunPosition sun;
+    Eigen::Vector3d to_sun;                // unit, east-north-up
+    double direct_normal = 0.0;            // beam on a plane facing the sun [W m⁻²]
+    double diffuse_horizontal = 0;         // [W m⁻²]
+    double anisotropy = 0.0;               // Hay & Davies: direct over extraterrestrial, 0 to 1
+    double longwave_down = 0.0;            // on the horizontal [W m⁻²]
+    double albedo = not_measured;          // measured up over down, replaces the material's
+    double plane_of_array = not_measured;  // measured on the facet, replaces the transposition
+
+    double global_horizontal() const;
+};
+
+/// Measured fluxes where there are any, the clear sky and its cloud elsewhere. Measured global sun
+/// alone is split by the clearness index; global, direct and diffuse together are made consistent
+/// with the global. Cloud without measured sun takes Kasten & Czeplak's 1 − 0.75 c³·⁴.
+SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
+                   const ClearSky& clear = {});
+
+/// Fills the cloud fraction, where it is absent, from measured over clear-sky global sun
+/// (Crawford & Duchon: c = 1 − G/G_clear) for a sun above 8°, and holds the last daylight value
+/// through the night. For series whose longwave is not measured.
+void infer_cloud(Weather& weather, const Site& site, double elevation, const ClearSky& clear = {});
+
+/// Sunlight on a facet [W m⁻²] without what other facets reflect, Hay & Davies 1980: the beam and
+/// the circumsolar part of the diffuse light come from the sun's direction and share its shadow,
+/// the rest comes evenly from the sky in view.
+///
+/// sun_cosine    normal · to_sun         sun_fraction  0 to 1, share of facet and disc not in
+/// shadow sky_view      0 to 1, cosine-weighted
+double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction, double sky_view);
+
+}  // namespace diurna

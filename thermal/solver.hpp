@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "materials/library.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/instant.hpp"
+#include "terrain/site.hpp"
+#include "terrain/visibility.hpp"
+#include "thermal/irradiance.hpp"
+#include "thermal/temperature_field.hpp"
+#include "thermal/weather.hpp"
+
+namespace diurna {
+
+struct SolveOptions {
+    Instant start{};
+    double duration = 86400.0;   // [s]
+    double step = 600.0;         // [s]; the last step ends with the span, all are equally long
+    double keep_every = 3600.0;  // [s] between kept instants, rounded to whole steps
+    bool periodic = true;        // the span repeats for ever; else start from its mean balance
+    int max_passes = 12;         // over the span
+    double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
+    bool exchange = true;        // light and heat from one facet to another
+    std::function<void(double)> progress;  // called with 0 to 1 from the calling thread
+};
+
+/// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.
+std::vector<Instant> step_instants(const SolveOptions& options);
+
+/// Share of each facet that the sun reaches at each step's instant (terrain/visibility.hpp).
+struct SunExposure {
+    std::vector<Instant> instant;  // = step_instants(options)
+    std::vector<float> fraction;   // (instant, facet) 0 to 1; empty: nothing casts a shadow
+};
+
+struct SolveInput {
+    const FacetSet& facets;
+    const SkyView& sky_view;
+    const SunExposure& sun;
+    const MaterialLibrary& materials;
+    const Weather& weather;
+    Site site;
+    double elevation = 0.0;  // [m] above the sea, of the weather
+    ClearSky clear_sky{};
+};
+
+/// How the solve went, for the report. Nothing here is an estimate unless it says so.
+struct SolveReport {
+    bool converged = false;
+    std::size_t facets = 0;
+    int steps = 0;                   // per pass
+    int passes = 0;                  // over the span
+    double periodic_residual = 0.0;  // [K] worst |P(T) − T| over facets and nodes, last pass
+    double estimated_error = 0.0;    // [K] that residual through (I − M)⁻¹: the distance left
+    double exchange_change = 0.0;    // [W m⁻²] worst change of terrain longwave, last pass
+    double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, worst facet and step
+    double newton_iterations = 0.0;     // mean per stage
+    int worst_newton_iterations = 0;
+    std::size_t bisections = 0;         // lanes × iterations that left the bracket
+    double coldest = 0.0, warmest = 0;  // [K] surface
+    double shortwave_seconds = 0.0, exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
+};
+
+struct SolveResult {
+    TemperatureField temperature;
+    SolveReport report;
+};
+
+/// Temperatures of all facets over the span: layered conduction below, the full surface balance
+/// above, solved together at every stage of every step.
+///
+/// Time: SDIRK2 (γ = 1 − 1/√2, second order, L-stable), linear forcing between step instants;
+/// materials too thin for the step are stepped more often. Space: thermal/column.hpp. The surface
+/// equation is solved by Newton within a bracket to 1e-10 K. A periodic span is found by Newton on
+/// the period map, with one monodromy matrix per material. What neighbours send in longwave follows
+/// from pass to pass. The result has the same bytes for any number of threads.
+///
+/// Throws InputError if arrays do not match, or a period has no equilibrium.
+SolveResult solve(const SolveInput& input, const SolveOptions& options);
+
+}  // namespace diurna

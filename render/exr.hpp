@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/frame.hpp"
+
+namespace diurna {
+
+enum class ExrCompression { none, zips, zip, piz };
+
+/// Writes every plane as a 32-bit float channel of one OpenEXR picture, whole or not at all.
+///
+/// Attributes: `diurna.instant` (ISO 8601), `diurna.observer`, `unit.PLANE` for every plane, and
+/// the frame's notes. Throws std::runtime_error with path and reason if it cannot be written.
+void write_exr(const std::filesystem::path& path, const Frame& frame,
+               ExrCompression compression = ExrCompression::zips);
+
+/// Reads such a file back; planes in alphabetical order, as OpenEXR keeps them. Throws InputError
+/// for a file that is missing, damaged, truncated, or of more than 2^28 values.
+Frame read_exr(const std::filesystem::path& path);
+
+}  // namespace diurna

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "materials/atmosphere.hpp"
+#include "materials/band.hpp"
+#include "materials/library.hpp"
+#include "render/view.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/instant.hpp"
+#include "terrain/visibility.hpp"
+
+namespace diurna {
+
+/// The state of the scene at one instant: all that a picture depends on besides the view.
+struct RadianceInput {
+    const FacetSet& facets;
+    const SkyView& sky_view;
+    const MaterialLibrary& materials;
+    const Atmosphere& atmosphere;
+    std::span<const float> temperature;                 // (facet) [K], 1 to 5000
+    std::span<const float> sun_fraction;                // (facet) 0 to 1; empty: no sun
+    Eigen::Vector3d to_sun = Eigen::Vector3d::UnitZ();  // unit
+    double sun_zenith_deg = 180.0;
+    double sun_distance_au = 1.0;
+    double ground_height_km = 0.0;  // of the scene's origin above the sea
+    Instant instant{};
+};
+
+/// The terms of the signature equation; `path` is the air between surface and eye.
+enum class Term { emitted, sun, sky, surroundings, behind, path };
+inline constexpr std::size_t term_count = 6;
+inline constexpr std::array<const char*, term_count> term_names = {
+    "emitted", "reflected_sun", "reflected_sky", "reflected_surroundings", "transmitted", "path"};
+
+/// The light that falls on surfaces at one height, per node of a band.
+struct Light {
+    std::vector<double> sun;  // (node) irradiance on a plane facing the sun [W m⁻² µm⁻¹]
+    std::vector<double> sky;  // (node) cosine-weighted mean radiance [W m⁻² sr⁻¹ µm⁻¹]
+};
+Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um);
+
+/// Radiance of the background in a direction in which the scene ends, per node [W m⁻² sr⁻¹ µm⁻¹]:
+/// sky, or below the horizontal the air down to a far plain at the height of the scene's origin,
+/// black and as warm as the air on it.
+std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
+                                  std::span<const double> node_um);
+
+/// A line from a height to another over a range, in segments that grow from the observer: heights
+/// on the straight chord over a spherical earth. Defined and smooth for any two heights, which
+/// sight_line() in terms of an angle is not; converged to 2 mK in every band
+/// (tests/radiance_test.cpp).
+SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 24);
+
+/// Spectral radiance that leaves a facet, term by term, summed node by node: the reference that
+/// the tables of tracer.hpp are measured against.
+///
+///     ε B(T) + ρ [f cosθ E_sun / π + V L_sky + Σ F_j J_j] + τ B(T_behind)
+///
+/// V is the sky view, F the exchange row, scaled to 1 − V (so that ground beyond the scene's edge
+/// looks like the surroundings that are there; like the facet itself if there are none). J_j is
+/// the same sum for facet j, whose own surroundings count as black at its own temperature: one
+/// bounce in full, the rest closed so that an isothermal enclosure is exactly black; what is
+/// neglected is ρ ρ_j (1 − V)(1 − V_j) times the difference of the two. `behind` is black at the
+/// temperature of the room behind (Interior), else of the facet.
+///
+/// returns  (term, node) [W m⁻² sr⁻¹ µm⁻¹]; Term::path is zero
+std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
+                                                             FacetId facet, const Light& light,
+                                                             std::span<const double> node_um);
+
+/// Band radiance [W m⁻² sr⁻¹] at the eye of a facet seen from `observer_height` [m] over a range,
+/// term by term and node by node; heights [m] above the origin's level surface.
+std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
+                                               double observer_height, FacetId facet, double range,
+                                               double height, int segments = 24);
+
+}  // namespace diurna

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "render/observer.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/ray_scene.hpp"
+
+namespace diurna {
+
+struct ViewOptions {
+    int samples = 16;  // a pixel: multiples of 16 fill whole ray packets
+    std::uint64_t seed = 1;
+};
+
+/// What a pixel sees of one facet.
+struct Sighting {
+    std::uint32_t target = 0;  // index into View::facet
+    float weight = 0.0f;       // share of the pixel, 0 to 1
+    float range = 0.0f;        // [m] mean over the samples that hit
+    float height = 0.0f;       // [m] above the origin's level surface, earth's curvature included
+};
+
+/// What every pixel of an observer sees, cast once and good for every instant and band while
+/// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
+struct View {
+    int width = 0, height = 0;
+    std::vector<FacetId> facet;         // (target) facets seen, ascending
+    std::vector<std::uint32_t> row;     // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
+    std::vector<Sighting> sighting;     // of a pixel: ascending target
+    std::vector<float> sky;             // (pixel) share that sees no facet
+    std::vector<float> sky_zenith_deg;  // (pixel) mean direction of that share; 0 if none
+    std::vector<FacetId> centre;        // (pixel) facet at the pixel's centre, or no_facet
+    std::vector<float> centre_range;    // (pixel) [m]; NaN where no facet
+    double observer_height = 0.0;       // [m] above the origin's level surface
+    std::uint64_t rays = 0;             // cast to make it
+
+    std::size_t pixels() const { return sky.size(); }
+};
+
+/// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a place that depends
+/// on (seed, pixel, sample) alone, and one through its centre. The same for any number of threads.
+/// Ranges are true to the facet's plane; averaging them over a pixel is the only loss.
+View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
+               const ViewOptions& options = {});
+
+/// Height [m] of a place in the east-north-up frame above the level surface through the origin.
+double level_height(const Eigen::Vector3d& place);
+
+}  // namespace diurna

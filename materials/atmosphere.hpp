@@ -40,8 +40,9 @@ std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const Sig
                                          std::span<const double> node_um);
 
 /// Radiance of the sky at each node [W m⁻² sr⁻¹ µm⁻¹], seen from `height_km` under `zenith_deg`:
-/// thermal emission of the air along the path and of the background behind it. Below the horizon:
-/// the path to the ground alone. No scattered sunlight.
+/// thermal emission of the air along the path and of the background behind it. Below the horizon
+/// the background is a black ground at the temperature of the profile's lowest level. No scattered
+/// sunlight. In a vacuum: Planck's law at `space_temperature` in every direction.
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
                                  std::span<const double> node_um);
 

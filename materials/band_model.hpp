@@ -24,11 +24,12 @@ struct BandModel {
     Profile profile;
     std::string aerosol = "none";      // or one of aerosol_names()
     double visibility_km = 23.0;       // 0.5 to 300
-    double co2_ppm = 420.0;            // scales the profile's carbon dioxide (330 at the ground)
+    double co2_ppm = 420.0;            // at the lowest level; the whole profile is scaled to it
     double space_temperature = 2.725;  // [K] behind the air
 };
 
-/// "none", rural, maritime, urban, tropospheric, desert...: what `BandModel::aerosol` may be.
+/// none, rural, maritime, urban, tropospheric, fog_advective, fog_radiative: what
+/// `BandModel::aerosol` may be.
 std::vector<std::string> aerosol_names();
 
 /// Throws InputError if a value is out of range, the aerosol unknown or the profile unusable.
@@ -67,8 +68,9 @@ CumulativeTransmittance cumulative_transmittance(const BandModel& model, const S
 /// Transmittance to the end of the line alone, (bin); the fastest way to it.
 std::vector<double> transmittance(const BandModel& model, const SightLine& line, BinRange bins);
 
-/// The sun's irradiance above the air at 1 AU, mean over each bin [W m⁻² µm⁻¹].
-/// Source: data_folder()/atmosphere/solar.csv and the SOURCE.md beside it.
-std::span<const double> solar_irradiance_above_air();
+/// The sun's irradiance above the air at 1 AU [W m⁻² µm⁻¹], 0.3 to 20 µm, mean over the bin that
+/// holds the wavelength (the band model's bins and five below them); beyond, the nearest bin's.
+/// ASTM E490 scaled to `solar_constant`; source: data_folder()/atmosphere/SOURCE.md.
+double solar_above_air(double wavelength_um);
 
 }  // namespace diurna

@@ -116,6 +116,30 @@ Document Document::from_text(const std::string& text, const std::string& file) {
     return Document(std::move(state));
 }
 
+void Document::set(const std::string& setting) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+        throw InputError("--set " + setting, "expected key.path=value");
+    }
+    const std::string value = setting.substr(equals + 1);
+    toml::table parsed;
+    try {
+        parsed = toml::parse("value = " + value, "--set " + setting);
+    } catch (const toml::parse_error&) {
+        parsed.insert_or_assign("value", value);
+    }
+    toml::table* table = &state_->root;
+    std::string rest = setting.substr(0, equals);
+    for (std::size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
+        const std::string key = rest.substr(0, dot);
+        table->insert(key, toml::table{});  // does nothing where the key is there
+        table = table->get(key)->as_table();
+        if (table == nullptr) throw InputError("--set " + setting, "'" + key + "' is not a table");
+        rest = rest.substr(dot + 1);
+    }
+    table->insert_or_assign(rest, std::move(*parsed.get("value")));
+}
+
 Section Document::root() const { return {state_, &state_->root, ""}; }
 
 void Document::finish() const {

@@ -23,6 +23,10 @@ class Document {
     static Document from_file(const std::filesystem::path& file);
     static Document from_text(const std::string& text, const std::string& file);
 
+    /// Puts a value in place of what the file says, or adds it: "time.step_s=300". What is no TOML
+    /// value counts as a text. Throws InputError if a table on the way is none.
+    void set(const std::string& setting);
+
     class Section root() const;
     void finish() const;
 

@@ -17,19 +17,32 @@ struct SightLine {
     double range_km() const;
 };
 
-/// Segments of a line that starts at `height_km` under `zenith_deg` (0 up, 90 level, 180 down) and
-/// runs `range_km`, or to where it meets the ground (the sea level) or the top of the air (100 km)
-/// if that is nearer. A line that never enters the air has no segments.
-///
-/// Segments start short at the observer, grow geometrically and are bounded in height change, so
-/// that path radiance is converged to 0.2 % in every band (tests/atmosphere_test.cpp). No
-/// refraction: at zenith 88° that shortens the way through the air by some per cent.
-/// Throws InputError for a zenith outside 0 to 180, a negative range, or a height that is not
-/// finite.
-SightLine sight_line(double height_km, double zenith_deg,
-                     double range_km = std::numeric_limits<double>::infinity());
+/// How finely a sight line is cut. A segment's change of height is at most `growth` times all the
+/// ups and downs before it, but no less than `first_km` and no more than
+/// `ceiling_km` + `ceiling_slope` · height: short where opaque air hides all that is
+/// behind it, coarse where the air is thin, and one segment for a level line.
+struct Segmentation {
+    double first_km = 0.01;
+    double growth = 0.25;
+    double ceiling_km = 0.25;
+    double ceiling_slope = 0.05;
+};
 
-/// The same line with every segment cut into `parts` equal ones (for convergence checks).
-SightLine refined(const SightLine& line, double height_km, double zenith_deg, int parts);
+/// Segments of a line that starts at `height_km` under `zenith_deg` (0 up, 90 level, 180 down) and
+/// runs `range_km`, or to the ground (sea level, or the start if that is lower) or the top of the
+/// air if it is infinite. A finite range ends 0.5 km below the sea at the latest. A start above the
+/// air is moved to where the line enters it; a line that never does has no segments.
+///
+/// With the default segmentation path radiance is converged to 0.2 % in every band
+/// (tests/atmosphere_test.cpp). No refraction: at zenith 88° that shortens the way through the
+/// lowest air by some per cent.
+/// Throws InputError for a zenith outside 0 to 180, a negative range, or a height that is not
+/// within -0.5 to 1e6 km.
+SightLine sight_line(double height_km, double zenith_deg,
+                     double range_km = std::numeric_limits<double>::infinity(),
+                     const Segmentation& segmentation = {});
+
+/// Whether a line of infinite range ends on the ground.
+bool meets_ground(double height_km, double zenith_deg);
 
 }  // namespace diurna

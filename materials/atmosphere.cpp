@@ -1,0 +1,167 @@
+#include "materials/atmosphere.hpp"
+
+#include <cassert>
+#include <cmath>
+
+#include "materials/band_model_tables.hpp"
+#include "materials/fast_exp.hpp"
+#include "materials/planck.hpp"
+#include "materials/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Nodes with what does not depend on temperature worked out: Planck's law for many temperatures.
+struct Nodes {
+    std::vector<double> c1, c2;    // c₁ λ⁻⁵, c₂ / λ
+    std::vector<std::size_t> bin;  // of the node, counted from the first of the range
+    BinRange bins;
+
+    explicit Nodes(std::span<const double> node_um) : bins(bins_of(node_um)) {
+        for (const double um : node_um) {
+            c1.push_back(first_radiation_um / (um * um * um * um * um));
+            c2.push_back(second_radiation_um / um);
+            bin.push_back(bin_of(um) - bins.first);
+        }
+    }
+    std::size_t size() const { return bin.size(); }
+};
+
+/// radiance += B(λ, T) (before − after), the emission of one segment. Air is no hotter than 1500 K,
+/// so that exp − 1 loses nothing below 20 µm.
+void add_emission(const Nodes& nodes, double temperature, std::span<const double> before,
+                  std::span<const double> after, std::span<double> radiance) {
+    const double inverse = 1.0 / temperature;
+    const std::size_t count = nodes.size();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        radiance[i] +=
+            nodes.c1[i] / (fast_exp(nodes.c2[i] * inverse) - 1.0) * (before[i] - after[i]);
+    }
+}
+
+NodeSpectrum clear(std::size_t nodes) {
+    return {std::vector<double>(nodes, 1.0), std::vector<double>(nodes, 0.0)};
+}
+
+/// Calls `at_end(segment, spectrum)` with the path up to the far end of each segment.
+template <class AtEnd>
+NodeSpectrum along(const BandModel& model, const SightLine& line, std::span<const double> node_um,
+                   AtEnd&& at_end) {
+    const Nodes nodes(node_um);
+    const CumulativeTransmittance path = cumulative_transmittance(model, line, nodes.bins);
+    NodeSpectrum spectrum = clear(nodes.size());
+    std::vector<double> after(nodes.size());
+    for (std::size_t segment = 0; segment < path.segments(); ++segment) {
+        const std::span<const double> row = path.row(segment);
+        for (std::size_t i = 0; i < after.size(); ++i) after[i] = row[nodes.bin[i]];
+        add_emission(nodes, path.temperature[segment], spectrum.transmittance, after,
+                     spectrum.radiance);
+        spectrum.transmittance.swap(after);
+        at_end(segment, spectrum);
+    }
+    return spectrum;
+}
+
+std::vector<double> values_per_node(const Band& band, std::span<const double> per_bin) {
+    assert(per_bin.size() == bin_count());
+    std::vector<double> values;
+    values.reserve(band.node_um.size());
+    for (const double um : band.node_um) values.push_back(per_bin[bin_of(um)]);
+    return values;
+}
+
+}  // namespace
+
+void check(const Atmosphere& atmosphere) {
+    if (const auto* model = std::get_if<BandModel>(&atmosphere)) check(*model);
+}
+
+NodeSpectrum path_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
+                           std::span<const double> node_um) {
+    const auto* model = std::get_if<BandModel>(&atmosphere);
+    if (model == nullptr || node_um.empty()) return clear(node_um.size());
+    return along(*model, line, node_um, [](std::size_t, const NodeSpectrum&) {});
+}
+
+std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
+                                         std::span<const double> node_um) {
+    std::vector<NodeSpectrum> paths(line.size(), clear(node_um.size()));
+    const auto* model = std::get_if<BandModel>(&atmosphere);
+    if (model == nullptr || node_um.empty()) return paths;
+    along(*model, line, node_um,
+          [&](std::size_t segment, const NodeSpectrum& spectrum) { paths[segment] = spectrum; });
+    return paths;
+}
+
+std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
+                                 std::span<const double> node_um) {
+    double behind = 0.0;  // temperature of what is behind the air
+    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
+        behind = meets_ground(height_km, zenith_deg) ? model->profile.temperature.front()
+                                                     : model->space_temperature;
+    } else {
+        behind = std::get<Vacuum>(atmosphere).space_temperature;
+    }
+    NodeSpectrum path = path_at_nodes(atmosphere, sight_line(height_km, zenith_deg), node_um);
+    for (std::size_t i = 0; i < node_um.size(); ++i) {
+        path.radiance[i] += path.transmittance[i] * planck(node_um[i], behind);
+    }
+    return std::move(path.radiance);
+}
+
+std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_km,
+                                   double zenith_deg, double distance_au,
+                                   std::span<const double> node_um) {
+    std::vector<double> irradiance(node_um.size(), 0.0);
+    if (node_um.empty() || meets_ground(height_km, zenith_deg)) return irradiance;
+    const BinRange bins = bins_of(node_um);
+    std::vector<double> tau(bins.size(), 1.0);
+    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
+        tau = transmittance(*model, sight_line(height_km, zenith_deg), bins);
+    }
+    for (std::size_t i = 0; i < node_um.size(); ++i) {
+        irradiance[i] = solar_above_air(node_um[i]) * tau[bin_of(node_um[i]) - bins.first] /
+                        (distance_au * distance_au);
+    }
+    return irradiance;
+}
+
+std::span<const double> bin_middles_um() { return band_model_tables().middle_um; }
+
+PathSpectrum path_spectrum(const Atmosphere& atmosphere, const SightLine& line) {
+    NodeSpectrum spectrum = path_at_nodes(atmosphere, line, bin_middles_um());
+    return {std::move(spectrum.transmittance), std::move(spectrum.radiance)};
+}
+
+std::vector<double> sky_radiance(const Atmosphere& atmosphere, double height_km,
+                                 double zenith_deg) {
+    return sky_at_nodes(atmosphere, height_km, zenith_deg, bin_middles_um());
+}
+
+std::vector<double> solar_irradiance(const Atmosphere& atmosphere, double height_km,
+                                     double zenith_deg, double distance_au) {
+    return solar_at_nodes(atmosphere, height_km, zenith_deg, distance_au, bin_middles_um());
+}
+
+double band_sum_nodes(const Band& band, std::span<const double> per_node) {
+    assert(per_node.size() == band.weight.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < per_node.size(); ++i) sum += band.weight[i] * per_node[i];
+    return sum;
+}
+
+double band_sum(const Band& band, std::span<const double> per_bin) {
+    return band_sum_nodes(band, values_per_node(band, per_bin));
+}
+
+double band_mean_nodes(const Band& band, std::span<const double> per_node) {
+    return band_sum_nodes(band, per_node) / band.width_um();
+}
+
+double band_mean(const Band& band, std::span<const double> per_bin) {
+    return band_sum(band, per_bin) / band.width_um();
+}
+
+}  // namespace diurna

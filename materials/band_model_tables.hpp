@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "materials/profile.hpp"
+
+namespace diurna {
+
+/// The band model's tables as loaded: private to band_model.cpp. Bins ascend in wavelength.
+struct BandModelTables {
+    /// Absorption of one gas where one pair of exponents holds: one amount W serves all its bins.
+    struct Group {
+        Gas gas;
+        double n, m;  // exponents of pressure and temperature
+    };
+    /// Neighbouring bins of a group: depth of bin `first + k` is exp(a[k] (ln C[k] + ln W)).
+    struct Run {
+        std::size_t group;
+        std::size_t first;
+        std::vector<double> ln_c, a;
+    };
+    /// Bin values that are multiplied by an amount: self continuum, its change with temperature,
+    /// foreign continuum, nitrogen, Rayleigh, ozone (visible), nitric acid.
+    static constexpr std::size_t linear_count = 7;
+
+    std::vector<double> edge_um;    // (bin + 1)
+    std::vector<double> middle_um;  // (bin), of the middle wavenumber
+    std::vector<Group> groups;
+    std::vector<Run> runs;
+    std::array<std::vector<double>, linear_count> linear;  // (term, bin)
+
+    /// Extinction relative to 0.55 µm at a relative humidity [%]: (bin) of its logarithm.
+    using AerosolLevels = std::vector<std::pair<double, std::vector<double>>>;
+    std::map<std::string, AerosolLevels> aerosols;
+
+    std::vector<double> solar_edge_um;  // (solar bin + 1)
+    std::vector<double> solar_W_m2_um;  // (solar bin), scaled to `solar_constant`
+
+    std::size_t bins() const { return middle_um.size(); }
+};
+
+/// Loaded once, at the first call, from data_folder()/atmosphere; throws InputError if a file is
+/// missing or damaged.
+const BandModelTables& band_model_tables();
+
+}  // namespace diurna

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace diurna {
+
+/// exp(x), x clamped to −708 to 709.
+///
+/// Written without branches or tables so that loops over it become vector code (2 ns an element
+/// with AVX2, against 5 ns for std::exp). x = k ln 2 + r, |r| ≤ ln 2 / 2; eʳ by Taylor's series to
+/// r¹², whose remainder is 1.7e-16; 2ᵏ by its bits. Relative error below 5e-16
+/// (tests/planck_test.cpp).
+inline double fast_exp(double x) {
+    constexpr double log2_e = 1.4426950408889634074;
+    constexpr double ln2_high = 6.93147180369123816490e-01;  // fdlibm: 32 bits, so k·high is exact
+    constexpr double ln2_low = 1.90821492927058770002e-10;
+    constexpr double shifter = 0x1.8p52;  // adding it rounds to an integer in the low bits
+    x = x < -708.0 ? -708.0 : x;
+    x = x > 709.0 ? 709.0 : x;
+    const double shifted = x * log2_e + shifter;
+    const double k = shifted - shifter;
+    const double r = (x - k * ln2_high) - k * ln2_low;
+    double p = 1.0 / 479001600.0;
+    p = p * r + 1.0 / 39916800.0;
+    p = p * r + 1.0 / 3628800.0;
+    p = p * r + 1.0 / 362880.0;
+    p = p * r + 1.0 / 40320.0;
+    p = p * r + 1.0 / 5040.0;
+    p = p * r + 1.0 / 720.0;
+    p = p * r + 1.0 / 120.0;
+    p = p * r + 1.0 / 24.0;
+    p = p * r + 1.0 / 6.0;
+    p = p * r + 0.5;
+    p = p * r + 1.0;
+    p = p * r + 1.0;
+    const auto bits = (std::bit_cast<std::uint64_t>(shifted) + 1023u) << 52;
+    return p * std::bit_cast<double>(bits);
+}
+
+}  // namespace diurna

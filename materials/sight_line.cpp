@@ -1,0 +1,105 @@
+#include "materials/sight_line.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "materials/error.hpp"
+#include "materials/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double lowest_km = -0.5;  // the shore of the Dead Sea lies at -0.43 km
+
+/// A straight line from radius r under a zenith of cosine mu.
+struct Ray {
+    double r, mu;
+
+    /// Distances at which the line crosses a sphere: nearer and farther; NaN if it misses.
+    double near(double sphere) const { return -r * mu - root(sphere); }
+    double far(double sphere) const { return -r * mu + root(sphere); }
+    /// Gain of height over a distance, free of cancellation.
+    double rise(double s) const {
+        const double square = s * (2.0 * r * mu + s);
+        return square / (std::sqrt(r * r + square) + r);
+    }
+
+ private:
+    double root(double sphere) const {
+        // r² (μ² − 1) + R², its large terms taken together.
+        return std::sqrt((sphere - r) * (sphere + r) + r * r * mu * mu);
+    }
+};
+
+double cosine(double zenith_deg) { return std::cos(radians(zenith_deg)); }
+
+}  // namespace
+
+double SightLine::range_km() const {
+    return std::accumulate(length_km.begin(), length_km.end(), 0.0);
+}
+
+bool meets_ground(double height_km, double zenith_deg) {
+    if (zenith_deg <= 90.0) return false;
+    const double ground = std::min(height_km, 0.0);
+    return Ray{earth_radius_km + height_km, cosine(zenith_deg)}.near(earth_radius_km + ground) >=
+           0.0;
+}
+
+SightLine sight_line(double height_km, double zenith_deg, double range_km,
+                     const Segmentation& segmentation) {
+    if (!(zenith_deg >= 0.0 && zenith_deg <= 180.0)) {
+        throw InputError("zenith angle",
+                         fmt::format("found {:g}°, expected 0 (up) to 180 (down)", zenith_deg));
+    }
+    if (!(range_km >= 0.0)) {
+        throw InputError("range", fmt::format("found {:g} km, expected zero or more", range_km));
+    }
+    if (!(height_km >= lowest_km && height_km <= 1e6)) {
+        throw InputError("height",
+                         fmt::format("found {:g} km, expected {:g} to 1e6", height_km, lowest_km));
+    }
+    Ray ray{earth_radius_km + height_km, cosine(zenith_deg)};
+    if (height_km > atmosphere_top_km) {
+        const double entry = ray.near(earth_radius_km + atmosphere_top_km);
+        if (!(entry >= 0.0 && entry < range_km)) return {};
+        const double moved = earth_radius_km + atmosphere_top_km;
+        ray = {moved, (ray.r * ray.mu + entry) / moved};
+        height_km = atmosphere_top_km;
+        range_km -= entry;
+    }
+    const double ground_km = std::isinf(range_km) ? std::min(height_km, 0.0) : lowest_km;
+    double end = std::min(range_km, ray.far(earth_radius_km + atmosphere_top_km));
+    const double ground = ray.near(earth_radius_km + ground_km);
+    if (ray.mu < 0.0 && ground >= 0.0) end = std::min(end, ground);
+
+    SightLine line;
+    double travelled = 0.0;  // all ups and downs so far [km]
+    for (double s = 0.0; s < end;) {
+        const double here = height_km + ray.rise(s);
+        const double ceiling =
+            segmentation.ceiling_km + segmentation.ceiling_slope * std::max(here, 0.0);
+        const double allowed =
+            std::clamp(segmentation.growth * travelled, segmentation.first_km, ceiling);
+        const Ray onward{ray.r + ray.rise(s), (ray.r * ray.mu + s) / (ray.r + ray.rise(s))};
+        double length = end - s;
+        const double lowest = -onward.r * onward.mu;  // where the line is level
+        if (lowest > 0.0) length = std::min(length, lowest);
+        // The rest of the line climbs or falls all the way, so this halving and the secant end.
+        while (std::abs(onward.rise(length)) > allowed * (1.0 + 1e-9)) {
+            length *= std::max(0.5, allowed / std::abs(onward.rise(length)));
+        }
+        if (end - s - length < 1e-9) length = end - s;
+        line.height_km.push_back(here + onward.rise(0.5 * length));
+        line.length_km.push_back(length);
+        travelled += std::abs(onward.rise(length));
+        s += length;
+    }
+    return line;
+}
+
+}  // namespace diurna

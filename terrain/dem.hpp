@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <filesystem>
@@ -13,9 +14,10 @@
 
 namespace diurna {
 
-/// An elevation raster: heights at posts (pixel centres), row 0 first as in the file. Heights are
-/// above the geoid or ellipsoid as the file has them; the difference is a constant over a scene and
-/// left out.
+/// An elevation raster: heights at posts (pixel centres), row 0 in the north (a file stored south
+/// first is turned over), so that columns and rows turn clockwise seen from above. Heights are in
+/// metres above the geoid or ellipsoid as the file has them; the difference is a constant over a
+/// scene and left out.
 struct Dem {
     std::string source;  // file it came from
     int columns = 0, rows = 0;
@@ -42,12 +44,30 @@ struct DemOptions {
 /// clear line.
 Dem read_dem(const std::filesystem::path& file, const DemOptions& options = {});
 
-/// Geodetic latitude, longitude and height of every post, (row, column), by PROJ through the
+/// Geodetic places of fractional posts (column, row) with their heights, by PROJ through the
 /// raster's CRS.
+std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vector2d> place,
+                                      std::span<const float> height);
+/// The same for every post, (row, column).
 std::vector<Geodetic> post_places(const Dem& dem);
+/// Places in the raster as east, north, up [m] in the frame of the site, curvature included.
+std::vector<Eigen::Vector3d> local_vertices(const Dem& dem, const Site& site,
+                                            std::span<const Eigen::Vector2d> place,
+                                            std::span<const float> height);
+
+/// Fractional (column, row) of geodetic places (their heights do not matter), or of points of the
+/// ground given by east and north [m] in the frame of the site. Places outside the raster give
+/// numbers outside [0, columns − 1] × [0, rows − 1].
+std::vector<Eigen::Vector2d> raster_places(const Dem& dem, std::span<const Geodetic> places);
+std::vector<Eigen::Vector2d> raster_places(const Dem& dem, const Site& site,
+                                           std::span<const Eigen::Vector2d> east_north);
+
+/// Distance [m] between neighbouring columns and between neighbouring rows, mid-raster.
+Eigen::Vector2d post_spacing(const Dem& dem);
 /// The place in the middle of the raster, at the height of the nearest valid post.
 Geodetic dem_centre(const Dem& dem);
-/// Height [m] at a place, bilinear between posts; NaN outside or beside a void.
+/// Height [m], bilinear between posts; NaN outside or beside a void.
+double height_at(const Dem& dem, const Eigen::Vector2d& place);
 double height_at(const Dem& dem, double latitude_deg, double longitude_deg);
 
 }  // namespace diurna

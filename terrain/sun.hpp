@@ -15,7 +15,7 @@ struct SunPosition {
 };
 
 /// Sun seen from the site at an instant, without refraction. 0.5″ worst against NREL's SPA
-/// (IAU 2006/2000A by ERFA, aberration and topocentric parallax included).
+/// (ERFA: Earth of Epv00, IAU 2000B precession-nutation, aberration, topocentric parallax).
 SunPosition sun_position(const Site& site, Instant instant);
 
 /// The same with refraction for air of the given pressure [hPa] and temperature [°C]

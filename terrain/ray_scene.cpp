@@ -1,0 +1,168 @@
+#include "terrain/ray_scene.hpp"
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <stdexcept>
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t width = 16;
+
+void fail(void*, RTCError code, const char* message) {
+    if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw std::runtime_error(fmt::format("Embree: {} (error {})", message, int(code)));
+}
+
+RTCIntersectContext context_for(Coherence coherence) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = coherence == Coherence::coherent ? RTC_INTERSECT_CONTEXT_FLAG_COHERENT
+                                                     : RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    return context;
+}
+
+/// Lays up to 16 rays side by side; lanes without a ray are switched off.
+void pack(std::span<const Ray> rays, RTCRay16& packet, int (&valid)[width]) {
+    for (std::size_t i = 0; i < width; ++i) {
+        const bool used = i < rays.size();
+        valid[i] = used ? -1 : 0;
+        const Ray& ray = rays[used ? i : 0];
+        packet.org_x[i] = ray.origin.x();
+        packet.org_y[i] = ray.origin.y();
+        packet.org_z[i] = ray.origin.z();
+        packet.dir_x[i] = ray.direction.x();
+        packet.dir_y[i] = ray.direction.y();
+        packet.dir_z[i] = ray.direction.z();
+        packet.tnear[i] = ray.near;
+        packet.tfar[i] = ray.far;
+        packet.time[i] = 0.0f;
+        packet.mask[i] = 0xFFFFFFFFu;
+        packet.id[i] = 0;
+        packet.flags[i] = 0;
+    }
+}
+
+}  // namespace
+
+struct RayScene::Impl {
+    RTCDevice device = nullptr;
+    RTCScene scene = nullptr;
+    const float* vertex = nullptr;     // Embree's own copies, three per vertex
+    const unsigned* corner = nullptr;  // and three per facet
+
+    ~Impl() {
+        if (scene) rtcReleaseScene(scene);
+        if (device) rtcReleaseDevice(device);
+    }
+
+    Eigen::Vector3d corner_of(unsigned facet, int k) const {
+        return Eigen::Map<const Eigen::Vector3f>(
+                   vertex + 3 * std::size_t{corner[3 * std::size_t{facet} + k]})
+            .cast<double>();
+    }
+
+    /// Where the ray meets the facet's plane, kept within the facet's own reach along the ray:
+    /// at grazing incidence Embree's float range can be metres off, and so can the plane's where
+    /// the ray met just an edge.
+    float range(const Ray& ray, unsigned facet, float embree_range) const {
+        const Eigen::Vector3d origin = ray.origin.cast<double>();
+        const Eigen::Vector3d towards = ray.direction.cast<double>();
+        const Eigen::Vector3d a = corner_of(facet, 0) - origin, b = corner_of(facet, 1) - origin,
+                              c = corner_of(facet, 2) - origin;
+        const Eigen::Vector3d normal = (b - a).cross(c - a);
+        const double descent = normal.dot(towards);
+        const double t = descent != 0.0 ? normal.dot(a) / descent : double{embree_range};
+        const double along[] = {a.dot(towards), b.dot(towards), c.dot(towards)};
+        const auto [first, last] = std::minmax_element(std::begin(along), std::end(along));
+        const double scale = towards.squaredNorm();
+        return static_cast<float>(
+            std::max(double{ray.near}, std::clamp(t, *first / scale, *last / scale)));
+    }
+};
+
+RayScene::RayScene(const FacetSet& facets) : impl_(std::make_unique<Impl>()) {
+    // One instruction set for everyone, so that results repeat across machines.
+    impl_->device = rtcNewDevice("isa=avx2");
+    if (!impl_->device) throw std::runtime_error("Embree cannot start: it needs AVX2");
+    rtcSetDeviceErrorFunction(impl_->device, fail, nullptr);
+    impl_->scene = rtcNewScene(impl_->device);
+    rtcSetSceneFlags(impl_->scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(impl_->scene, RTC_BUILD_QUALITY_MEDIUM);
+
+    if (facets.size() > 0) {
+        RTCGeometry geometry = rtcNewGeometry(impl_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* vertex = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    3 * sizeof(float), facets.vertex.size()));
+        auto* corner = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(unsigned), facets.corner.size()));
+        for (std::size_t v = 0; v < facets.vertex.size(); ++v) {
+            assert(facets.vertex[v].allFinite());
+            std::copy_n(facets.vertex[v].data(), 3, vertex + 3 * v);
+        }
+        for (std::size_t f = 0; f < facets.corner.size(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                assert(facets.corner[f][k] < facets.vertex.size());
+                corner[3 * f + k] = facets.corner[f][k];
+            }
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(impl_->scene, geometry);
+        rtcReleaseGeometry(geometry);
+        impl_->vertex = vertex;
+        impl_->corner = corner;
+    }
+    rtcCommitScene(impl_->scene);
+}
+
+RayScene::~RayScene() = default;
+RayScene::RayScene(RayScene&&) noexcept = default;
+RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence coherence) const {
+    assert(rays.size() == hits.size());
+    RTCIntersectContext context = context_for(coherence);
+    alignas(64) int valid[width];
+    RTCRayHit16 packet;
+    for (std::size_t start = 0; start < rays.size(); start += width) {
+        const auto some = rays.subspan(start, std::min(width, rays.size() - start));
+        pack(some, packet.ray, valid);
+        std::fill_n(packet.hit.geomID, width, RTC_INVALID_GEOMETRY_ID);
+        std::fill_n(packet.hit.instID[0], width, RTC_INVALID_GEOMETRY_ID);
+        rtcIntersect16(valid, impl_->scene, &context, &packet);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            const unsigned facet = packet.hit.primID[i];
+            hits[start + i] =
+                packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
+                    ? Hit{}
+                    : Hit{FacetId{facet}, impl_->range(some[i], facet, packet.ray.tfar[i])};
+        }
+    }
+}
+
+void RayScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
+                        Coherence coherence) const {
+    assert(rays.size() == blocked.size());
+    RTCIntersectContext context = context_for(coherence);
+    alignas(64) int valid[width];
+    RTCRay16 packet;
+    for (std::size_t start = 0; start < rays.size(); start += width) {
+        const auto some = rays.subspan(start, std::min(width, rays.size() - start));
+        pack(some, packet, valid);
+        rtcOccluded16(valid, impl_->scene, &context, &packet);
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            // Embree marks a blocked ray by a far end of minus infinity.
+            blocked[start + i] = packet.tfar[i] < 0.0f ? 1 : 0;
+        }
+    }
+}
+
+}  // namespace diurna

@@ -81,8 +81,8 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
     double travelled = 0.0;  // all ups and downs so far [km]
     for (double s = 0.0; s < end;) {
         const double here = height_km + ray.rise(s);
-        const double ceiling =
-            segmentation.ceiling_km + segmentation.ceiling_slope * std::max(here, 0.0);
+        const double thinness = std::max(here, 0.0) / segmentation.thinning_km;
+        const double ceiling = segmentation.ceiling_km * (1.0 + thinness * thinness);
         const double allowed =
             std::clamp(segmentation.growth * travelled, segmentation.first_km, ceiling);
         const Ray onward{ray.r + ray.rise(s), (ray.r * ray.mu + s) / (ray.r + ray.rise(s))};

@@ -19,13 +19,13 @@ struct SightLine {
 
 /// How finely a sight line is cut. A segment's change of height is at most `growth` times all the
 /// ups and downs before it, but no less than `first_km` and no more than
-/// `ceiling_km` + `ceiling_slope` · height: short where opaque air hides all that is
-/// behind it, coarse where the air is thin, and one segment for a level line.
+/// `ceiling_km` (1 + (height / thinning_km)²): short where opaque air hides all that is behind
+/// it, long where the air is thin, and one segment for a level line.
 struct Segmentation {
     double first_km = 0.01;
     double growth = 0.25;
-    double ceiling_km = 0.25;
-    double ceiling_slope = 0.05;
+    double ceiling_km = 0.15;
+    double thinning_km = 8.0;
 };
 
 /// Segments of a line that starts at `height_km` under `zenith_deg` (0 up, 90 level, 180 down) and

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The verbs of the command line that need no scene. Each prints its result to stdout and throws
+/// InputError for values it cannot use.
+namespace diurna {
+
+struct PathArguments {
+    std::string profile = "US76";
+    std::string aerosol = "none";
+    double visibility_km = 23.0;
+    double co2_ppm = 420.0;
+    double height_km = 0.0;   // start of the path, above the sea
+    double zenith_deg = 0.0;  // there
+    std::optional<double> range_km, to_height_km;
+    bool to_ground = false, to_space = false;
+    std::vector<std::string> bands;
+    std::filesystem::path csv;  // whole spectrum, if named
+};
+void path_command(const PathArguments& arguments);
+
+struct SunArguments {
+    double latitude_deg = 0.0, longitude_deg = 0.0, height_m = 0.0;
+    std::string time;
+    std::optional<double> pressure_hPa;
+    double temperature_C = 15.0;
+};
+void sun_command(const SunArguments& arguments);
+
+struct MeshArguments {
+    std::filesystem::path dem;
+    double tolerance_m = 1.0;
+    std::string frame = "enu";  // or grid: (column, row, height) in the raster's own posts
+    std::filesystem::path out;  // PLY, if named
+};
+void mesh_command(const MeshArguments& arguments);
+
+void column_command(const std::filesystem::path& file, const std::filesystem::path& out);
+
+/// Versions, instruction sets, threads, where data are found.
+void doctor_command();
+
+}  // namespace diurna

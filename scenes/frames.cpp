@@ -1,0 +1,125 @@
+#include "scenes/frames.hpp"
+
+#include <algorithm>
+#include <atomic>
+
+#include "render/exr.hpp"
+#include "render/quicklook.hpp"
+#include "render/tracer.hpp"
+#include "terrain/parallel.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string base_name(const std::string& observer, const std::string& band, Instant instant) {
+    Frame named;
+    named.observer = observer;
+    named.instant = instant;
+    return "frames/" + frame_name(named, band);
+}
+
+/// Both files of every band of one frame are there.
+bool complete(const fs::path& out, const ObserverInput& observer, Instant instant) {
+    return std::all_of(observer.bands.begin(), observer.bands.end(), [&](const std::string& band) {
+        const std::string name = base_name(observer.name, band, instant);
+        return fs::exists(out / (name + ".exr")) && fs::exists(out / (name + ".png"));
+    });
+}
+
+void write_frame(const fs::path& out, const Frame& frame, const std::vector<std::string>& bands) {
+    for (const std::string& band : bands) {
+        const std::string name = base_name(frame.observer, band, frame.instant);
+        const Frame one = band_frame(frame, band);
+        write_exr(out / (name + ".exr"), one);
+        write_quicklook(out / (name + ".png"), one, "apparent_temperature." + band);
+    }
+}
+
+}  // namespace
+
+Atmosphere atmosphere_at(const Prepared& prepared, Instant instant) {
+    const AirInput& air = prepared.scene.air;
+    if (air.vacuum) return Vacuum{};
+    const AirState ground = prepared.weather.at(instant).air;
+    return BandModel{
+        .profile = with_surface(afgl_profile(air.profile), prepared.world.sea_level_height / 1000.0,
+                                ground.temperature, ground.vapour_pressure / 100.0),
+        .aerosol = air.aerosol,
+        .visibility_km = air.visibility_km,
+        .co2_ppm = air.co2_ppm};
+}
+
+std::vector<std::string> frame_files(const Prepared& prepared) {
+    std::vector<std::string> files;
+    for (const ObserverInput& observer : prepared.scene.observers) {
+        for (const Instant instant : prepared.plan.frames) {
+            for (const std::string& band : observer.bands) {
+                const std::string name = base_name(observer.name, band, instant);
+                files.push_back(name + ".exr");
+                files.push_back(name + ".png");
+            }
+        }
+    }
+    return files;
+}
+
+std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
+                          const TemperatureField& field, const fs::path& out, Progress& progress) {
+    const Scene& scene = prepared.scene;
+    const World& world = prepared.world;
+    std::size_t rendered = 0;
+    for (std::size_t o = 0; o < scene.observers.size(); ++o) {
+        const ObserverInput& input = scene.observers[o];
+        const Observer& observer = prepared.observers[o];
+        std::vector<Instant> wanted;
+        for (const Instant instant : prepared.plan.frames) {
+            if (!complete(out, input, instant)) wanted.push_back(instant);
+        }
+        if (wanted.empty()) continue;
+
+        progress.stage("cast view of " + input.name);
+        const View view = cast_view(prepared.rays, world.facets, observer,
+                                    {.samples = input.samples, .seed = scene.seed});
+        std::vector<Band> bands;
+        for (const std::string& band : input.bands)
+            bands.push_back(parse_band(band, bin_edges_um()));
+
+        progress.stage("frames of " + input.name);
+        std::atomic<std::size_t> done = 0;
+        const auto render_one = [&](std::size_t i) {
+            const Instant instant = wanted[i];
+            const SunPosition sun = sun_position(world.site, instant);
+            std::vector<float> fraction;
+            if (sun.elevation_deg > 0.0) {
+                fraction.resize(world.facets.size());
+                sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
+                             {.samples = scene.sun_samples, .seed = scene.seed});
+            }
+            const std::vector<float> temperature = field.interpolate(instant);
+            const Atmosphere atmosphere = atmosphere_at(prepared, instant);
+            const Frame frame = render(view, observer, bands,
+                                       {.facets = world.facets,
+                                        .sky_view = sky_view,
+                                        .materials = scene.materials,
+                                        .atmosphere = atmosphere,
+                                        .temperature = temperature,
+                                        .sun_fraction = fraction,
+                                        .to_sun = sun_direction(sun),
+                                        .sun_zenith_deg = 90.0 - sun.elevation_deg,
+                                        .sun_distance_au = sun.distance_au,
+                                        .ground_height_km = world.sea_level_height / 1000.0,
+                                        .instant = instant},
+                                       {.truth = true, .terms = input.terms});
+            write_frame(out, frame, input.bands);
+            progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
+        };
+        for_each_index(wanted.size(), render_one, 1);
+        rendered += wanted.size();
+    }
+    return rendered;
+}
+
+}  // namespace diurna

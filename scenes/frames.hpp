@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/atmosphere.hpp"
+#include "scenes/job.hpp"
+#include "thermal/temperature_field.hpp"
+
+namespace diurna {
+
+/// The air between surface and eye at an instant: the scene's profile, made to have the weather's
+/// temperature and humidity at the ground.
+Atmosphere atmosphere_at(const Prepared& prepared, Instant instant);
+
+/// Files of all frames, relative to the run's folder: for each observer, frame and band an EXR,
+/// and a PNG beside it.
+std::vector<std::string> frame_files(const Prepared& prepared);
+
+/// Renders every frame that is not there yet and writes it as EXR with a PNG quick-look.
+/// returns how many (observer, instant) were rendered
+std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
+                          const TemperatureField& field, const std::filesystem::path& out,
+                          Progress& progress);
+
+}  // namespace diurna

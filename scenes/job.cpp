@@ -1,0 +1,165 @@
+#include "scenes/job.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <cmath>
+
+#include "scenes/frames.hpp"
+#include "scenes/manifest.hpp"
+#include "scenes/report.hpp"
+#include "terrain/parallel.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+Stamp stamp_of(const std::string& interval) {
+    return interval == "start" ? Stamp::start : interval == "end" ? Stamp::end : Stamp::instant;
+}
+
+Weather weather_of(const Scene& scene, const World& world) {
+    Weather weather =
+        read_weather(scene.weather.file, {.interval = stamp_of(scene.weather.interval),
+                                          .wind_height = scene.weather.wind_height,
+                                          .air_height = scene.weather.air_height,
+                                          .elevation = world.sea_level_height});
+    infer_cloud(weather, world.site, world.sea_level_height);
+    return weather;
+}
+
+Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
+                const RayScene& rays, const Scene& scene) {
+    const std::string where = fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
+    Observer observer{.name = input.name,
+                      .position = ground_point(dem, world.site, input.place, where) +
+                                  Eigen::Vector3d(0.0, 0.0, input.height_above_ground),
+                      .azimuth_deg = input.azimuth_deg,
+                      .elevation_deg = input.elevation_deg,
+                      .roll_deg = input.roll_deg,
+                      .horizontal_fov_deg = input.horizontal_fov_deg,
+                      .width = input.width,
+                      .height = input.height};
+    if (input.look_at) {
+        observer = looking_at(observer, ground_point(dem, world.site, *input.look_at, where));
+    }
+    check_observer(observer, world.facets, rays);
+    return observer;
+}
+
+SolveOptions solve_options(const Scene& scene) {
+    SolveOptions options;
+    options.start = scene.time.start;
+    options.duration = scene.time.duration;
+    options.step = scene.time.step;
+    options.keep_every = scene.time.frame_every;
+    options.periodic = scene.time.duration == 86400.0;
+    return options;
+}
+
+/// Shadows at every step; rays only while the sun is up.
+SunExposure sun_exposure(const Prepared& prepared, Progress& progress) {
+    const Scene& scene = prepared.scene;
+    const std::size_t facets = prepared.world.facets.size();
+    SunExposure exposure{.instant = step_instants(solve_options(scene)), .fraction = {}};
+    exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
+    for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
+        const SunPosition sun = sun_position(prepared.world.site, exposure.instant[i]);
+        sun_fraction(prepared.world.facets, prepared.rays, sun_direction(sun),
+                     std::span(exposure.fraction).subspan(i * facets, facets),
+                     {.samples = scene.sun_samples, .seed = scene.seed});
+        progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
+    }
+    return exposure;
+}
+
+}  // namespace
+
+Prepared prepare(Scene scene) {
+    const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    World world = build_world(scene, dem);
+    RayScene rays(world.facets);
+    Weather weather = weather_of(scene, world);
+    std::vector<Observer> observers;
+    for (const ObserverInput& observer : scene.observers) {
+        observers.push_back(placed(observer, dem, world, rays, scene));
+    }
+    Plan plan = make_plan(scene, world);
+    return {std::move(scene),   std::move(world),     std::move(rays),
+            std::move(weather), std::move(observers), std::move(plan)};
+}
+
+SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress) {
+    progress.stage("shadows");
+    const SunExposure exposure = sun_exposure(prepared, progress);
+    progress.stage("heat balance");
+    SolveOptions options = solve_options(prepared.scene);
+    options.progress = [&](double share) { progress.done(share); };
+    return solve({.facets = prepared.world.facets,
+                  .sky_view = sky_view,
+                  .sun = exposure,
+                  .materials = prepared.scene.materials,
+                  .weather = prepared.weather,
+                  .site = prepared.world.site,
+                  .elevation = prepared.world.sea_level_height},
+                 options);
+}
+
+JobReport run_job(Scene scene, const JobOptions& options) {
+    Progress progress(options.progress);
+    progress.stage("terrain");
+    const Prepared prepared = prepare(std::move(scene));
+    const Scene& checked = prepared.scene;
+
+    // Nothing has been written so far; from here on only whole files are.
+    fs::create_directories(options.out / "frames");
+    const std::string key = job_key(checked, options.settings);
+    const bool keep = options.resume && manifest_key(options.out) == key;
+    if (!keep) {
+        fs::remove(options.out / "temperatures.nc");
+        for (const std::string& file : frame_files(prepared)) fs::remove(options.out / file);
+    }
+    write_manifest(options.out, checked, options.settings, key);
+
+    progress.stage("sky view");
+    const SkyView view = sky_view(prepared.world.facets, prepared.rays,
+                                  {.rays = checked.sky_rays, .seed = checked.seed});
+
+    JobReport report;
+    report.plan = prepared.plan;
+    report.ground_check = prepared.world.ground_check;
+    report.posts = prepared.world.posts;
+    const fs::path temperatures = options.out / "temperatures.nc";
+    TemperatureField field;
+    if (keep && fs::exists(temperatures)) {
+        field = load_temperature_field(temperatures);
+    } else {
+        SolveResult result = solve_scene(prepared, view, progress);
+        progress.stage("write temperatures");
+        save_temperature_field(temperatures, result.temperature, prepared.world.facets,
+                               prepared.world.site);
+        field = std::move(result.temperature);
+        report.solve = result.report;
+        report.solved = true;
+    }
+    if (!prepared.weather.note.empty()) report.notes.push_back(prepared.weather.note);
+
+    report.files = {"temperatures.nc"};
+    report.frames_rendered = render_frames(prepared, view, field, options.out, progress);
+    for (std::string& file : frame_files(prepared)) report.files.push_back(std::move(file));
+
+    progress.stage("report");
+    const std::vector<DiurnalCurve> curves =
+        diurnal_curves(field, prepared.world.facets, checked.materials);
+    report.stages = progress.stages();
+    write_report(options.out, prepared, report, field.instant, curves);
+    report.files.push_back("report.html");
+    progress.finish();
+    report.stages = progress.stages();
+    write_manifest(options.out, checked, options.settings, key, report.files, report.stages);
+    return report;
+}
+
+}  // namespace diurna

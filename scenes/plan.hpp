@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.hpp"
+#include "scenes/world.hpp"
+
+namespace diurna {
+
+/// One thing the job could compute, whether it will, and what leaving it out costs.
+struct Decision {
+    std::string what;
+    bool computed = true;
+    std::string why;
+    double error = 0.0;      // bound on what leaving it out changes; 0 where it is exact
+    std::string error_unit;  // "K", "W m-2", "W m-2 sr-1"
+};
+
+/// What a scene needs, worked out before anything is computed: as a database explains a query.
+struct Plan {
+    std::size_t facets = 0;
+    std::vector<Instant> steps;         // step instants of the heat balance, ends included
+    std::vector<Instant> sunlit_steps;  // those with the sun above the horizon: shadows are cast
+    std::vector<Instant> frames;
+    std::size_t sky_rays = 0, sun_rays = 0, view_rays = 0;
+    std::size_t pixels = 0;  // per frame, all observers
+    double memory = 0.0;     // [bytes]
+    double seconds = 0.0;    // estimated from this machine class's rates, 2 threads
+    std::vector<Decision> decisions;
+};
+
+/// A pure function of the scene and its facets.
+Plan make_plan(const Scene& scene, const World& world);
+
+/// The plan as the text `diurna plan` prints.
+std::string describe(const Plan& plan);
+
+}  // namespace diurna

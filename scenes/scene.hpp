@@ -1,0 +1,108 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "materials/atmosphere.hpp"
+#include "materials/library.hpp"
+#include "terrain/dem.hpp"
+#include "terrain/instant.hpp"
+#include "terrain/site.hpp"
+
+/// The whole input of a job as plain values: what a scene file says, with units converted, ranges
+/// checked and file names resolved. Places are east, north [m] from the site.
+namespace diurna {
+
+/// Ground of this slope and height (and not within a named polygon) is of this material.
+struct GroundRule {
+    std::string material;
+    double least_slope_deg = 0.0, most_slope_deg = 90.0;
+    double least_height = -1e4, most_height = 1e4;  // above the sea [m]
+};
+
+struct GroundPolygon {
+    std::string name;
+    std::string material;
+    std::vector<Eigen::Vector2d> ring;  // corners, not repeated; east, north [m]
+    double largest_edge = 30.0;         // of the triangles within [m]
+};
+
+struct Building {
+    std::string name;
+    Eigen::Vector2d place;  // middle of its plan
+    double width, depth, height;
+    double heading_deg;  // the way its front faces, clockwise from north
+    std::string wall, front, roof;
+};
+
+struct TerrainInput {
+    std::filesystem::path elevation;
+    DemOptions reading;
+    double tolerance = 1.0;  // vertical [m]
+    std::string default_material;
+    std::vector<GroundRule> rules;  // the first that fits wins
+    std::vector<GroundPolygon> polygons;
+    std::vector<Building> buildings;
+};
+
+struct WeatherInput {
+    std::filesystem::path file;
+    std::string interval = "instant";  // what a time stamp means: start, end or instant
+    double wind_height = 10.0, air_height = 2.0;
+};
+
+/// The air between surface and eye: an AFGL profile made to meet the weather at the ground, or
+/// none.
+struct AirInput {
+    bool vacuum = false;
+    std::string profile = "MLS";
+    std::string aerosol = "rural";
+    double visibility_km = 23.0;
+    double co2_ppm = 420.0;
+};
+
+struct TimeInput {
+    Instant start;
+    double duration = 86400.0;  // [s]
+    double step = 600.0;        // of the heat balance [s]
+    double frame_every = 3600.0;
+};
+
+struct ObserverInput {
+    std::string name;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double height_above_ground = 2.0;
+    std::optional<Eigen::Vector2d> look_at;  // a point of the ground; else the two angles
+    double azimuth_deg = 0.0, elevation_deg = 0.0, roll_deg = 0.0;
+    double horizontal_fov_deg = 20.0;
+    int width = 640, height = 512;
+    int samples = 16;
+    std::vector<std::string> bands;  // "3-5", "8-12"
+    bool terms = false;              // planes for the terms of the radiance, one by one
+};
+
+struct Scene {
+    std::filesystem::path file;
+    std::string name;
+    std::string title;
+    std::optional<Site> site;  // none: the middle of the raster; height NaN: the ground there
+    TerrainInput terrain;
+    MaterialLibrary materials;  // the program's own with the scene's added
+    WeatherInput weather;
+    AirInput air;
+    TimeInput time;
+    std::vector<ObserverInput> observers;
+    int sky_rays = 64;    // per facet
+    int sun_samples = 4;  // per facet and instant
+    std::uint64_t seed = 1;
+    bool exact = false;  // skip nothing
+};
+
+/// "runway", "hangar", ...: the name of each ObjectId: 0 the ground, then polygons and buildings.
+std::vector<std::string> object_names(const Scene& scene);
+
+}  // namespace diurna

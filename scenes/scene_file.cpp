@@ -1,0 +1,269 @@
+#include "scenes/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "materials/document.hpp"
+#include "materials/files.hpp"
+#include "materials/units.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What the parts of a scene file need to know of the rest of it.
+struct Reading {
+    fs::path folder;  // relative names of files start here
+    std::vector<std::string> materials;
+    std::set<std::string> object_names;
+
+    fs::path file(const Section& section, const std::string& key) const {
+        const std::string name = section.text(key);
+        const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder / name;
+        if (!name.empty() && !fs::is_regular_file(path)) {
+            section.mistake(key, fmt::format("no such file: {}", path.string()));
+        }
+        return path;
+    }
+    std::string material(const Section& section, const std::string& key,
+                         const std::string& fallback = "") const {
+        if (!section.has(key)) {
+            if (fallback.empty()) section.mistake(key, "missing, expected a material's name");
+            return fallback;
+        }
+        const std::string name = section.text(key);
+        if (std::find(materials.begin(), materials.end(), name) == materials.end()) {
+            section.mistake(key, fmt::format("no material \"{}\"", name),
+                            did_you_mean(name, materials));
+        }
+        return name;
+    }
+    std::string object(const Section& section) {
+        const std::string name = section.text("name");
+        if (!name.empty() && !object_names.insert(name).second) {
+            section.mistake("name", fmt::format("a second object named \"{}\"", name));
+        }
+        return name;
+    }
+};
+
+Eigen::Vector2d place(const Section& section, const std::string& key) {
+    const std::vector<double> at = section.numbers(key, 2);
+    return {at[0], at[1]};
+}
+
+Instant moment(const Section& section, const std::string& key) {
+    try {
+        return parse_instant(section.moment(key), key);
+    } catch (const InputError& error) {
+        section.mistake(key, error.mistakes().front().problem);
+        return {};
+    }
+}
+
+std::optional<Site> read_site(const Section& section) {
+    if (!section.has("latitude_deg") && !section.has("longitude_deg")) return std::nullopt;
+    return Site{.latitude_deg = section.number("latitude_deg", -90, 90),
+                .longitude_deg = section.number("longitude_deg", -180, 180),
+                .height = section.number_or("height_m", std::nan(""), -500, 9000)};
+}
+
+/// Corners of a rectangle [east, north, length, width, heading of its length].
+std::vector<Eigen::Vector2d> rectangle(const std::vector<double>& spec) {
+    const double heading = radians(spec[4]);
+    const Eigen::Vector2d centre(spec[0], spec[1]);
+    const Eigen::Vector2d along =
+        0.5 * spec[2] * Eigen::Vector2d(std::sin(heading), std::cos(heading));
+    const Eigen::Vector2d right =
+        0.5 * spec[3] * Eigen::Vector2d(std::cos(heading), -std::sin(heading));
+    return {centre - along - right, centre - along + right, centre + along + right,
+            centre + along - right};
+}
+
+GroundPolygon read_polygon(const Section& section, Reading& reading) {
+    GroundPolygon polygon;
+    polygon.name = reading.object(section);
+    polygon.material = reading.material(section, "material");
+    polygon.largest_edge = section.number_or("largest_edge_m", 30.0, 1.0, 1e4);
+    if (section.has("rectangle_m")) {
+        const std::vector<double> spec = section.numbers("rectangle_m", 5);
+        if (!(spec[2] > 0.0 && spec[3] > 0.0)) {
+            section.mistake("rectangle_m",
+                            "expected [east, north, length > 0, width > 0, heading_deg]");
+        }
+        polygon.ring = rectangle(spec);
+    } else {
+        for (const auto& corner : section.rows("ring_m", 2, 3)) {
+            polygon.ring.emplace_back(corner[0], corner[1]);
+        }
+    }
+    return polygon;
+}
+
+Building read_building(const Section& section, Reading& reading) {
+    const std::string wall = reading.material(section, "wall");
+    return {.name = reading.object(section),
+            .place = place(section, "place_m"),
+            .width = section.number("width_m", 0.5, 1000),
+            .depth = section.number("depth_m", 0.5, 1000),
+            .height = section.number("height_m", 0.5, 500),
+            .heading_deg = section.number_or("heading_deg", 180.0, -360, 360),
+            .wall = wall,
+            .front = reading.material(section, "front", wall),
+            .roof = reading.material(section, "roof", wall)};
+}
+
+TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading) {
+    TerrainInput terrain;
+    terrain.elevation = reading.file(section, "elevation");
+    terrain.tolerance = section.number_or("tolerance_m", 1.0, 0.0, 1000.0);
+    terrain.default_material = reading.material(section, "material");
+    const std::string voids = section.word_or("voids", "refuse", {"refuse", "fill"});
+    terrain.reading.voids = voids == "fill" ? VoidPolicy::fill : VoidPolicy::refuse;
+    for (const Section& rule : section.sections("rule")) {
+        const auto slope = rule.numbers_or("slope_deg", {0.0, 90.0}, 2);
+        const auto height = rule.numbers_or("height_m", {-1e4, 1e4}, 2);
+        if (!(slope[0] < slope[1]))
+            rule.mistake("slope_deg", "expected [least, most] in ascending order");
+        if (!(height[0] < height[1]))
+            rule.mistake("height_m", "expected [least, most] in ascending order");
+        terrain.rules.push_back({.material = reading.material(rule, "material"),
+                                 .least_slope_deg = slope[0],
+                                 .most_slope_deg = slope[1],
+                                 .least_height = height[0],
+                                 .most_height = height[1]});
+    }
+    for (const Section& polygon : root.sections("ground")) {
+        terrain.polygons.push_back(read_polygon(polygon, reading));
+    }
+    for (const Section& building : root.sections("building")) {
+        terrain.buildings.push_back(read_building(building, reading));
+    }
+    return terrain;
+}
+
+WeatherInput read_weather_input(const Section& section, const Reading& reading) {
+    return {.file = reading.file(section, "file"),
+            .interval = section.word_or("interval", "instant", {"start", "end", "instant"}),
+            .wind_height = section.number_or("wind_height_m", 10.0, 0.5, 200),
+            .air_height = section.number_or("air_height_m", 2.0, 0.1, 200)};
+}
+
+AirInput read_air(const Section& section) {
+    std::vector<std::string> profiles = afgl_profile_names();
+    profiles.push_back("vacuum");
+    AirInput air;
+    air.profile = section.word_or("profile", air.profile, profiles);
+    air.vacuum = air.profile == "vacuum";
+    air.aerosol = section.word_or("aerosol", air.aerosol, aerosol_names());
+    air.visibility_km = section.number_or("visibility_km", air.visibility_km, 0.5, 300);
+    air.co2_ppm = section.number_or("co2_ppm", air.co2_ppm, 0, 10000);
+    return air;
+}
+
+TimeInput read_time(const Section& section) {
+    TimeInput time;
+    time.start = moment(section, "start");
+    time.duration = 3600.0 * section.number_or("duration_h", 24.0, 1.0, 24.0);
+    time.step = section.number_or("step_s", 600.0, 1.0, 3600.0);
+    time.frame_every = section.number_or("frame_every_s", 3600.0, 1.0, 86400.0);
+    for (const auto& [key, value] :
+         {std::pair{"step_s", time.step}, {"frame_every_s", time.frame_every}}) {
+        const double count = time.duration / value;
+        if (std::abs(count - std::round(count)) > 1e-9) {
+            section.mistake(key, fmt::format("{:g} s does not divide the duration of {:g} s evenly",
+                                             value, time.duration));
+        }
+    }
+    const double steps = time.frame_every / time.step;
+    if (std::abs(steps - std::round(steps)) > 1e-9) {
+        section.mistake("frame_every_s",
+                        fmt::format("{:g} s is not a multiple of the step of {:g} s",
+                                    time.frame_every, time.step));
+    }
+    return time;
+}
+
+ObserverInput read_observer(const Section& section) {
+    ObserverInput observer;
+    observer.name = section.text("name");
+    observer.place = place(section, "place_m");
+    observer.height_above_ground = section.number("height_above_ground_m", 0.1, 50000);
+    if (section.has("look_at_m")) {
+        observer.look_at = place(section, "look_at_m");
+    } else {
+        observer.azimuth_deg = section.number("azimuth_deg", -360, 360);
+        observer.elevation_deg = section.number("elevation_deg", -90, 90);
+    }
+    observer.roll_deg = section.number_or("roll_deg", 0.0, -180, 180);
+    observer.horizontal_fov_deg = section.number_or("horizontal_fov_deg", 20.0, 0.01, 150);
+    observer.width = section.integer_or("width", 640, 1, 16384);
+    observer.height = section.integer_or("height", 512, 1, 16384);
+    observer.samples = section.integer_or("samples", 16, 1, 1024);
+    observer.terms = section.flag_or("terms", false);
+    observer.bands = section.texts_or("bands", {"3-5", "8-12"});
+    for (const std::string& band : observer.bands) {
+        try {
+            parse_band(band);
+        } catch (const InputError& error) {
+            section.mistake("bands", error.mistakes().front().problem,
+                            error.mistakes().front().hint);
+        }
+    }
+    return observer;
+}
+
+}  // namespace
+
+std::vector<std::string> object_names(const Scene& scene) {
+    std::vector<std::string> names{"ground"};
+    for (const auto& polygon : scene.terrain.polygons) names.push_back(polygon.name);
+    for (const auto& building : scene.terrain.buildings) names.push_back(building.name);
+    return names;
+}
+
+Scene read_scene(const fs::path& file, const std::vector<std::string>& settings) {
+    const std::string text = read_text(file, 16u << 20);
+    Document document = Document::from_text(text, file.string());
+    for (const std::string& setting : settings) document.set(setting);
+    const Section root = document.root();
+
+    Scene scene;
+    scene.file = file;
+    scene.materials = default_material_library();
+    const Section own_materials = root.section("material");
+    for (const std::string& name : own_materials.free_keys()) {
+        scene.materials.add(
+            read_material(own_materials.section(name), scene.materials, file.parent_path(), name));
+    }
+    Reading reading{.folder = file.parent_path(),
+                    .materials = scene.materials.names(),
+                    .object_names = {"ground"}};
+
+    const Section about = root.section("scene");
+    scene.name = about.text_or("name", file.parent_path().filename().string());
+    scene.title = about.text_or("title", scene.name);
+    scene.seed = static_cast<std::uint64_t>(about.integer_or("seed", 1, 0, 1 << 30));
+    scene.sky_rays = about.integer_or("sky_rays", 64, 16, 4096);
+    scene.sun_samples = about.integer_or("sun_samples", 4, 1, 256);
+    scene.site = read_site(root.section("site"));
+    scene.terrain = read_terrain(root.section("terrain", true), root, reading);
+    scene.weather = read_weather_input(root.section("weather", true), reading);
+    scene.air = read_air(root.section("atmosphere"));
+    scene.time = read_time(root.section("time", true));
+    for (const Section& observer : root.sections("observer")) {
+        scene.observers.push_back(read_observer(observer));
+    }
+    if (scene.observers.empty()) {
+        root.mistake("observer", "missing, expected at least one table [[observer]]");
+    }
+    document.finish();
+    return scene;
+}
+
+}  // namespace diurna

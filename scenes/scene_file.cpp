@@ -252,7 +252,17 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
     scene.sky_rays = about.integer_or("sky_rays", 64, 16, 4096);
     scene.sun_samples = about.integer_or("sun_samples", 4, 1, 256);
     scene.site = read_site(root.section("site"));
-    scene.terrain = read_terrain(root.section("terrain", true), root, reading);
+    const Section terrain = root.section("terrain", true);
+    scene.terrain = read_terrain(terrain, root, reading);
+    if (terrain.has("radius_m")) {
+        scene.terrain.reading.radius = terrain.number("radius_m", 10.0, 2e5);
+        if (scene.site) {
+            scene.terrain.reading.centre =
+                Geodetic{scene.site->latitude_deg, scene.site->longitude_deg, 0.0};
+        } else {
+            terrain.mistake("radius_m", "a radius needs a [site] to be around");
+        }
+    }
     scene.weather = read_weather_input(root.section("weather", true), reading);
     scene.air = read_air(root.section("atmosphere"));
     scene.time = read_time(root.section("time", true));

@@ -29,19 +29,26 @@ struct Dem {
     std::size_t voids = 0;  // posts without elevation in the file
 };
 
-enum class VoidPolicy { refuse, fill };  // fill: from the nearest valid posts, by distance
+/// What becomes of voids: the file is refused, they stay as holes in the mesh, or they are filled
+/// smoothly from the posts around (averages of coarser and coarser grids, the finest that knows).
+enum class VoidPolicy { refuse, leave, fill };
 
 struct DemOptions {
     VoidPolicy voids = VoidPolicy::refuse;
-    /// Keep only posts within this distance [m] of a place; none: the whole raster.
+    /// Keep only the window of posts that holds the circle of this radius [m] round a place; none:
+    /// the whole raster.
     std::optional<Geodetic> centre;
     double radius = 0.0;
+    /// Metres per unit of the file's heights; none: as the file says, metres if it says nothing.
+    std::optional<double> unit;
 };
 
-/// Reads any elevation raster of the allow-listed GDAL drivers (GeoTIFF, DTED, SRTM HGT, USGS DEM,
-/// ESRI ASCII, ENVI, netCDF). Sizes are checked against the file before memory is taken; declared
-/// and undeclared void values (−32768, −32767, −9999, NaN) are voids. Throws InputError in one
-/// clear line.
+/// Reads any elevation raster of the allow-listed GDAL drivers (GeoTIFF, DTED, SRTM HGT also
+/// zipped, USGS DEM, ESRI ASCII, ENVI, netCDF). Sizes are checked against the file before memory is
+/// taken. Voids are declared ones and the undeclared −32768, −32767, 32767, −9999, NaN and anything
+/// below −12 km. Throws InputError in one clear line for a file that is missing, not a raster, has
+/// no valid post, less than 2 × 2 posts, no or a singular georeference, no CRS, or heights that are
+/// not metres.
 Dem read_dem(const std::filesystem::path& file, const DemOptions& options = {});
 
 /// Geodetic places of fractional posts (column, row) with their heights, by PROJ through the

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+namespace diurna {
+
+/// Replaces NaN in a grid (row, column) of which at least one value is valid. Each void takes the
+/// value of the finest grid of averages over 2 × 2, 4 × 4 ... cells that knows one, interpolated
+/// between that grid's centres: continuous at the void's border to about one post, smooth within.
+void fill_voids(int columns, int rows, std::vector<float>& height);
+
+}  // namespace diurna

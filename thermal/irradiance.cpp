@@ -1,0 +1,188 @@
+#include "thermal/irradiance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/air.hpp"
+#include "materials/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+double water_path_cm(const AirState& air) {
+    return 46.5 * (air.vapour_pressure / 100.0) / air.temperature;
+}
+
+// A sun closer than this to the horizon divides direct light by almost nothing.
+constexpr double least_sine = 0.02;
+
+}  // namespace
+
+ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+                        double water_cm, const ClearSky& sky) {
+    if (sun_elevation_deg <= 0.0) return {0.0, 0.0};
+    const double zenith_deg = 90.0 - sun_elevation_deg;
+    const double cosine = std::sin(radians(sun_elevation_deg));
+    const double mass = 1.0 / (cosine + 0.15 * std::pow(93.885 - zenith_deg, -1.25));
+    const double pressure_mass = mass * pressure / 101325.0;
+    const double top = solar_constant / (distance_au * distance_au);
+
+    const double rayleigh = std::exp(-0.0903 * std::pow(pressure_mass, 0.84) *
+                                     (1.0 + pressure_mass - std::pow(pressure_mass, 1.01)));
+    const double o = sky.ozone_cm * mass;
+    const double ozone = 1.0 - 0.1611 * o * std::pow(1.0 + 139.48 * o, -0.3035) -
+                         0.002715 * o / (1.0 + 0.044 * o + 0.0003 * o * o);
+    const double mixed = std::exp(-0.0127 * std::pow(pressure_mass, 0.26));
+    const double w = water_cm * mass;
+    const double water = 1.0 - 2.4959 * w / (std::pow(1.0 + 79.034 * w, 0.6828) + 6.385 * w);
+    const double depth = 0.2758 * sky.aerosol_380nm + 0.35 * sky.aerosol_500nm;
+    const double aerosol = std::exp(
+        -std::pow(depth, 0.873) * (1.0 + depth - std::pow(depth, 0.7088)) * std::pow(mass, 0.9108));
+
+    // Absorbed and scattered aerosol light: single scattering 0.9, forward share 0.84.
+    const double absorbed = 1.0 - 0.1 * (1.0 - mass + std::pow(mass, 1.06)) * (1.0 - aerosol);
+    const double back_scatter = 0.0685 + (1.0 - 0.84) * (1.0 - aerosol / absorbed);
+    const double direct = top * 0.9662 * rayleigh * ozone * mixed * water * aerosol;
+    const double scattered = top * cosine * 0.79 * ozone * mixed * water * absorbed *
+                             (0.5 * (1.0 - rayleigh) + 0.84 * (1.0 - aerosol / absorbed)) /
+                             (1.0 - mass + std::pow(mass, 1.02));
+    const double global = (direct * cosine + scattered) / (1.0 - sky.ground_albedo * back_scatter);
+    return {direct, std::max(0.0, global - direct * cosine)};
+}
+
+double clear_longwave(const AirState& air) {
+    const double t = air.temperature / 273.16;
+    return 59.38 + 113.7 * std::pow(t, 6) + 96.96 * std::sqrt(water_path_cm(air) / 2.5);
+}
+
+double cloudy_longwave(const AirState& air, double cloud_fraction) {
+    const double black = stefan_boltzmann * power4(air.temperature);
+    return cloud_fraction * black + (1.0 - cloud_fraction) * clear_longwave(air);
+}
+
+double erbs_diffuse_share(double clearness) {
+    const double k = clearness;
+    if (k <= 0.22) return 1.0 - 0.09 * k;
+    if (k > 0.80) return 0.165;
+    return 0.9511 + k * (-0.1604 + k * (4.388 + k * (-16.638 + k * 12.336)));
+}
+
+double SkyState::global_horizontal() const {
+    return direct_normal * std::max(0.0, to_sun.z()) + diffuse_horizontal;
+}
+
+SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
+                   const ClearSky& clear) {
+    const AirState& air = forcing.air;
+    const double pressure = air.pressure > 0.0 ? air.pressure : standard_pressure(elevation);
+    SkyState sky;
+    sky.sun = sun_position(site, instant, pressure / 100.0, celsius(air.temperature));
+    sky.to_sun = sun_direction(sky.sun);
+    const double sine = sky.to_sun.z();
+    const double top = solar_constant / (sky.sun.distance_au * sky.sun.distance_au);
+    const bool up = sine > 0.0;
+
+    const bool has_global = !std::isnan(forcing.shortwave_down);
+    const bool has_direct = !std::isnan(forcing.direct_normal);
+    const bool has_diffuse = !std::isnan(forcing.diffuse);
+    const double global = std::max(0.0, forcing.shortwave_down);
+    if (has_direct && has_diffuse) {
+        sky.direct_normal = up ? std::max(0.0, forcing.direct_normal) : 0.0;
+        sky.diffuse_horizontal = std::max(0.0, forcing.diffuse);
+        const double sum = sky.global_horizontal();
+        if (has_global && sum > 0.0) {
+            sky.direct_normal *= global / sum;
+            sky.diffuse_horizontal *= global / sum;
+        } else if (has_global) {
+            sky.diffuse_horizontal = global;
+        }
+    } else if (has_global) {
+        double diffuse = global;
+        if (has_diffuse) {
+            diffuse = std::clamp(forcing.diffuse, 0.0, global);
+        } else if (has_direct && up) {
+            diffuse = std::max(0.0, global - std::max(0.0, forcing.direct_normal) * sine);
+        } else if (up) {
+            diffuse = global * erbs_diffuse_share(global / (top * std::max(sine, least_sine)));
+        }
+        if (!up) diffuse = global;
+        // The beam is no stronger than above the air; what is left over came from the sky.
+        sky.direct_normal = up ? std::min((global - diffuse) / sine, top) : 0.0;
+        sky.diffuse_horizontal = global - sky.direct_normal * std::max(0.0, sine);
+    } else if (up) {
+        const double water = std::isnan(clear.precipitable_water_cm) ? water_path_cm(air)
+                                                                     : clear.precipitable_water_cm;
+        const ClearSun sun =
+            bird_clear_sky(sky.sun.elevation_deg, sky.sun.distance_au, pressure, water, clear);
+        const double cloud = std::isnan(forcing.cloud_fraction) ? 0.0 : forcing.cloud_fraction;
+        const double clear_global = sun.direct_normal * sine + sun.diffuse_horizontal;
+        const double under_cloud = clear_global * (1.0 - 0.75 * std::pow(cloud, 3.4));
+        sky.direct_normal = sun.direct_normal * (1.0 - cloud);
+        if (has_direct) sky.direct_normal = std::max(0.0, forcing.direct_normal);
+        sky.diffuse_horizontal =
+            has_diffuse ? std::max(0.0, forcing.diffuse)
+                        : std::max(0.0, under_cloud - sun.direct_normal * (1.0 - cloud) * sine);
+    }
+    sky.anisotropy = std::clamp(sky.direct_normal / top, 0.0, 1.0);
+
+    if (!std::isnan(forcing.longwave_down)) {
+        sky.longwave_down = forcing.longwave_down;
+    } else {
+        sky.longwave_down = std::isnan(forcing.cloud_fraction)
+                                ? clear_longwave(air)
+                                : cloudy_longwave(air, forcing.cloud_fraction);
+    }
+    // Below 5 W/m² two pyranometers' offsets are larger than the albedo they would give.
+    if (has_global && global > 5.0 && !std::isnan(forcing.shortwave_up)) {
+        sky.albedo = std::clamp(forcing.shortwave_up / global, 0.0, 1.0);
+    }
+    if (!std::isnan(forcing.plane_of_array)) {
+        sky.plane_of_array = std::max(0.0, forcing.plane_of_array);
+    }
+    return sky;
+}
+
+void infer_cloud(Weather& weather, const Site& site, double elevation, const ClearSky& clear) {
+    constexpr double least_elevation_deg = 8.0;
+    double held = not_measured;
+    std::size_t waiting = 0;  // samples before the first daylight take its value
+    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
+        Forcing& forcing = weather.sample[i];
+        if (!std::isnan(forcing.cloud_fraction)) {
+            held = forcing.cloud_fraction;
+            continue;
+        }
+        if (!std::isnan(forcing.shortwave_down)) {
+            Forcing cloudless = forcing;
+            cloudless.shortwave_down = cloudless.direct_normal = cloudless.diffuse = not_measured;
+            const SkyState sky = sky_state(site, elevation, weather.instant[i], cloudless, clear);
+            if (sky.sun.elevation_deg > least_elevation_deg) {
+                held = std::clamp(1.0 - forcing.shortwave_down / sky.global_horizontal(), 0.0, 1.0);
+                for (; waiting < i; ++waiting) {
+                    double& earlier = weather.sample[waiting].cloud_fraction;
+                    if (std::isnan(earlier)) earlier = held;
+                }
+                waiting = weather.sample.size();
+            }
+        }
+        forcing.cloud_fraction = held;
+    }
+}
+
+double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,
+                      double sky_view) {
+    const double sine = sky.to_sun.z();
+    const double seen = std::max(0.0, sun_cosine) * sun_fraction;
+    double beam = 0.0, even = sky.diffuse_horizontal;
+    if (sine > 0.0) {
+        // Circumsolar light is that of a beam; near the horizon its strength is bounded.
+        const double circumsolar =
+            sky.diffuse_horizontal * sky.anisotropy * std::min(1.0, sine / least_sine);
+        beam = (sky.direct_normal + circumsolar / sine) * seen;
+        even -= circumsolar;
+    }
+    return beam + even * sky_view;
+}
+
+}  // namespace diurna

@@ -1,0 +1,442 @@
+#include "thermal/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "materials/error.hpp"
+#include "terrain/parallel.hpp"
+#include "thermal/batch.hpp"
+#include "thermal/surroundings.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point then) {
+    return std::chrono::duration<double>(Clock::now() - then).count();
+}
+
+/// Terrain longwave still changing by less than this is settled: what is left of it is a tenth.
+constexpr double settled_exchange = 0.5;  // [W m⁻²]
+
+/// Up to `lanes` facets of one material and their state at the start of the span.
+struct Block {
+    std::size_t material;  // index into Job::material
+    std::vector<std::size_t> facet;
+    std::vector<NaturalFilm> natural;
+    std::vector<double> start, change;  // [node][lane] relative; change over the last pass
+    double residual = 0.0;              // [K] largest of `change`
+};
+
+struct StageForcing {
+    AirFilm air;
+    double sky_longwave;
+};
+
+/// One material of the scene with the forcing its facets share.
+struct Kind {
+    MaterialColumn column;
+    std::vector<StageForcing> forcing;  // (step, substep, stage)
+    std::vector<double> slope;          // (step, substep, stage) mean surface slope, last pass
+    std::size_t facets = 0;
+    /// (I − M)⁻¹ of the linearised period.
+    std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period;
+};
+
+struct Job {
+    const SolveInput& input;
+    const SolveOptions& options;
+    std::vector<Instant> instant;
+    double step;  // [s]
+    std::size_t facets;
+    FacetOptics optics;
+    std::vector<SkyState> sky;    // (instant)
+    std::vector<float> sunlight;  // (instant, facet) incident
+    std::vector<float> excess;    // (instant, facet) terrain longwave; empty without exchange
+    std::vector<float> kelvin;    // (instant, facet)
+    std::vector<Kind> kind;
+    std::vector<Block> block;
+
+    std::size_t steps() const { return instant.size() - 1; }
+    std::span<float> row(std::vector<float>& field, std::size_t i) const {
+        return {field.data() + i * facets, facets};
+    }
+};
+
+void check(const SolveInput& input, const SolveOptions& options) {
+    const std::size_t n = input.facets.size();
+    if (n == 0) throw InputError("thermal solve", "the scene has no facets");
+    if (!(options.step > 0.0) || !(options.duration > 0.0)) {
+        throw InputError("thermal solve", "step and duration must be more than zero");
+    }
+    if (input.sky_view.sky_view.size() != n || input.sky_view.below.size() != n ||
+        input.sky_view.exchange.row.size() != n + 1) {
+        throw InputError("thermal solve", "the sky view belongs to another set of facets");
+    }
+    const std::size_t instants = step_instants(options).size();
+    if (!input.sun.fraction.empty() && input.sun.fraction.size() != n * instants) {
+        throw InputError("thermal solve",
+                         fmt::format("sun exposure has {} values for {} facets and {} instants",
+                                     input.sun.fraction.size(), n, instants));
+    }
+}
+
+void group_by_material(Job& job, const StepSetup& setup) {
+    std::map<std::size_t, std::size_t> kind_of;
+    std::vector<std::size_t> open;  // (kind) block still taking facets
+    for (std::size_t f = 0; f < job.facets; ++f) {
+        const MaterialId id = job.input.facets.material[f];
+        const auto [place, is_new] = kind_of.try_emplace(index(id), job.kind.size());
+        const std::size_t k = place->second;
+        if (is_new) {
+            job.kind.push_back({.column = material_column(job.input.materials[id].thermal, setup),
+                                .forcing = {},
+                                .slope = {},
+                                .period = {}});
+            open.push_back(0);
+        }
+        if (job.kind[k].facets++ % lanes == 0) {
+            open[k] = job.block.size();
+            job.block.push_back(
+                {.material = k, .facet = {}, .natural = {}, .start = {}, .change = {}});
+        }
+        Block& block = job.block[open[k]];
+        block.facet.push_back(f);
+        block.natural.push_back(natural_film(job.input.facets.normal[f].z()));
+    }
+}
+
+void set_forcing(Job& job, Kind& kind) {
+    const int substeps = kind.column.substeps;
+    kind.forcing.reserve(job.steps() * substeps * 2);
+    for (std::size_t i = 0; i < job.steps(); ++i) {
+        for (int s = 0; s < substeps; ++s) {
+            for (const double share : stage_share) {
+                const double at = (s + share) / substeps * job.step;
+                const Instant when = later(job.instant[i], at);
+                const Forcing forcing = job.input.weather.at(when);
+                const SkyState sky = sky_state(job.input.site, job.input.elevation, when, forcing,
+                                               job.input.clear_sky);
+                kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
+                                                 forcing.air, forcing.wind_speed),
+                                        sky.longwave_down});
+            }
+        }
+    }
+    kind.slope.assign(kind.forcing.size(), 0.0);
+}
+
+void shine(Job& job) {
+    job.sunlight.resize(job.instant.size() * job.facets);
+    for_each_index(
+        job.instant.size(),
+        [&](std::size_t i) {
+            std::span<const float> fraction;
+            if (!job.input.sun.fraction.empty()) {
+                fraction = {job.input.sun.fraction.data() + i * job.facets, job.facets};
+            }
+            incident_sunlight(job.input.facets, job.input.sky_view, job.optics, job.sky[i],
+                              fraction, job.options.exchange, job.row(job.sunlight, i));
+        },
+        1);
+}
+
+/// Renews the terrain's longwave from the temperatures of the last pass.
+double exchange_longwave(Job& job) {
+    std::vector<double> change(job.instant.size());
+    for_each_index(
+        job.instant.size(),
+        [&](std::size_t i) {
+            change[i] = terrain_longwave(job.input.sky_view, job.optics, job.sky[i].longwave_down,
+                                         job.row(job.kelvin, i), job.row(job.excess, i));
+        },
+        1);
+    return *std::max_element(change.begin(), change.end());
+}
+
+/// Heat at a step's end that differs from facet to facet: sun, terrain longwave, internal.
+void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat) {
+    const ThermalSurface& surface = kind.column.surface;
+    const double measured = job.sky[i].albedo;
+    const double absorptance = std::isnan(measured)
+                                   ? kind.column.absorptance()
+                                   : std::max(0.0, 1.0 - measured - surface.solar_transmittance);
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        const std::size_t at = i * job.facets + block.facet[l];
+        heat[l] = absorptance * job.sunlight[at] + surface.internal_heat;
+        if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
+    }
+}
+
+/// First guess: every facet's steady state under its mean forcing over the span.
+void settle(Job& job, Block& block) {
+    const Kind& kind = job.kind[block.material];
+    const std::size_t count = block.facet.size();
+    AirFilm mean = kind.forcing.front().air;
+    double sky = 0.0, sums[5] = {};
+    for (const StageForcing& forcing : kind.forcing) {
+        sky += forcing.sky_longwave;
+        sums[0] += forcing.air.air_temperature;
+        sums[1] += forcing.air.neutral;
+        sums[2] += forcing.air.instability;
+        sums[3] += forcing.air.vapour_pressure;
+    }
+    const double n = double(kind.forcing.size());
+    mean.air_temperature = sums[0] / n;
+    mean.neutral = sums[1] / n;
+    mean.instability = sums[2] / n;
+    mean.vapour_pressure = sums[3] / n;
+    double heat[lanes] = {}, at[lanes];
+    for (std::size_t i = 0; i < job.steps(); ++i) {
+        facet_heat(job, block, kind, i, at);
+        for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(job.steps());
+    }
+    for (std::size_t l = 0; l < count; ++l) {
+        heat[l] += kind.column.surface.emissivity * sky / n;
+    }
+    Batch batch;
+    batch.resize(kind.column.grid.size(), count);
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    settle(kind.column, mean, heat, batch);
+    block.start = batch.state;
+    for (std::size_t i = 0; i < job.instant.size(); ++i) {
+        for (std::size_t l = 0; l < count; ++l) {
+            job.kelvin[i * job.facets + block.facet[l]] = float(batch.temperature[l]);
+        }
+    }
+}
+
+/// Runs one block over the span; writes its temperatures, change and mean surface slopes.
+void run(Job& job, Block& block, StepRecord& record, std::vector<double>& slope) {
+    const Kind& kind = job.kind[block.material];
+    const int substeps = kind.column.substeps;
+    const std::size_t count = block.facet.size();
+    const double emissivity = kind.column.surface.emissivity;
+    Batch batch;
+    batch.resize(kind.column.grid.size(), count);
+    batch.state = block.start;
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    slope.assign(kind.forcing.size(), 0.0);
+
+    double before[lanes], after[lanes], heat[2][lanes];
+    facet_heat(job, block, kind, 0, before);
+    for (std::size_t l = 0; l < count; ++l) {
+        batch.temperature[l] = batch.state[l] + kind.column.reference;
+        job.kelvin[block.facet[l]] = float(batch.temperature[l]);
+    }
+    std::size_t stage = 0;
+    for (std::size_t i = 0; i < job.steps(); ++i) {
+        facet_heat(job, block, kind, i + 1, after);
+        for (int s = 0; s < substeps; ++s, stage += 2) {
+            for (int k = 0; k < 2; ++k) {
+                const double share = (s + stage_share[k]) / substeps;
+                const double sky = emissivity * kind.forcing[stage + k].sky_longwave;
+                for (std::size_t l = 0; l < count; ++l) {
+                    heat[k][l] = before[l] + share * (after[l] - before[l]) + sky;
+                }
+            }
+            advance(kind.column, {kind.forcing[stage].air, kind.forcing[stage + 1].air},
+                    {heat[0], heat[1]}, batch, record);
+            slope[stage] = record.slope[0];
+            slope[stage + 1] = record.slope[1];
+        }
+        float* row = job.kelvin.data() + (i + 1) * job.facets;
+        for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
+        std::swap(before, after);
+    }
+    block.residual = 0.0;
+    block.change.resize(batch.state.size());
+    for (std::size_t i = 0; i < kind.column.grid.size(); ++i) {
+        for (std::size_t l = 0; l < count; ++l) {
+            const std::size_t at = i * lanes + l;
+            block.change[at] = batch.state[at] - block.start[at];
+            block.residual = std::max(block.residual, std::abs(block.change[at]));
+        }
+    }
+}
+
+/// Factors I − M, M the derivative of the period map with the mean slopes of this material.
+void linearise(Kind& kind) {
+    const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
+    Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, n);
+    for (std::size_t stage = 0; stage < kind.slope.size(); stage += 2) {
+        linear_step(kind.column.grid, kind.column.stage, kind.slope[stage], kind.slope[stage + 1],
+                    map);
+    }
+    kind.period.emplace();
+    // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
+    kind.period->setThreshold(1e-9);
+    kind.period->compute(Eigen::MatrixXd::Identity(n, n) - map);
+}
+
+/// Moves a block's start by (I − M)⁻¹ times its change; returns the largest move [K].
+double correct(const Kind& kind, Block& block) {
+    const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
+    Eigen::MatrixXd change(n, static_cast<Eigen::Index>(block.facet.size()));
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index l = 0; l < change.cols(); ++l) {
+            change(i, l) = block.change[i * Eigen::Index(lanes) + l];
+        }
+    }
+    const Eigen::MatrixXd move = kind.period->solve(change);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        for (Eigen::Index l = 0; l < change.cols(); ++l) {
+            block.start[i * Eigen::Index(lanes) + l] += move(i, l);
+        }
+    }
+    return move.cwiseAbs().maxCoeff();
+}
+
+/// One pass over the span for all blocks.
+StepRecord pass(Job& job, double progress_from, double progress_to) {
+    std::vector<StepRecord> record(job.block.size());
+    std::vector<std::vector<double>> slope(job.block.size());
+    constexpr std::size_t slices = 16;
+    for (std::size_t slice = 0; slice < slices; ++slice) {
+        const std::size_t from = job.block.size() * slice / slices;
+        const std::size_t to = job.block.size() * (slice + 1) / slices;
+        for_each_index(
+            to - from,
+            [&](std::size_t b) {
+                run(job, job.block[from + b], record[from + b], slope[from + b]);
+            },
+            4);
+        if (job.options.progress) {
+            job.options.progress(progress_from +
+                                 (progress_to - progress_from) * double(slice + 1) / slices);
+        }
+    }
+    StepRecord all;
+    for (Kind& kind : job.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+    for (std::size_t b = 0; b < job.block.size(); ++b) {
+        all.merge(record[b]);
+        Kind& kind = job.kind[job.block[b].material];
+        for (std::size_t i = 0; i < kind.slope.size(); ++i) {
+            kind.slope[i] += slope[b][i] / double(kind.facets);
+        }
+    }
+    return all;
+}
+
+TemperatureField kept(const Job& job) {
+    const auto every = std::max<std::size_t>(
+        1, static_cast<std::size_t>(std::llround(job.options.keep_every / job.step)));
+    TemperatureField field{.instant = {}, .facets = job.facets, .kelvin = {}};
+    for (std::size_t i = 0; i < job.instant.size(); i += every) {
+        field.instant.push_back(job.instant[i]);
+        const auto row = job.kelvin.begin() + static_cast<std::ptrdiff_t>(i * job.facets);
+        field.kelvin.insert(field.kelvin.end(), row, row + static_cast<std::ptrdiff_t>(job.facets));
+    }
+    return field;
+}
+
+}  // namespace
+
+std::vector<Instant> step_instants(const SolveOptions& options) {
+    const auto steps = std::max(1LL, std::llround(options.duration / options.step));
+    std::vector<Instant> instants;
+    for (long long i = 0; i <= steps; ++i) {
+        instants.push_back(later(options.start, options.duration * double(i) / double(steps)));
+    }
+    return instants;
+}
+
+SolveResult solve(const SolveInput& input, const SolveOptions& options) {
+    const auto begun = Clock::now();
+    check(input, options);
+    Job job{.input = input,
+            .options = options,
+            .instant = step_instants(options),
+            .step = 0.0,
+            .facets = input.facets.size(),
+            .optics = {},
+            .sky = {},
+            .sunlight = {},
+            .excess = {},
+            .kelvin = {},
+            .kind = {},
+            .block = {}};
+    job.step = options.duration / double(job.steps());
+    job.optics = facet_optics(input.facets, input.materials);
+    for (const Instant when : job.instant) {
+        job.sky.push_back(
+            sky_state(input.site, input.elevation, when, input.weather.at(when), input.clear_sky));
+    }
+    group_by_material(job, {.step = job.step,
+                            .wind_height = input.weather.wind_height,
+                            .air_height = input.weather.air_height,
+                            .reference = input.weather.at(options.start).air.temperature,
+                            .grid = {}});
+    for_each_index(
+        job.kind.size(), [&](std::size_t k) { set_forcing(job, job.kind[k]); }, 1);
+
+    SolveReport report{.facets = job.facets, .steps = int(job.steps())};
+    const auto shining = Clock::now();
+    shine(job);
+    report.shortwave_seconds = seconds_since(shining);
+
+    job.kelvin.resize(job.instant.size() * job.facets);
+    for_each_index(
+        job.block.size(), [&](std::size_t b) { settle(job, job.block[b]); }, 4);
+    const bool exchanging =
+        options.exchange && (!input.sky_view.exchange.facet.empty() ||
+                             std::any_of(input.sky_view.below.begin(), input.sky_view.below.end(),
+                                         [](float below) { return below > 0.0f; }));
+    if (exchanging) job.excess.assign(job.instant.size() * job.facets, 0.0f);
+
+    constexpr double usual_passes = 4.0;
+    StepRecord record;
+    while (!report.converged && report.passes < options.max_passes) {
+        const auto exchanging_since = Clock::now();
+        const double change = exchanging ? exchange_longwave(job) : 0.0;
+        report.exchange_seconds += seconds_since(exchanging_since);
+        // The change just made tells how far the pass before was from its surroundings.
+        report.exchange_change = change;
+        const auto stepping = Clock::now();
+        const double done = std::min(0.95, report.passes / usual_passes);
+        record = pass(job, done, std::min(1.0, done + 1.0 / usual_passes));
+        ++report.passes;
+        double residual = 0.0, move = 0.0;
+        for (const Block& block : job.block) residual = std::max(residual, block.residual);
+        if (options.periodic) {
+            if (report.passes <= 2) {
+                for_each_index(
+                    job.kind.size(), [&](std::size_t k) { linearise(job.kind[k]); }, 1);
+            }
+            std::vector<double> moves(job.block.size());
+            for_each_index(
+                job.block.size(),
+                [&](std::size_t b) {
+                    Block& block = job.block[b];
+                    moves[b] = correct(job.kind[block.material], block);
+                },
+                16);
+            move = *std::max_element(moves.begin(), moves.end());
+        }
+        report.step_seconds += seconds_since(stepping);
+        report.periodic_residual = options.periodic ? residual : 0.0;
+        report.estimated_error = move;
+        report.converged = (!options.periodic || (residual <= options.tolerance && move <= 0.01)) &&
+                           change <= settled_exchange;
+    }
+    report.worst_energy_closure = record.worst_closure;
+    report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
+    report.worst_newton_iterations = record.worst_iterations;
+    report.bisections = record.bisections;
+    const auto [coldest, warmest] = std::minmax_element(job.kelvin.begin(), job.kelvin.end());
+    report.coldest = *coldest;
+    report.warmest = *warmest;
+    SolveResult result{.temperature = kept(job), .report = report};
+    result.report.seconds = seconds_since(begun);
+    if (options.progress) options.progress(1.0);
+    return result;
+}
+
+}  // namespace diurna

@@ -83,12 +83,16 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         const double here = height_km + ray.rise(s);
         const double thinness = std::max(here, 0.0) / segmentation.thinning_km;
         const double ceiling = segmentation.ceiling_km * (1.0 + thinness * thinness);
-        const double allowed =
+        double allowed =
             std::clamp(segmentation.growth * travelled, segmentation.first_km, ceiling);
         const Ray onward{ray.r + ray.rise(s), (ray.r * ray.mu + s) / (ray.r + ray.rise(s))};
         double length = end - s;
         const double lowest = -onward.r * onward.mu;  // where the line is level
         if (lowest > 0.0) length = std::min(length, lowest);
+        const double to_top = aerosol_top_km - here;
+        if (to_top * onward.rise(length) > 0.0 && std::abs(to_top) > 1e-6) {
+            allowed = std::min(allowed, std::abs(to_top));
+        }
         // The rest of the line climbs or falls all the way, so this halving and the secant end.
         while (std::abs(onward.rise(length)) > allowed * (1.0 + 1e-9)) {
             length *= std::max(0.5, allowed / std::abs(onward.rise(length)));

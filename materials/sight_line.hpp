@@ -7,6 +7,9 @@ namespace diurna {
 
 inline constexpr double earth_radius_km = 6371.23;
 inline constexpr double atmosphere_top_km = 100.0;
+/// Boundary-layer aerosol ends here at once; no segment may lie across, or radiances would jump as
+/// the end of a line moves.
+inline constexpr double aerosol_top_km = 2.0;
 
 /// A straight sight line over a spherical earth, sampled outward from the observer.
 struct SightLine {

@@ -1,0 +1,75 @@
+#include "materials/band.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "materials/error.hpp"
+#include "materials/planck.hpp"
+
+using namespace diurna;
+
+namespace {
+
+template <class F>
+double integrate(const Band& band, F f) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < band.node_um.size(); ++i)
+        sum += band.weight[i] * f(band.node_um[i]);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a flat band is as wide as its range", "[materials][band]") {
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    CHECK(band.width_um() == Approx(4.0).epsilon(1e-14));
+    CHECK(band.from_um() == 8.0);
+    CHECK(band.to_um() == 12.0);
+    CHECK(std::is_sorted(band.node_um.begin(), band.node_um.end()));
+}
+
+TEST_CASE("n points per piece integrate polynomials of degree 2n - 1 exactly",
+          "[materials][band]") {
+    const int points = GENERATE(1, 2, 3, 4, 5, 8);
+    const Band band = flat_band("", 1.0, 1.2, {}, points);
+    const int degree = 2 * points - 1;
+    const double exact = (std::pow(1.2, degree + 1) - 1.0) / (degree + 1);
+    CAPTURE(points);
+    CHECK(integrate(band, [&](double um) { return std::pow(um, degree); }) ==
+          Approx(exact).epsilon(1e-13));
+}
+
+TEST_CASE("a function that jumps at a breakpoint is integrated exactly", "[materials][band]") {
+    const std::vector<double> breaks = {2.0, 3.3333, 4.7, 9.0};
+    const Band band = flat_band("", 3.0, 5.0, breaks);
+    const auto step = [](double um) { return um < 3.3333 ? 1.0 : um < 4.7 ? 0.25 : 2.0; };
+    CHECK(integrate(band, step) ==
+          Approx(0.3333 + 0.25 * (4.7 - 3.3333) + 2.0 * 0.3).epsilon(1e-13));
+}
+
+TEST_CASE("breakpoints do not change a smooth integral", "[materials][band]") {
+    std::vector<double> breaks;
+    for (int i = 0; i < 60; ++i) breaks.push_back(1e4 / (3400.0 - 25.0 * i));
+    const Band plain = flat_band("", 3.0, 5.0), cut = flat_band("", 3.0, 5.0, breaks);
+    CHECK(band_radiance(plain, 300.0) == Approx(band_radiance(cut, 300.0)).epsilon(2e-8));
+}
+
+TEST_CASE("a triangular response weighs as its area and centre say", "[materials][band]") {
+    const Band band = response_band("triangle", {{8.0, 10.0, 13.0}, {0.0, 1.0, 0.0}});
+    CHECK(band.width_um() == Approx(2.5).epsilon(1e-13));
+    CHECK(integrate(band, [](double um) { return um; }) / band.width_um() ==
+          Approx((8.0 + 10.0 + 13.0) / 3.0).epsilon(1e-13));
+}
+
+TEST_CASE("bands are read from text, nonsense is refused", "[materials][band]") {
+    CHECK(parse_band("3:5").name == "3-5");
+    CHECK(parse_band("8-12").to_um() == 12.0);
+    CHECK(parse_band("0.4:0.7").from_um() == 0.4);
+    for (const char* text : {"", "3", "5:3", "3:3", "a:b", "3:5:7", "0:5", "3:1000", "nan:5",
+                             "3,5:4", "-3:5", "3:inf"}) {
+        CAPTURE(text);
+        CHECK_THROWS_AS(parse_band(text), InputError);
+    }
+    CHECK_THROWS_AS(response_band("dark", {{3.0, 5.0}, {0.0, 0.0}}), InputError);
+    CHECK_THROWS_AS(response_band("point", {{3.0}, {1.0}}), InputError);
+}

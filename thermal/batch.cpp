@@ -49,12 +49,12 @@ void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
     const ColumnGrid& grid = material.grid;
     const Stage& stage = material.stage;
     const std::size_t n = grid.size(), count = batch.count;
-    constexpr std::size_t most_nodes = 256;
-    assert(n <= most_nodes);
-    alignas(64) static thread_local double start_store[most_nodes * lanes];
-    alignas(64) static thread_local double offset_store[most_nodes * lanes];
-    double* const start = start_store;
-    double* const offset = offset_store;
+    // Scratch that outlives the call: a step is shorter than an allocation.
+    static thread_local std::vector<double> start_store, offset_store;
+    start_store.resize(std::max(start_store.size(), n * lanes));
+    offset_store.resize(start_store.size());
+    double* const start = start_store.data();
+    double* const offset = offset_store.data();
     double* const state = batch.state.data();
     alignas(64) double a[lanes], flux[2][lanes], slope[lanes], stored[lanes], in[lanes];
 

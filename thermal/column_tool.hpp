@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +12,6 @@
 
 namespace diurna {
 
-/// Air and surroundings behind a thin plate.
-struct ExposedBack {
-    double emissivity = 0.9;
-    double albedo = 0.9;
-};
-
 enum class SpinUp { none, first_day, periodic };
 
 /// One facet under a series of weather: what column.toml says.
@@ -27,9 +20,8 @@ struct ColumnJob {
     double elevation = 0.0;   // [m] above the sea
     double slope_deg = 0.0;   // 0 to 180
     double aspect_deg = 180;  // the way it faces, clockwise from north
-    double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself
+    double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself, at its temperature
     ThermalSurface surface;
-    std::optional<ExposedBack> back;
     Weather weather;
     ClearSky clear_sky;
     Instant start{}, end{};

@@ -1,0 +1,247 @@
+#include "thermal/column_tool.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "materials/error.hpp"
+#include "materials/units.hpp"
+
+using namespace diurna;
+
+namespace {
+
+const Instant noon_free = parse_instant("2020-06-01T00:00:00Z");
+constexpr double day = 86400.0;
+
+/// A horizontal facet over `layers` that only exchanges by film and, if asked, radiation.
+ColumnJob facet_over(std::vector<Layer> layers, Bottom bottom, double film, double emissivity) {
+    ColumnJob job;
+    job.surface.albedo = 0.0;
+    job.surface.emissivity = emissivity;
+    job.surface.convection = ConstantFilm{film};
+    job.surface.layers = std::move(layers);
+    job.surface.bottom = bottom;
+    job.start = noon_free;
+    job.end = later(noon_free, day);
+    job.spin_up = SpinUp::periodic;
+    return job;
+}
+
+/// Weather sampled every `every` seconds through a day.
+template <class Absorbed, class Air>
+void drive(ColumnJob& job, const Absorbed& absorbed, const Air& air, double longwave,
+           double every = 300.0) {
+    job.weather = {};
+    for (double t = 0.0; t <= seconds_between(job.start, job.end) + 1.0; t += every) {
+        Forcing forcing;
+        forcing.air.temperature = air(t);
+        forcing.shortwave_down = absorbed(t);
+        forcing.longwave_down = longwave;
+        job.weather.instant.push_back(later(job.start, t));
+        job.weather.sample.push_back(forcing);
+    }
+}
+
+/// First harmonic of the surface temperature, as amplitude · exp(−i lag).
+std::complex<double> harmonic(const ColumnResult& result, int order = 1) {
+    std::complex<double> sum = 0.0;
+    const std::size_t n = result.row.size() - 1;  // the last row repeats the first
+    for (std::size_t i = 0; i < n; ++i) {
+        const double phase = 2.0 * std::numbers::pi * order * double(i) / double(n);
+        sum += result.row[i].surface_temperature * std::polar(1.0, -phase);
+    }
+    return 2.0 * sum / double(n);
+}
+
+constexpr Layer deep{4.0, 1.0, 2000.0, 1000.0};  // k = 1, C = 2e6: 34 skin depths
+
+}  // namespace
+
+TEST_CASE("a desert day with constant film follows the converged reference B2",
+          "[thermal][column_tool][b2]") {
+    // reference/thermal/analytic_cases.md, A16: CVODE extrapolated in space. Half of what is left
+    // comes from its σ of 5.67e-8 and from the sun as chords of 5 minutes.
+    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 10.0, 0.95);
+    job.step = 1800.0;
+    drive(
+        job,
+        [](double t) { return 750.0 * std::max(0.0, -std::cos(2.0 * std::numbers::pi * t / day)); },
+        [](double t) {
+            return 298.15 + 8.0 * std::cos(2.0 * std::numbers::pi * (t - 54000.0) / day);
+        },
+        330.0);
+    const ColumnResult result = run_column(job);
+    const std::vector<std::pair<double, double>> reference{
+        {1, 294.1009},  {3, 292.5792},    {5, 292.0031},    {6, 292.0728},  {6.5, 293.8714},
+        {7, 296.6394},  {8, 303.1838},    {9, 309.9751},    {10, 316.1945}, {11, 321.2634},
+        {12, 324.7690}, {12.5, 325.8470}, {13, 326.4450},   {14, 326.1607}, {15, 323.9119},
+        {16, 319.8125}, {18, 307.0559},   {18.5, 304.8424}, {19, 303.3794}, {20, 301.1737},
+        {21, 299.3915}, {22, 297.8266},   {24, 295.1737}};
+    for (const auto& [hour, kelvin] : reference) {
+        CAPTURE(hour);
+        CHECK(result.row[std::size_t(hour * 2)].surface_temperature ==
+              Approx(kelvin).margin(0.012));
+    }
+    CHECK(result.periodic_residual < 1e-6);
+    CHECK(result.worst_energy_closure < 1e-11);
+    CHECK(result.passes <= 4);
+}
+
+TEST_CASE("a half-space answers a periodic flux with Carslaw and Jaeger's amplitude and lag",
+          "[thermal][column_tool][a2]") {
+    struct Case {
+        double film, amplitude, lag;
+    };
+    const auto c = GENERATE(Case{5, 6.253404513, 7734.44768}, Case{15, 3.995923739, 4781.58307},
+                            Case{30, 2.534198955, 2995.34995});
+    CAPTURE(c.film);
+    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, c.film, 0.0);
+    job.step = 600.0;
+    drive(
+        job, [](double t) { return 100.0 + 100.0 * std::cos(2.0 * std::numbers::pi * t / day); },
+        [](double) { return 290.0; }, 0.0);
+    const auto wave = harmonic(run_column(job));
+    CHECK(std::abs(wave) == Approx(c.amplitude).margin(0.005));
+    CHECK(-std::arg(wave) / (2.0 * std::numbers::pi) * day == Approx(c.lag).margin(10.0));
+}
+
+TEST_CASE("a layered road answers each harmonic as its thermal quadrupoles say",
+          "[thermal][column_tool][a3]") {
+    struct Case {
+        int order;
+        double amplitude, lag_deg;  // of T per 100 W/m², film 15
+    };
+    const auto c = GENERATE(Case{1, 3.844736725, 23.1351252}, Case{2, 3.143510356, 26.5377599},
+                            Case{4, 2.53084319, 29.4006958}, Case{8, 1.996416333, 32.6131213},
+                            Case{24, 1.287797341, 37.1560183});
+    CAPTURE(c.order);
+    ColumnJob job = facet_over(
+        {{0.10, 1.2, 2100.0, 1000.0}, {0.30, 0.8, 1600.0, 1000.0}, {5.0, 1.0, 2000.0, 1000.0}},
+        FixedFlux{0.0}, 15.0, 0.0);
+    job.step = 300.0;
+    drive(
+        job,
+        [&](double t) {
+            return 100.0 + 100.0 * std::cos(2.0 * std::numbers::pi * c.order * t / day);
+        },
+        [](double) { return 290.0; }, 0.0, 60.0);
+    const auto wave = harmonic(run_column(job), c.order);
+    CHECK(std::abs(wave) == Approx(c.amplitude).epsilon(0.002));
+    CHECK(degrees(-std::arg(wave)) == Approx(c.lag_deg).margin(0.2));
+}
+
+TEST_CASE("a periodic surface temperature draws the half-space's flux",
+          "[thermal][column_tool][a1]") {
+    // Film so strong that the surface is the air: amplitude 10 K draws 120.6 W/m², 3 h early.
+    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 1e4, 0.0);
+    job.step = 600.0;
+    drive(
+        job, [](double) { return 0.0; },
+        [](double t) { return 293.15 + 10.0 * std::cos(2.0 * std::numbers::pi * t / day); }, 0.0,
+        60.0);
+    const ColumnResult result = run_column(job);
+    std::complex<double> sum = 0.0;
+    const std::size_t n = result.row.size() - 1;
+    for (std::size_t i = 0; i < n; ++i) {
+        sum -= result.row[i].conducted *
+               std::polar(2.0 / double(n), -2.0 * std::numbers::pi * double(i) / double(n));
+    }
+    CHECK(std::abs(sum) == Approx(120.6002091).epsilon(0.005));
+    CHECK(std::arg(sum) / (2.0 * std::numbers::pi) * day == Approx(10800.0).margin(60.0));
+}
+
+TEST_CASE("steps of flux and air warm a half-space and a slab as in Carslaw and Jaeger",
+          "[thermal][column_tool][a4]") {
+    struct Case {
+        double film, flux, air;
+        std::vector<Layer> layers;
+        std::vector<std::pair<double, double>> warming;  // s, K
+    };
+    const Case flux{
+        0.0,
+        400.0,
+        300.0,
+        {deep},
+        {{60, 2.472154893}, {600, 7.81764019}, {3600, 19.14922946}, {21600, 46.90584114}}};
+    const Case film{20.0,
+                    0.0,
+                    301.0,
+                    {deep},
+                    {{60, 0.1125290806},
+                     {600, 0.2962095709},
+                     {3600, 0.5271940959},
+                     {21600, 0.7527336015},
+                     {86400, 0.8679046715}}};
+    const Case slab{0.0,
+                    400.0,
+                    300.0,
+                    {{0.1, 1.2, 2100.0, 1000.0}},
+                    {{60, 2.202370623}, {600, 6.96450742}, {3600, 17.08089675}}};
+    for (const Case& c : {flux, film, slab}) {
+        ColumnJob job = facet_over(c.layers, FixedFlux{0.0}, c.film, 0.0);
+        job.spin_up = SpinUp::none;
+        job.initial_temperature = 300.0;
+        job.step = 60.0;
+        drive(
+            job, [&](double) { return c.flux; }, [&](double) { return c.air; }, 0.0);
+        const ColumnResult result = run_column(job);
+        for (const auto& [t, warming] : c.warming) {
+            CAPTURE(c.film, c.layers.size(), t);
+            const double found = result.row[std::size_t(t / 60.0)].surface_temperature - 300.0;
+            CHECK(found == Approx(warming).epsilon(0.003));
+        }
+    }
+}
+
+TEST_CASE("a column file with mistakes is answered with places, ranges and nearest keys",
+          "[thermal][column_tool][errors]") {
+    const auto folder = std::filesystem::temp_directory_path() / "diurna_column_tool_test";
+    std::filesystem::create_directories(folder);
+    const auto file = folder / "column.toml";
+    std::ofstream(folder / "weather.csv")
+        << "time,air_temperature_K\n2020-06-01T00:00:00Z,290\n2020-06-02T00:00:00Z,290\n";
+    const std::string good = R"([site]
+latitude_deg = 40.0
+longitude_deg = -88.0
+[material]
+albedo = 0.2
+emissivity = 0.97
+roughness_length_m = 0.02
+heat_roughness_length_m = 0.002
+layers = [ { thickness_m = 0.5, conductivity_W_mK = 1.1, density_kg_m3 = 1500.0, heat_capacity_J_kgK = 1100.0 } ]
+[weather]
+file = "weather.csv"
+interval = "instant"
+[time]
+start = 2020-06-01T00:00:00Z
+end = 2020-06-02T00:00:00Z
+)";
+    std::ofstream(file) << good;
+    const ColumnResult result = run_column(read_column_job(file));
+    CHECK(result.row.size() == 49);
+    const std::string csv = column_csv(result);
+    CHECK(csv.find("modelled") != std::string::npos);
+    CHECK(csv.find("time,surface_temperature_K,absorbed_solar_W_m2,longwave_in_W_m2,") !=
+          std::string::npos);
+
+    std::string bad = good;
+    bad.replace(bad.find("emissivity"), 10, "emisivity ");
+    bad.replace(bad.find("40.0"), 4, "99.0");
+    std::ofstream(file) << bad;
+    try {
+        read_column_job(file);
+        FAIL("accepted");
+    } catch (const InputError& error) {
+        const std::string what = error.what();
+        INFO(what);
+        CHECK(error.mistakes().size() >= 2);
+        CHECK(what.find("column.toml:2:") != std::string::npos);
+        CHECK(what.find("column.toml:6:") != std::string::npos);
+        CHECK(what.find("emissivity") != std::string::npos);
+    }
+    std::filesystem::remove_all(folder);
+}

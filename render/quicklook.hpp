@@ -9,8 +9,9 @@
 namespace diurna {
 
 struct QuicklookOptions {
-    std::string title;  // one line above the picture; empty: observer, plane, instant
-    std::optional<double> low_C, high_C;  // ends of the scale [°C]; else percentiles 0.5 and 99.5
+    std::string title = {};  // one line above the picture; empty: observer, plane, instant
+    std::optional<double> low_C = {},
+                          high_C = {};  // ends of the scale [°C]; else percentiles 0.5 and 99.5
 };
 
 /// A plane of temperatures [K] as an 8-bit PNG with a title and a colour bar in °C. Colours follow

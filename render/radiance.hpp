@@ -22,7 +22,7 @@ struct RadianceInput {
     const MaterialLibrary& materials;
     const Atmosphere& atmosphere;
     std::span<const float> temperature;                 // (facet) [K], 1 to 5000
-    std::span<const float> sun_fraction;                // (facet) 0 to 1; empty: no sun
+    std::span<const float> sun_fraction = {};           // (facet) 0 to 1; empty: no sun
     Eigen::Vector3d to_sun = Eigen::Vector3d::UnitZ();  // unit
     double sun_zenith_deg = 180.0;
     double sun_distance_au = 1.0;
@@ -42,6 +42,16 @@ struct Light {
     std::vector<double> sky;  // (node) cosine-weighted mean radiance [W m⁻² sr⁻¹ µm⁻¹]
 };
 Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um);
+
+/// Temperature [K] of what shines through a facet of a transparent material: the air of the room
+/// behind it (Interior), else its own.
+double temperature_behind(const Material& material, double facet_temperature);
+
+/// Sunlit share × cosine / π [sr⁻¹]: times irradiance and reflectance, the radiance of sunlight.
+double sunlight_on(const RadianceInput& input, FacetId facet);
+
+/// Zenith angle [deg] below which a ray from `height_km` ends on the far plain of background_at().
+double horizon_zenith_deg(const RadianceInput& input, double height_km);
 
 /// Radiance of the background in a direction in which the scene ends, per node [W m⁻² sr⁻¹ µm⁻¹]:
 /// sky, or below the horizontal the air down to a far plain at the height of the scene's origin,

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "materials/band.hpp"
+#include "render/band_table.hpp"
+#include "render/radiance.hpp"
+
+namespace diurna {
+
+/// Weights of the four nodes start .. start + 3 of a uniform grid for the place x nodes after its
+/// beginning: cubic Lagrange.
+struct Stencil {
+    std::size_t start = 0;
+    std::array<float, 4> weight{};
+};
+Stencil stencil(double x, std::size_t nodes);
+
+/// Range and height of what an observer sees.
+struct PathExtent {
+    double observer_height_km = 0.0;  // above the sea, as the heights below
+    double least_range_km = 0.0, most_range_km = 0.0;
+    double least_height_km = 0.0, most_height_km = 0.0;
+};
+
+/// Transmittance and radiance of the air between an observer and the places of a scene, at the
+/// nodes of a grid: uniform in range^⅓ (bands of saturated lines grow with the root of range, so
+/// that nodes crowd near the eye) and in height of the far end.
+///
+/// Products with what leaves a surface are to be formed at the nodes, in channels, and those
+/// interpolated: the eye's radiance is smooth over the grid, and exact at its nodes.
+class PathTable {
+ public:
+    /// Halves the spacing until interpolation of the radiance of every probe, carried through the
+    /// air, errs by less than `tolerance` [K] of apparent temperature in every band, as far as
+    /// can be told from the nodes that the last halving added.
+    ///
+    /// probe  (band)(probe) radiance in the band's channels that stands for the scene's surfaces
+    PathTable(const Atmosphere& atmosphere, const PathExtent& extent, std::span<const Band> bands,
+              std::span<const Channels> channels,
+              std::span<const std::vector<std::vector<float>>> probe, double tolerance);
+
+    std::size_t ranges() const { return ranges_; }
+    std::size_t heights() const { return heights_; }
+    /// Nodes and weights for a range [m] and a height [km above the sea].
+    Stencil range_stencil(float range) const;
+    std::array<float, 5> height_weights(float height_km) const;
+
+    /// Transmittance to a node in the channels of a band (padded), and radiance of the air.
+    const float* transmittance(std::size_t band, std::size_t range, std::size_t height) const;
+    float radiance(std::size_t band, std::size_t range, std::size_t height) const;
+    /// Estimated error of interpolation [K] of apparent temperature.
+    double error(std::size_t band) const { return error_[band]; }
+
+ private:
+    struct Node {
+        std::vector<std::vector<float>> transmittance;  // (band)(channel)
+        std::vector<float> radiance;                    // (band)
+    };
+    Node make_node(double u, double height_km) const;
+    double probe_value(std::size_t band, const Node& node, std::size_t probe) const;
+    void choose_heights();
+    void choose_ranges();
+    double height_at(std::size_t j, std::size_t count) const;
+    double u_at(std::size_t i, std::size_t count) const;
+
+    const Atmosphere& atmosphere_;
+    PathExtent extent_;
+    std::span<const Band> bands_;
+    std::span<const Channels> channels_;
+    std::span<const std::vector<std::vector<float>>> probe_;
+    double tolerance_;
+    double u_low_ = 0.0, u_high_ = 0.0;
+    std::size_t ranges_ = 0, heights_ = 1;
+    std::vector<Node> node_;     // (range, height)
+    std::vector<double> error_;  // (band)
+};
+
+/// Band radiance [W m⁻² sr⁻¹] of the background over zenith angle: sky above the horizon of the
+/// far plain, plain below it (background_at). Nodes crowd towards the horizon; cubic between them,
+/// within 5 mK of apparent temperature (tests/tracer_test.cpp).
+class BackgroundTable {
+ public:
+    BackgroundTable(const RadianceInput& input, const Band& band, double height_km,
+                    double least_zenith_deg, double most_zenith_deg);
+    double operator()(double zenith_deg) const;
+
+ private:
+    static constexpr std::size_t nodes = 24;
+    double above(double zenith_deg) const;  // the variable in which nodes are uniform
+    double below(double zenith_deg) const;
+
+    double horizon_ = 90.0;
+    double above_low_ = 0.0, above_step_ = 0.0, below_low_ = 0.0, below_step_ = 0.0;
+    std::vector<double> sky_, plain_;  // empty where not needed
+};
+
+}  // namespace diurna

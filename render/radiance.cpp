@@ -1,0 +1,198 @@
+#include "render/radiance.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+
+#include "materials/planck.hpp"
+#include "materials/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Gauss-Legendre on [0, 1], 8 points (Abramowitz & Stegun, table 25.4).
+constexpr std::array<double, 8> gauss_node = {
+    0.019855071751231884, 0.101666761293186630, 0.237233795041835507, 0.408282678752175098,
+    0.591717321247824902, 0.762766204958164493, 0.898333238706813370, 0.980144928248768116};
+constexpr std::array<double, 8> gauss_weight = {
+    0.050614268145188130, 0.111190517226687235, 0.156853322938943644, 0.181341891689180991,
+    0.181341891689180991, 0.156853322938943644, 0.111190517226687235, 0.050614268145188130};
+
+double air_temperature(const Atmosphere& atmosphere, double height_km) {
+    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
+        return air_at(model->profile, height_km).temperature;
+    }
+    return std::get<Vacuum>(atmosphere).space_temperature;
+}
+
+/// What node-by-node shading needs to know of a facet.
+struct Surface {
+    const Material* material;
+    double temperature, behind;  // [K]
+    double sunlight;             // f cosθ / π
+    double sky_view;
+};
+
+Surface surface_of(const RadianceInput& input, FacetId facet) {
+    const std::size_t f = index(facet);
+    const Material& material = input.materials[input.facets.material[f]];
+    const double temperature = input.temperature[f];
+    return {.material = &material,
+            .temperature = temperature,
+            .behind = temperature_behind(material, temperature),
+            .sunlight = sunlight_on(input, facet),
+            .sky_view = input.sky_view.sky_view[f]};
+}
+
+}  // namespace
+
+double temperature_behind(const Material& material, double facet_temperature) {
+    const auto* room = std::get_if<Interior>(&material.thermal.bottom);
+    return room ? room->air_temperature : facet_temperature;
+}
+
+double sunlight_on(const RadianceInput& input, FacetId facet) {
+    if (input.sun_fraction.empty()) return 0.0;
+    const std::size_t f = index(facet);
+    const double cosine = input.facets.normal[f].cast<double>().dot(input.to_sun);
+    return input.sun_fraction[f] * std::max(0.0, cosine) / std::numbers::pi;
+}
+
+Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um) {
+    Light light{.sun = std::vector<double>(node_um.size(), 0.0),
+                .sky = std::vector<double>(node_um.size(), 0.0)};
+    if (!input.sun_fraction.empty()) {
+        light.sun = solar_at_nodes(input.atmosphere, height_km, input.sun_zenith_deg,
+                                   input.sun_distance_au, node_um);
+    }
+    // ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ).
+    for (std::size_t i = 0; i < gauss_node.size(); ++i) {
+        const double zenith_deg = degrees(std::acos(std::sqrt(gauss_node[i])));
+        const std::vector<double> sky =
+            sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
+        for (std::size_t n = 0; n < sky.size(); ++n) light.sky[n] += gauss_weight[i] * sky[n];
+    }
+    return light;
+}
+
+double horizon_zenith_deg(const RadianceInput& input, double height_km) {
+    const double plain = earth_radius_km + input.ground_height_km;
+    const double eye = earth_radius_km + height_km;
+    return eye <= plain ? 90.0 : 180.0 - degrees(std::asin(plain / eye));
+}
+
+std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
+                                  std::span<const double> node_um) {
+    if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
+        return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
+    }
+    const double plain = earth_radius_km + input.ground_height_km;
+    const double eye = earth_radius_km + height_km;
+    const double cosine = std::cos(radians(zenith_deg));
+    // The nearer crossing of the ray with the sphere of the plain.
+    const double square = (plain - eye) * (plain + eye) + eye * eye * cosine * cosine;
+    const double range = std::max(0.0, -eye * cosine - std::sqrt(std::max(0.0, square)));
+    NodeSpectrum path =
+        path_at_nodes(input.atmosphere, chord(height_km, input.ground_height_km, range), node_um);
+    const double temperature = air_temperature(input.atmosphere, input.ground_height_km);
+    for (std::size_t n = 0; n < node_um.size(); ++n) {
+        path.radiance[n] += path.transmittance[n] * planck(node_um[n], temperature);
+    }
+    return std::move(path.radiance);
+}
+
+SightLine chord(double from_height_km, double to_height_km, double range_km, int segments) {
+    // Height over the part t of the way: from + rise t + sag t².
+    const double sag = range_km * range_km / (2.0 * earth_radius_km);
+    const double rise = to_height_km - from_height_km - sag;
+    std::vector<double> edge;
+    for (int i = 0; i <= segments; ++i) {
+        edge.push_back(double(i) * i / (double(segments) * segments));
+    }
+    // No segment lies across the top of the aerosol (sight_line.hpp).
+    const double below = aerosol_top_km - from_height_km;
+    const double root = std::sqrt(std::max(0.0, rise * rise + 4.0 * sag * below));
+    for (const double denominator : {rise + root, rise - root}) {
+        const double t = 2.0 * below / denominator;
+        if (t > 1e-9 && t < 1.0) edge.push_back(t);
+    }
+    std::sort(edge.begin(), edge.end());
+
+    SightLine line;
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+        const double middle = 0.5 * (edge[i - 1] + edge[i]);
+        line.height_km.push_back(from_height_km + middle * (rise + middle * sag));
+        line.length_km.push_back((edge[i] - edge[i - 1]) * range_km);
+    }
+    return line;
+}
+
+std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
+                                                             FacetId facet, const Light& light,
+                                                             std::span<const double> node_um) {
+    std::array<std::vector<double>, term_count> leaving;
+    for (auto& term : leaving) term.assign(node_um.size(), 0.0);
+    const Surface own = surface_of(input, facet);
+    const Exchange& exchange = input.sky_view.exchange;
+    const std::size_t f = index(facet);
+    std::vector<Surface> seen;
+    std::vector<double> factor;
+    double total = 0.0;
+    for (std::uint32_t k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
+        seen.push_back(surface_of(input, exchange.facet[k]));
+        factor.push_back(exchange.factor[k]);
+        total += exchange.factor[k];
+    }
+    const double rest = 1.0 - own.sky_view;
+    for (double& each : factor) each *= rest / total;
+
+    for (std::size_t n = 0; n < node_um.size(); ++n) {
+        const auto sent = [&](const Surface& s) {
+            const double reflectance = s.material->reflectance.at(node_um[n]);
+            const double transmittance =
+                s.material->transmittance.empty() ? 0.0 : s.material->transmittance.at(node_um[n]);
+            const double black = planck(node_um[n], s.temperature);
+            return (1.0 - reflectance - transmittance) * black +
+                   transmittance * planck(node_um[n], s.behind) +
+                   reflectance * (s.sunlight * light.sun[n] + s.sky_view * light.sky[n] +
+                                  (1.0 - s.sky_view) * black);
+        };
+        const double reflectance = own.material->reflectance.at(node_um[n]);
+        const double transmittance =
+            own.material->transmittance.empty() ? 0.0 : own.material->transmittance.at(node_um[n]);
+        double around = 0.0;
+        for (std::size_t k = 0; k < seen.size(); ++k) around += factor[k] * sent(seen[k]);
+        if (seen.empty()) around = rest * planck(node_um[n], own.temperature);
+        leaving[0][n] = (1.0 - reflectance - transmittance) * planck(node_um[n], own.temperature);
+        leaving[1][n] = reflectance * own.sunlight * light.sun[n];
+        leaving[2][n] = reflectance * own.sky_view * light.sky[n];
+        leaving[3][n] = reflectance * around;
+        leaving[4][n] = transmittance * planck(node_um[n], own.behind);
+    }
+    return leaving;
+}
+
+std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
+                                               double observer_height, FacetId facet, double range,
+                                               double height, int segments) {
+    const double from_km = input.ground_height_km + 1e-3 * observer_height;
+    const double to_km = input.ground_height_km + 1e-3 * height;
+    const double facet_km = input.ground_height_km +
+                            1e-3 * level_height(input.facets.centroid[index(facet)].cast<double>());
+    const NodeSpectrum path = path_at_nodes(
+        input.atmosphere, chord(from_km, to_km, 1e-3 * range, segments), band.node_um);
+    const Light light = light_at(input, facet_km, band.node_um);
+    const auto leaving = leaving_radiance(input, facet, light, band.node_um);
+    std::array<double, term_count> sum{};
+    for (std::size_t n = 0; n < band.node_um.size(); ++n) {
+        for (std::size_t t = 0; t + 1 < term_count; ++t) {
+            sum[t] += band.weight[n] * path.transmittance[n] * leaving[t][n];
+        }
+        sum[term_count - 1] += band.weight[n] * path.radiance[n];
+    }
+    return sum;
+}
+
+}  // namespace diurna

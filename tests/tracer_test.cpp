@@ -1,0 +1,253 @@
+#include "render/tracer.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <random>
+
+#include "materials/atmosphere.hpp"
+#include "materials/error.hpp"
+#include "materials/planck.hpp"
+#include "render/path_table.hpp"
+#include "terrain/parallel.hpp"
+#include "terrain/site.hpp"
+#include "terrain/visibility.hpp"
+#include "tests/render_scene.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// A summer morning: temperatures from slope, height and chance, a hot spot, sun from the east.
+struct Morning {
+    FacetSet facets;
+    RayScene scene;
+    MaterialLibrary materials = testing::materials(293.0);
+    SkyView sky;
+    std::vector<float> temperature, sun;
+    Eigen::Vector3d to_sun = direction(110.0, 30.0);
+    Atmosphere air =
+        BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
+
+    explicit Morning(FacetSet world = testing::hilly_world())
+        : facets(std::move(world)), scene(facets), sky(sky_view(facets, scene)) {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<float> chance(-5.0f, 5.0f);
+        sun.resize(facets.size());
+        sun_fraction(facets, scene, to_sun, sun);
+        for (std::size_t f = 0; f < facets.size(); ++f) {
+            temperature.push_back(288.0f - 0.01f * facets.centroid[f].z() + 15.0f * sun[f] +
+                                  chance(random));
+        }
+        temperature[facets.size() / 2] = 420.0f;
+    }
+
+    RadianceInput input() const {
+        return {.facets = facets,
+                .sky_view = sky,
+                .materials = materials,
+                .atmosphere = air,
+                .temperature = temperature,
+                .sun_fraction = sun,
+                .to_sun = to_sun,
+                .sun_zenith_deg = 60.0,
+                .sun_distance_au = 1.01,
+                .ground_height_km = 0.3};
+    }
+};
+
+std::vector<Band> two_bands() {
+    return {flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+            flat_band("8-12", 8.0, 12.0, bin_edges_um())};
+}
+
+/// A pixel's radiance by the reference: node by node, sighting by sighting.
+double reference(const Morning& world, const View& view, const Band& band, std::size_t pixel,
+                 std::array<double, term_count>* terms = nullptr) {
+    const RadianceInput input = world.input();
+    double total = 0.0;
+    for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
+        const Sighting& s = view.sighting[k];
+        const auto part = radiance_at_eye(input, band, view.observer_height, view.facet[s.target],
+                                          s.range, s.height);
+        for (std::size_t t = 0; t < term_count; ++t) {
+            total += s.weight * part[t];
+            if (terms) (*terms)[t] += s.weight * part[t];
+        }
+    }
+    if (view.sky[pixel] > 0.0f) {
+        const double background = band_sum_nodes(
+            band, background_at(input, input.ground_height_km + 1e-3 * view.observer_height,
+                                view.sky_zenith_deg[pixel], band.node_um));
+        total += view.sky[pixel] * background;
+        if (terms) terms->back() += view.sky[pixel] * background;
+    }
+    return total;
+}
+
+}  // namespace
+
+TEST_CASE("tables agree with the sum over wavelengths to 5 mK in every pixel", "[render][tracer]") {
+    const Morning world;
+    const double up = GENERATE(0.0, 1500.0);
+    Observer observer = testing::hilly_observer();
+    if (up > 0.0) {
+        observer.position = {-1200.0, -1800.0, up};
+        observer = looking_at(observer, {0.0, 0.0, 0.0});
+    }
+    const View view = cast_view(world.scene, world.facets, observer);
+    const auto bands = two_bands();
+    const Frame frame = render(view, observer, bands, world.input());
+    for (const Band& band : bands) {
+        CAPTURE(up, band.name, frame.notes.at("error." + band.name));
+        double worst = 0.0;
+        std::size_t where = 0;
+        for (std::size_t p = 0; p < view.pixels(); p += 37) {
+            const double exact = reference(world, view, band, p);
+            const double error =
+                std::abs(double{frame["apparent_temperature." + band.name].pixel[p]} -
+                         brightness_temperature(band, exact));
+            if (error > worst) {
+                worst = error;
+                where = p;
+            }
+        }
+        CAPTURE(where, view.sky[where], frame["apparent_temperature." + band.name].pixel[where],
+                worst);
+        CHECK(worst < 5e-3);
+        WARN("worst error " << 1e3 * worst << " mK in " << band.name << " from " << up << " m, "
+                            << frame.notes.at("error." + band.name));
+    }
+}
+
+TEST_CASE("the terms of the radiance add up to it and agree with the reference",
+          "[render][tracer]") {
+    const Morning world;
+    const Observer observer = testing::hilly_observer(32, 24);
+    const View view = cast_view(world.scene, world.facets, observer);
+    const auto bands = two_bands();
+    const Frame whole = render(view, observer, bands, world.input());
+    const Frame parts = render(view, observer, bands, world.input(), {.terms = true});
+    for (const Band& band : bands) {
+        for (std::size_t p = 0; p < view.pixels(); ++p) {
+            double sum = 0.0;
+            for (const char* term : term_names) {
+                sum += double{parts[term + ("." + band.name)].pixel[p]};
+            }
+            const double total = whole["radiance." + band.name].pixel[p];
+            CHECK(sum == Approx(total).epsilon(1e-6));
+        }
+        for (std::size_t p = 5; p < view.pixels(); p += 61) {
+            std::array<double, term_count> exact{};
+            const double total = reference(world, view, band, p, &exact);
+            for (std::size_t t = 0; t < term_count; ++t) {
+                const double value = parts[term_names[t] + ("." + band.name)].pixel[p];
+                CAPTURE(band.name, p, term_names[t]);
+                CHECK(std::abs(value - exact[t]) < 1e-4 * total);
+            }
+        }
+    }
+}
+
+TEST_CASE("one, two and four threads give the same picture", "[render][tracer][threads]") {
+    const Morning world;
+    const Observer observer = testing::hilly_observer();
+    const auto bands = two_bands();
+    std::vector<Frame> frames;
+    for (const int threads : {1, 2, 4}) {
+        set_thread_count(threads);
+        const View view = cast_view(world.scene, world.facets, observer);
+        frames.push_back(render(view, observer, bands, world.input(), {.terms = true}));
+    }
+    set_thread_count(0);
+    for (std::size_t k = 1; k < frames.size(); ++k) {
+        REQUIRE(frames[k].planes.size() == frames[0].planes.size());
+        for (std::size_t i = 0; i < frames[0].planes.size(); ++i) {
+            const auto &a = frames[0].planes[i].pixel, &b = frames[k].planes[i].pixel;
+            CAPTURE(frames[0].planes[i].name);
+            CHECK(std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0);
+        }
+    }
+}
+
+// Half a pixel at 350 K, half at 290 K, both black, no air: the radiance is the mean of both, and
+// its temperature 10.5 K above the mean of the temperatures in 3-5 µm.
+TEST_CASE("a pixel averages radiance, not temperature", "[render][tracer]") {
+    FacetSet facets;
+    append_facets(
+        facets,
+        std::vector<Eigen::Vector3d>{{-50, 100, -50},
+                                     {0, 100, -50},
+                                     {0, 100, 50},
+                                     {-50, 100, 50},
+                                     {50, 100, -50},
+                                     {50, 100, 50}},
+        std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}},
+        std::vector<MaterialId>(4, MaterialId{0}), ObjectId{0});
+    const RayScene scene(facets);
+    const MaterialLibrary materials({testing::material("black", flat_spectrum(0.0))});
+    std::vector<float> temperature;
+    for (const auto& centroid : facets.centroid) {
+        temperature.push_back(centroid.x() < 0.0f ? 350.0f : 290.0f);
+    }
+    const SkyView sky = sky_view(facets, scene);
+    Observer observer;
+    observer.width = observer.height = 1;
+    observer.horizontal_fov_deg = 1.0;
+    const View view = cast_view(scene, facets, observer, {.samples = 64});
+    const std::vector<Band> bands = {flat_band("3-5", 3.0, 5.0)};
+    const Frame frame = render(view, observer, bands,
+                               {.facets = facets,
+                                .sky_view = sky,
+                                .materials = materials,
+                                .atmosphere = Vacuum{},
+                                .temperature = temperature});
+    const double mean = 0.5 * (band_radiance(bands[0], 350.0) + band_radiance(bands[0], 290.0));
+    CHECK(frame["radiance.3-5"].pixel[0] == Approx(mean).epsilon(1e-6));
+    const double apparent = frame["apparent_temperature.3-5"].pixel[0];
+    CHECK(apparent == Approx(brightness_temperature(bands[0], mean)).margin(1e-3));
+    CHECK(apparent - 320.0 == Approx(10.5).margin(0.05));
+}
+
+TEST_CASE("truth planes hold what is at the pixel's centre, and say what is sky",
+          "[render][tracer]") {
+    const Morning world;
+    const Observer observer = testing::hilly_observer();
+    const View view = cast_view(world.scene, world.facets, observer);
+    const Frame frame = render(view, observer, {}, world.input());
+    REQUIRE(frame.planes.size() == 8);
+    std::size_t sky = 0, box = 0;
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        const float facet = frame["facet"].pixel[p];
+        if (facet < 0.0f) {
+            ++sky;
+            CHECK(std::isnan(frame["temperature"].pixel[p]));
+            CHECK(std::isnan(frame["range"].pixel[p]));
+            CHECK(std::isnan(frame["normal.Z"].pixel[p]));
+            CHECK(frame["object"].pixel[p] == -1.0f);
+            CHECK(frame["material"].pixel[p] == -1.0f);
+            continue;
+        }
+        const auto f = static_cast<std::size_t>(facet);
+        CHECK(frame["temperature"].pixel[p] == world.temperature[f]);
+        CHECK(frame["normal.X"].pixel[p] == world.facets.normal[f].x());
+        if (frame["object"].pixel[p] == 1.0f) ++box;
+    }
+    CHECK(sky > 50);
+    CHECK(box > 50);
+}
+
+TEST_CASE("input that does not fit the facets is refused", "[render][tracer][input]") {
+    Morning world;
+    const Observer observer = testing::hilly_observer(8, 8);
+    const View view = cast_view(world.scene, world.facets, observer);
+    const auto bands = two_bands();
+    RadianceInput input = world.input();
+    SECTION("too few temperatures") {
+        input.temperature = input.temperature.first(3);
+        CHECK_THROWS_AS(render(view, observer, bands, input), InputError);
+    }
+    SECTION("a temperature that is not a number") {
+        world.temperature[index(view.facet.front())] = std::nanf("");
+        CHECK_THROWS_AS(render(view, observer, bands, input), InputError);
+    }
+}

@@ -348,9 +348,22 @@ std::vector<Instant> step_instants(const SolveOptions& options) {
     return instants;
 }
 
-SolveResult solve(const SolveInput& input, const SolveOptions& options) {
+SolveResult solve(const SolveInput& given, const SolveOptions& options) {
     const auto begun = Clock::now();
-    check(input, options);
+    check(given, options);
+    Weather weather = given.weather;
+    if (std::any_of(weather.sample.begin(), weather.sample.end(),
+                    [](const Forcing& f) { return std::isnan(f.longwave_down); })) {
+        infer_cloud(weather, given.site, given.elevation, given.clear_sky);
+    }
+    const SolveInput input{.facets = given.facets,
+                           .sky_view = given.sky_view,
+                           .sun = given.sun,
+                           .materials = given.materials,
+                           .weather = weather,
+                           .site = given.site,
+                           .elevation = given.elevation,
+                           .clear_sky = given.clear_sky};
     Job job{.input = input,
             .options = options,
             .instant = step_instants(options),

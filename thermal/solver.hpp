@@ -24,7 +24,7 @@ struct SolveOptions {
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
     bool exchange = true;        // light and heat from one facet to another
-    std::function<void(double)> progress;  // called with 0 to 1 from the calling thread
+    std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
 };
 
 /// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.

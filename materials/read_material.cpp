@@ -78,13 +78,16 @@ Spectrum read_file(const Section& section, const char* key, const std::filesyste
 void read_optics(const Section& section, const std::filesystem::path& folder, bool fresh,
                  Material& material) {
     ThermalSurface& thermal = material.thermal;
+    // Without a file a material of its own needs both numbers; otherwise each may change a mean.
+    const bool needed = fresh && !section.has("reflectance");
     const bool has_albedo = section.has("albedo"), has_emissivity = section.has("emissivity");
+    const double given_albedo = needed || has_albedo ? section.number("albedo", 0.0, 1.0) : 0.0;
+    const double given_emissivity =
+        needed || has_emissivity ? section.number("emissivity", 0.0, 1.0) : 1.0;
     if (section.has("reflectance")) {
         material.reflectance = read_file(section, "reflectance", folder);
     } else if (fresh) {
-        const double albedo = section.number("albedo", 0.0, 1.0);
-        const double emissivity = section.number("emissivity", 0.0, 1.0);
-        material.reflectance = flat(albedo, emissivity);
+        material.reflectance = flat(given_albedo, given_emissivity);
     }
     if (section.has("transmittance")) {
         material.transmittance = read_file(section, "transmittance", folder);
@@ -102,10 +105,15 @@ void read_optics(const Section& section, const std::filesystem::path& folder, bo
     thermal.solar_transmittance = solar_mean(material.transmittance);
     thermal.albedo = solar_mean(material.reflectance);
     thermal.emissivity = planck_mean(absorbed);
+    if (needed) {  // the means of a flat spectrum differ from these by the tail beyond 4 µm
+        thermal.albedo = given_albedo;
+        thermal.emissivity = given_emissivity;
+        return;
+    }
     if (!has_albedo && !has_emissivity) return;
 
-    const double albedo = section.number_or("albedo", thermal.albedo, 0.0, 1.0);
-    const double emissivity = section.number_or("emissivity", thermal.emissivity, 0.0, 1.0);
+    const double albedo = has_albedo ? given_albedo : thermal.albedo;
+    const double emissivity = has_emissivity ? given_emissivity : thermal.emissivity;
     if (albedo + thermal.solar_transmittance > 1.0) {
         section.mistake("albedo", fmt::format("found {:g}, expected at most {:.4g}: the rest of "
                                               "the sun passes through",
@@ -145,8 +153,17 @@ void read_layers(const Section& section, bool fresh, ThermalSurface& thermal) {
     if (thermal.layers.empty()) section.mistake("layers", "no layer, expected one or more");
 }
 
+/// The word under `kind`. An unknown one is a mistake of its own; the keys beside it are then taken
+/// as known, for nobody can tell.
+std::string read_kind(const Section& section, const std::string& fallback,
+                      const std::vector<std::string>& words) {
+    const std::string kind = section.word_or("kind", fallback, words);
+    if (section.has("kind") && section.text_or("kind", kind) != kind) section.free_keys();
+    return kind;
+}
+
 Bottom read_bottom(const Section& section) {
-    const std::string kind = section.word_or("kind", "flux", {"flux", "temperature", "interior"});
+    const std::string kind = read_kind(section, "flux", {"flux", "temperature", "interior"});
     if (kind == "temperature") return FixedTemperature{section.number("value_K", 1.0, 3000.0)};
     if (kind == "interior") {
         return Interior{.air_temperature = section.number("air_temperature_K", 150.0, 1500.0),
@@ -156,8 +173,7 @@ Bottom read_bottom(const Section& section) {
 }
 
 Convection read_convection(const Section& section) {
-    const std::string kind =
-        section.word_or("kind", "louis", {"louis", "tarp", "mowitt", "constant"});
+    const std::string kind = read_kind(section, "louis", {"louis", "tarp", "mowitt", "constant"});
     if (kind == "constant") return ConstantFilm{section.number("value_W_m2K", 0.0, 1e4)};
     if (kind == "tarp") return Tarp{};
     if (kind == "mowitt") return Mowitt{};
@@ -165,14 +181,14 @@ Convection read_convection(const Section& section) {
 }
 
 Evaporation read_evaporation(const Section& section) {
-    const std::string kind = section.word_or("kind", "none", {"none", "resistance"});
+    const std::string kind = read_kind(section, "none", {"none", "resistance"});
     if (kind == "none") return {};
     return {.minimum_resistance = section.number("minimum_s_m", 0.0, 1e5),
             .wetness = section.number_or("wetness", 1.0, 0.0, 1.0)};
 }
 
 std::optional<ExposedBack> read_back(const Section& section) {
-    const std::string kind = section.word_or("kind", "none", {"none", "exposed"});
+    const std::string kind = read_kind(section, "none", {"none", "exposed"});
     if (kind == "none") return std::nullopt;
     return ExposedBack{.emissivity = section.number("emissivity", 0.0, 1.0),
                        .albedo = section.number("albedo", 0.0, 1.0)};

@@ -35,7 +35,17 @@ struct Ray {
     }
 };
 
-double cosine(double zenith_deg) { return std::cos(radians(zenith_deg)); }
+/// Distance at which a line that points down meets the ground; 0 if it starts there, NaN if it
+/// passes above it.
+double to_ground(const Ray& ray, double height_km, double ground_km) {
+    if (!(ray.mu < 0.0)) return std::numeric_limits<double>::quiet_NaN();
+    return height_km <= ground_km ? 0.0 : ray.near(earth_radius_km + ground_km);
+}
+
+/// Exactly 0 at 90°, so that a level line does not meet the ground it starts on.
+double cosine(double zenith_deg) {
+    return zenith_deg == 90.0 ? 0.0 : std::cos(radians(zenith_deg));
+}
 
 }  // namespace
 
@@ -44,10 +54,8 @@ double SightLine::range_km() const {
 }
 
 bool meets_ground(double height_km, double zenith_deg) {
-    if (zenith_deg <= 90.0) return false;
-    const double ground = std::min(height_km, 0.0);
-    return Ray{earth_radius_km + height_km, cosine(zenith_deg)}.near(earth_radius_km + ground) >=
-           0.0;
+    const Ray ray{earth_radius_km + height_km, cosine(zenith_deg)};
+    return !std::isnan(to_ground(ray, height_km, 0.0));
 }
 
 SightLine sight_line(double height_km, double zenith_deg, double range_km,
@@ -72,10 +80,9 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         height_km = atmosphere_top_km;
         range_km -= entry;
     }
-    const double ground_km = std::isinf(range_km) ? std::min(height_km, 0.0) : lowest_km;
     double end = std::min(range_km, ray.far(earth_radius_km + atmosphere_top_km));
-    const double ground = ray.near(earth_radius_km + ground_km);
-    if (ray.mu < 0.0 && ground >= 0.0) end = std::min(end, ground);
+    const double ground = to_ground(ray, height_km, std::isinf(range_km) ? 0.0 : lowest_km);
+    if (!std::isnan(ground)) end = std::min(end, ground);
 
     SightLine line;
     double travelled = 0.0;  // all ups and downs so far [km]

@@ -24,7 +24,8 @@ constexpr double mixed_layer_km = 2.0;  // boundary-layer aerosol ends here
 
 /// What a sight line has met so far; optical depth follows from it alone.
 struct Amounts {
-    std::vector<double> gas;  // (group) W
+    std::vector<std::size_t> active;  // groups that absorb in the bins asked for
+    std::vector<double> gas;          // (group) W, of the active ones
     std::array<double, Tables::linear_count> linear{};
     double aerosol = 0.0;  // optical depth at 0.55 µm
 };
@@ -55,7 +56,7 @@ void add_segment(const Tables& tables, const BandModel& model, const AirSample& 
     of(Gas::water) *= loschmidt / avogadro * water_molar_mass;
 
     const double ln_pressure = std::log(pressure), ln_temperature = std::log(temperature);
-    for (std::size_t i = 0; i < tables.groups.size(); ++i) {
+    for (const std::size_t i : amounts.active) {
         const auto& [gas, n, m] = tables.groups[i];
         amounts.gas[i] += of(gas) * fast_exp(n * ln_pressure + m * ln_temperature);
     }
@@ -126,7 +127,7 @@ void transmittances(const Tables& tables, const Amounts& amounts, BinRange bins,
         for (std::size_t i = 0; i < count; ++i) out[i] += amounts.aerosol * shape[i];
     }
     std::vector<double> ln_w(amounts.gas.size());
-    for (std::size_t i = 0; i < ln_w.size(); ++i) ln_w[i] = std::log(amounts.gas[i] + 1e-300);
+    for (const std::size_t i : amounts.active) ln_w[i] = std::log(amounts.gas[i] + 1e-300);
     for (const Tables::Run& run : tables.runs) {
         const std::size_t from = std::max(run.first, bins.first);
         const std::size_t to = std::min(run.first + run.a.size(), bins.last);
@@ -160,6 +161,11 @@ std::vector<double> walk(const Tables& tables, const BandModel& model, const Sig
     }
     Amounts amounts;
     amounts.gas.assign(tables.groups.size(), 0.0);
+    for (const Tables::Run& run : tables.runs) {  // runs stand in the order of their groups
+        const bool absorbs = run.first < bins.last && run.first + run.a.size() > bins.first;
+        const bool listed = !amounts.active.empty() && amounts.active.back() == run.group;
+        if (absorbs && !listed) amounts.active.push_back(run.group);
+    }
     std::vector<double> temperature(line.size());
     for (std::size_t i = 0; i < line.size(); ++i) {
         const AirSample air = air_at(model.profile, line.height_km[i]);

@@ -95,7 +95,7 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         const Ray onward{ray.r + ray.rise(s), (ray.r * ray.mu + s) / (ray.r + ray.rise(s))};
         double length = end - s;
         const double lowest = -onward.r * onward.mu;  // where the line is level
-        if (lowest > 0.0) length = std::min(length, lowest);
+        if (lowest > 1e-9) length = std::min(length, lowest);
         const double to_top = aerosol_top_km - here;
         if (to_top * onward.rise(length) > 0.0 && std::abs(to_top) > 1e-6) {
             allowed = std::min(allowed, std::abs(to_top));

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "materials/planck.hpp"
 
@@ -182,6 +183,29 @@ TEST_CASE("heights along a sight line are those of a sphere", "[materials][atmos
         s += line.length_km[i];
     }
     CHECK(worst < 1e-9);
+}
+
+TEST_CASE("any sight line has few segments that add up to it", "[materials][atmosphere][stress]") {
+    std::mt19937 random(20260715);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::size_t most = 0;
+    bool sound = true;
+    for (int i = 0; i < 20000; ++i) {
+        const double height = -0.4 + 120.0 * std::pow(unit(random), 3);
+        // Half of them within a degree of level, where a line falls, turns and rises.
+        const double zenith = i % 2 == 0 ? 180.0 * unit(random) : 89.0 + 2.0 * unit(random);
+        const double range = i % 3 == 0 ? 1e9 : 500.0 * unit(random);
+        CAPTURE(height, zenith, range);
+        const SightLine line = sight_line(height, zenith, range);
+        most = std::max(most, line.size());
+        sound = sound && line.range_km() <= range * (1.0 + 1e-9);
+        for (std::size_t k = 0; k < line.size(); ++k) {
+            sound = sound && line.length_km[k] > 0.0 && line.height_km[k] > -0.6 &&
+                    line.height_km[k] < atmosphere_top_km + 1e-6;
+        }
+    }
+    CHECK(sound);
+    CHECK(most < 300);
 }
 
 TEST_CASE("bins and nodes of a band agree where the function is constant per bin",

@@ -165,4 +165,5 @@ TEST_CASE("the vector exponential is exact to 5e-16", "[materials][planck]") {
     CHECK(fast_exp(0.0) == 1.0);
     CHECK(fast_exp(-1e9) < 1e-300);
     CHECK(std::isfinite(fast_exp(1e9)));
+    CHECK(std::isnan(fast_exp(std::nan(""))));
 }

@@ -11,7 +11,8 @@ enum class ExrCompression { none, zips, zip, piz };
 /// Writes every plane as a 32-bit float channel of one OpenEXR picture, whole or not at all.
 ///
 /// Attributes: `diurna.instant` (ISO 8601), `diurna.observer`, `unit.PLANE` for every plane, and
-/// the frame's notes. Throws std::runtime_error with path and reason if it cannot be written.
+/// `note.NAME` for the frame's notes. Throws std::runtime_error with path and reason if it cannot
+/// be written.
 void write_exr(const std::filesystem::path& path, const Frame& frame,
                ExrCompression compression = ExrCompression::zips);
 

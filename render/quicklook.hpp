@@ -1,8 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "render/frame.hpp"
 
@@ -11,7 +13,7 @@ namespace diurna {
 struct QuicklookOptions {
     std::string title = {};  // one line above the picture; empty: observer, plane, instant
     std::optional<double> low_C = {},
-                          high_C = {};  // ends of the scale [°C]; else percentiles 0.5 and 99.5
+                          high_C = {};  // ends of the scale [°C]; else percentiles 1 and 99
 };
 
 /// A plane of temperatures [K] as an 8-bit PNG with a title and a colour bar in °C. Colours follow
@@ -25,5 +27,10 @@ struct ColourScale {
     double low_C, high_C;
 };
 ColourScale colour_scale(const Plane& plane);
+
+/// The bare picture, each side divided by `shrink` (temperatures averaged), as PNG in memory: for
+/// contact sheets.
+std::vector<std::byte> encode_thumbnail(const Frame& frame, const std::string& plane,
+                                        const ColourScale& scale, int shrink);
 
 }  // namespace diurna

@@ -20,7 +20,6 @@ using Tables = BandModelTables;
 
 constexpr double standard_pressure_hPa = 1013.25;
 constexpr double standard_temperature = 273.15;
-constexpr double mixed_layer_km = 2.0;  // boundary-layer aerosol ends here
 
 /// What a sight line has met so far; optical depth follows from it alone.
 struct Amounts {
@@ -78,7 +77,7 @@ void add_segment(const Tables& tables, const BandModel& model, const AirSample& 
         of(Gas::nitric_acid)};
     for (std::size_t i = 0; i < linear.size(); ++i) amounts.linear[i] += linear[i];
 
-    if (model.aerosol != "none" && height_km < mixed_layer_km) {
+    if (model.aerosol != "none" && height_km < aerosol_top_km) {
         // Koschmieder: contrast falls to 2 % at the visibility; the air's own part taken off.
         amounts.aerosol +=
             std::max(0.0, std::log(50.0) / model.visibility_km - 0.01159) * length_km;

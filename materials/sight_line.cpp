@@ -22,6 +22,10 @@ struct Ray {
     /// Distances at which the line crosses a sphere: nearer and farther; NaN if it misses.
     double near(double sphere) const { return -r * mu - root(sphere); }
     double far(double sphere) const { return -r * mu + root(sphere); }
+    Ray after(double s) const {
+        const double onward = r + rise(s);
+        return {onward, (r * mu + s) / onward};
+    }
     /// Gain of height over a distance, free of cancellation.
     double rise(double s) const {
         const double square = s * (2.0 * r * mu + s);
@@ -75,8 +79,7 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
     if (height_km > atmosphere_top_km) {
         const double entry = ray.near(earth_radius_km + atmosphere_top_km);
         if (!(entry >= 0.0 && entry < range_km)) return {};
-        const double moved = earth_radius_km + atmosphere_top_km;
-        ray = {moved, (ray.r * ray.mu + entry) / moved};
+        ray = ray.after(entry);
         height_km = atmosphere_top_km;
         range_km -= entry;
     }
@@ -92,18 +95,14 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         const double ceiling = segmentation.ceiling_km * (1.0 + thinness * thinness);
         double allowed =
             std::clamp(segmentation.growth * travelled, segmentation.first_km, ceiling);
-        const Ray onward{ray.r + ray.rise(s), (ray.r * ray.mu + s) / (ray.r + ray.rise(s))};
-        double length = end - s;
-        const double lowest = -onward.r * onward.mu;  // where the line is level
-        if (lowest > 1e-9) length = std::min(length, lowest);
-        const double to_top = aerosol_top_km - here;
-        if (to_top * onward.rise(length) > 0.0 && std::abs(to_top) > 1e-6) {
-            allowed = std::min(allowed, std::abs(to_top));
-        }
-        // The rest of the line climbs or falls all the way, so this halving and the secant end.
-        while (std::abs(onward.rise(length)) > allowed * (1.0 + 1e-9)) {
-            length *= std::max(0.5, allowed / std::abs(onward.rise(length)));
-        }
+        const Ray onward = ray.after(s);
+        const double to_level = -onward.r * onward.mu;
+        const bool falls = to_level > 1e-9;
+        const double to_aerosol_top = (aerosol_top_km - here) * (falls ? -1.0 : 1.0);
+        if (to_aerosol_top > 1e-6) allowed = std::min(allowed, to_aerosol_top);
+        double length = falls ? onward.near(onward.r - allowed) : onward.far(onward.r + allowed);
+        if (std::isnan(length)) length = to_level;  // it falls by less before it turns
+        length = std::min(length, end - s);
         if (end - s - length < 1e-9) length = end - s;
         line.height_km.push_back(here + onward.rise(0.5 * length));
         line.length_km.push_back(length);

@@ -185,6 +185,26 @@ TEST_CASE("heights along a sight line are those of a sphere", "[materials][atmos
     CHECK(worst < 1e-9);
 }
 
+TEST_CASE("no segment lies across the top of the aerosol", "[materials][atmosphere]") {
+    // Rising from, falling through and turning below 2 km: the part below is as long as the chord.
+    struct Ray {
+        double height_km, zenith_deg;
+    };
+    for (const auto& [height, zenith] :
+         {Ray{0.3, 40.0}, Ray{0.3, 88.0}, Ray{5.0, 130.0}, Ray{3.0, 91.2}}) {
+        const SightLine line = sight_line(height, zenith);
+        const double r = earth_radius_km + height, mu = std::cos(zenith * 3.14159265358979 / 180.0);
+        double s = 0.0, closest = 1e9;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            s += line.length_km[i];
+            const double end = std::sqrt(r * r + s * s + 2.0 * r * s * mu) - earth_radius_km;
+            closest = std::min(closest, std::abs(end - aerosol_top_km));
+        }
+        CAPTURE(height, zenith);
+        CHECK(closest < 1e-6);
+    }
+}
+
 TEST_CASE("any sight line has few segments that add up to it", "[materials][atmosphere][stress]") {
     std::mt19937 random(20260715);
     std::uniform_real_distribution<double> unit(0.0, 1.0);

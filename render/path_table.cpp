@@ -55,6 +55,9 @@ PathTable::PathTable(const Atmosphere& atmosphere, const PathExtent& extent,
       channels_(channels),
       probe_(probe),
       tolerance_(tolerance),
+      segments_(
+          chord_segments(std::max(std::abs(extent.observer_height_km - extent.least_height_km),
+                                  std::abs(extent.observer_height_km - extent.most_height_km)))),
       error_(bands.size(), 0.0) {
     u_low_ = std::cbrt(extent.least_range_km);
     u_high_ = std::max(std::cbrt(extent.most_range_km), u_low_ + 1e-4);
@@ -76,7 +79,7 @@ double PathTable::height_at(std::size_t j, std::size_t count) const {
 }
 
 PathTable::Node PathTable::make_node(double u, double height_km) const {
-    const SightLine line = chord(extent_.observer_height_km, height_km, u * u * u);
+    const SightLine line = chord(extent_.observer_height_km, height_km, u * u * u, segments_);
     Node node;
     for (std::size_t b = 0; b < bands_.size(); ++b) {
         const NodeSpectrum path = path_at_nodes(atmosphere_, line, bands_[b].node_um);

@@ -73,6 +73,7 @@ class PathTable {
     std::span<const Channels> channels_;
     std::span<const std::vector<std::vector<float>>> probe_;
     double tolerance_;
+    int segments_;  // of every line, so that radiance is smooth over the grid
     double u_low_ = 0.0, u_high_ = 0.0;
     std::size_t ranges_ = 0, heights_ = 1;
     std::vector<Node> node_;     // (range, height)

@@ -103,7 +103,12 @@ std::vector<double> background_at(const RadianceInput& input, double height_km, 
     return std::move(path.radiance);
 }
 
+int chord_segments(double height_change_km) {
+    return 24 + static_cast<int>(12.0 * std::abs(height_change_km));
+}
+
 SightLine chord(double from_height_km, double to_height_km, double range_km, int segments) {
+    if (segments <= 0) segments = chord_segments(to_height_km - from_height_km);
     // Height over the part t of the way: from + rise t + sag t².
     const double sag = range_km * range_km / (2.0 * earth_radius_km);
     const double rise = to_height_km - from_height_km - sag;

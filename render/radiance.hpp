@@ -61,9 +61,12 @@ std::vector<double> background_at(const RadianceInput& input, double height_km, 
 
 /// A line from a height to another over a range, in segments that grow from the observer: heights
 /// on the straight chord over a spherical earth. Defined and smooth for any two heights, which
-/// sight_line() in terms of an angle is not; converged to 2 mK in every band
-/// (tests/radiance_test.cpp).
-SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 24);
+/// sight_line() in terms of an angle is not.
+///
+/// segments  0: as chord_segments() says, converged to 2 mK in every band
+///           (tests/radiance_test.cpp)
+SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 0);
+int chord_segments(double height_change_km);
 
 /// Spectral radiance that leaves a facet, term by term, summed node by node: the reference that
 /// the tables of tracer.hpp are measured against.
@@ -86,6 +89,6 @@ std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput
 /// term by term and node by node; heights [m] above the origin's level surface.
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                double observer_height, FacetId facet, double range,
-                                               double height, int segments = 24);
+                                               double height, int segments = 0);
 
 }  // namespace diurna

@@ -1,0 +1,109 @@
+#include "render/quicklook.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <random>
+
+#include "materials/error.hpp"
+#include "materials/files.hpp"
+#include "render/bitmap_font.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// A ramp from 0 to 100 °C along the columns, and a corner without data.
+Frame ramp() {
+    Frame frame;
+    frame.width = 256;
+    frame.height = 128;
+    frame.observer = "ridge";
+    frame.instant = parse_instant("2026-07-01T05:00:00Z");
+    Plane plane{"apparent_temperature.8-12", "K", {}};
+    for (int y = 0; y < frame.height; ++y) {
+        for (int x = 0; x < frame.width; ++x) {
+            plane.pixel.push_back(273.15f + 100.0f * static_cast<float>(x) / 255.0f);
+        }
+    }
+    plane.pixel[0] = std::numeric_limits<float>::quiet_NaN();
+    frame.planes.push_back(std::move(plane));
+    return frame;
+}
+
+std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+        value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    return value;
+}
+
+/// L* of an sRGB colour.
+double lightness(const std::string& bytes, std::size_t at) {
+    const double weight[] = {0.2126729, 0.7151522, 0.0721750};
+    double y = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double v = static_cast<unsigned char>(bytes[at + i]) / 255.0;
+        y += weight[i] * (v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4));
+    }
+    return 116.0 * std::cbrt(y) - 16.0;
+}
+
+}  // namespace
+
+TEST_CASE("a quick-look is a PNG whose palette rises evenly in lightness", "[render][quicklook]") {
+    const auto path = std::filesystem::temp_directory_path() /
+                      ("diurna_quicklook_" + std::to_string(std::random_device{}()) + ".png");
+    write_quicklook(path, ramp(), "apparent_temperature.8-12");
+    const std::string bytes = read_text(path);
+    std::filesystem::remove(path);
+    REQUIRE(bytes.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+    CHECK(big_endian(bytes, 16) > 256);  // width: picture and colour bar
+    CHECK(big_endian(bytes, 20) > 128);
+    const std::size_t palette = bytes.find("PLTE");
+    REQUIRE(palette != std::string::npos);
+    for (std::size_t i = 1; i < 250; ++i) {
+        const double step =
+            lightness(bytes, palette + 4 + 3 * i) - lightness(bytes, palette + 4 + 3 * (i - 1));
+        CAPTURE(i, step);
+        // 87 units of lightness in 249 steps, and half a unit from rounding to 8 bits.
+        CHECK(step > -0.2);
+        CHECK(step < 1.0);
+    }
+    const double span = lightness(bytes, palette + 4 + 3 * 249) - lightness(bytes, palette + 4);
+    CHECK(span == Approx(87.0).margin(1.5));
+}
+
+TEST_CASE("the colour scale leaves out the extreme hundredths", "[render][quicklook]") {
+    const ColourScale scale = colour_scale(ramp().planes[0]);
+    // Columns 2 and 253 of 256: 0.78 °C and 99.2 °C, widened to whole degrees.
+    CHECK(scale.low_C == 0.0);
+    CHECK(scale.high_C == 100.0);
+    CHECK(colour_scale({"empty", "K", {}}).high_C > colour_scale({"empty", "K", {}}).low_C);
+    CHECK(colour_scale({"flat", "K", std::vector<float>(9, 300.0f)}).high_C == 27.0);
+}
+
+TEST_CASE("a scale upside down or a plane that is not there is refused",
+          "[render][quicklook][input]") {
+    CHECK_THROWS_AS(write_quicklook("q.png", ramp(), "apparent_temperature.8-12",
+                                    {.low_C = 20.0, .high_C = 10.0}),
+                    InputError);
+    CHECK_THROWS_AS(write_quicklook("q.png", ramp(), "apparent_temperature.3-5"), InputError);
+}
+
+TEST_CASE("letters differ from each other, and unknown ones show as a box", "[render][quicklook]") {
+    std::string all = "!%()+,-./:=_";
+    for (char c = '0'; c <= '9'; ++c) all += c;
+    for (char c = 'A'; c <= 'Z'; ++c) all += c;
+    for (char c = 'a'; c <= 'z'; ++c) all += c;
+    auto glyphs = glyphs_of(all + "°µ");
+    REQUIRE(glyphs.size() == all.size() + 2);
+    const Glyph unknown = glyphs_of("é").at(0);
+    for (const Glyph& glyph : glyphs) CHECK(glyph != unknown);
+    std::sort(glyphs.begin(), glyphs.end());
+    CHECK(std::adjacent_find(glyphs.begin(), glyphs.end()) == glyphs.end());
+}

@@ -74,7 +74,7 @@ TemperatureGrid temperature_grid(double low, double high) {
 
 SurfaceTable::SurfaceTable(const Band& band, const Channels& channels,
                            const MaterialLibrary& materials, const std::vector<bool>& used,
-                           const TemperatureGrid& grid)
+                           const TemperatureGrid& grid, std::span<const double> scattered)
     : grid_(grid), padded_(channels.padded()), optics_(materials.size()) {
     const std::size_t nodes = band.node_um.size(), levels = grid.cells + 1;
     const auto level = [&](std::size_t k) { return grid.low + grid.step * double(k); };
@@ -123,6 +123,15 @@ SurfaceTable::SurfaceTable(const Band& band, const Channels& channels,
         return table;
     };
 
+    // The light of surroundings: warm as the facet itself, and lit by the sun. At night, where that
+    // may be too faint for a number, its shape.
+    std::vector<double> around = scattered.empty() ? shape : value;
+    for (std::size_t k = 0; k < levels && !scattered.empty(); ++k) {
+        for (std::size_t n = 0; n < nodes; ++n) {
+            around[k * nodes + n] += band.weight[n] * scattered[n];
+        }
+    }
+
     const std::vector<double> one(nodes, 1.0);
     black_ = cubics(one);
     for (std::size_t m = 0; m < materials.size(); ++m) {
@@ -141,8 +150,11 @@ SurfaceTable::SurfaceTable(const Band& band, const Channels& channels,
         optics.reflectance.assign(grid.cells * 2 * padded_, 0.0f);
         for (std::size_t c = 0; c < channels.size(); ++c) {
             const auto mean = [&](std::size_t k) {
-                const double whole = sum(shape, k, c, one);
-                return whole > 0.0 ? sum(shape, k, c, reflectance) / whole : 0.0;
+                for (const auto* light : {&around, &shape}) {
+                    const double whole = sum(*light, k, c, one);
+                    if (whole > 0.0) return sum(*light, k, c, reflectance) / whole;
+                }
+                return 0.0;
             };
             double v0 = mean(0);
             for (std::size_t k = 0; k < grid.cells; ++k) {

@@ -45,14 +45,18 @@ TemperatureGrid temperature_grid(double low, double high);
 /// What surfaces emit and reflect in a band's channels, over temperature.
 ///
 /// Radiances are cubic Hermite in temperature with exact derivatives: relative error below 1e-6
-/// above 200 K, 0.03 mK (tests/band_table_test.cpp). The reflectance of a channel is its mean
-/// weighted by Planck's law at the facet's own temperature, so that ε B + ρ B = B holds exactly in
-/// every channel; linear between temperatures.
+/// above 200 K, 0.03 mK (tests/band_table_test.cpp). The reflectance of a channel, for the
+/// light of surroundings, is its mean weighted by Planck's law at the facet's own temperature, so
+/// that ε B + ρ B = B holds exactly in every channel, plus, by day, by the sunlight that
+/// surroundings scatter; linear between temperatures.
 class SurfaceTable {
  public:
     /// For the materials with `used[id]` set.
+    ///
+    /// scattered  (node) radiance of sunlit surroundings [W m⁻² sr⁻¹ µm⁻¹]; empty at night
     SurfaceTable(const Band& band, const Channels& channels, const MaterialLibrary& materials,
-                 const std::vector<bool>& used, const TemperatureGrid& grid);
+                 const std::vector<bool>& used, const TemperatureGrid& grid,
+                 std::span<const double> scattered = {});
 
     const TemperatureGrid& grid() const { return grid_; }
     std::size_t padded() const { return padded_; }

@@ -33,7 +33,19 @@ struct Surface {
     double temperature, behind;  // [K]
     double sunlight;             // f cosθ / π
     double sky_view;
+    double height_km;  // above the sea
 };
+
+struct Optics {
+    double emissivity, reflectance, transmittance;
+};
+
+Optics optics(const Material& material, double wavelength_um) {
+    const double reflectance = material.reflectance.at(wavelength_um);
+    const double transmittance =
+        material.transmittance.empty() ? 0.0 : material.transmittance.at(wavelength_um);
+    return {1.0 - reflectance - transmittance, reflectance, transmittance};
+}
 
 Surface surface_of(const RadianceInput& input, FacetId facet) {
     const std::size_t f = index(facet);
@@ -43,7 +55,9 @@ Surface surface_of(const RadianceInput& input, FacetId facet) {
             .temperature = temperature,
             .behind = temperature_behind(material, temperature),
             .sunlight = sunlight_on(input, facet),
-            .sky_view = input.sky_view.sky_view[f]};
+            .sky_view = input.sky_view.sky_view[f],
+            .height_km = input.ground_height_km +
+                         1e-3 * level_height(input.facets.centroid[f].cast<double>())};
 }
 
 }  // namespace
@@ -135,46 +149,48 @@ SightLine chord(double from_height_km, double to_height_km, double range_km, int
 }
 
 std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
-                                                             FacetId facet, const Light& light,
+                                                             FacetId facet,
                                                              std::span<const double> node_um) {
     std::array<std::vector<double>, term_count> leaving;
     for (auto& term : leaving) term.assign(node_um.size(), 0.0);
-    const Surface own = surface_of(input, facet);
+    const auto of = [&](Term term) -> std::vector<double>& {
+        return leaving[static_cast<std::size_t>(term)];
+    };
+
     const Exchange& exchange = input.sky_view.exchange;
     const std::size_t f = index(facet);
-    std::vector<Surface> seen;
-    std::vector<double> factor;
+    const double rest = 1.0 - double{input.sky_view.sky_view[f]};
     double total = 0.0;
     for (std::uint32_t k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
-        seen.push_back(surface_of(input, exchange.facet[k]));
-        factor.push_back(exchange.factor[k]);
-        total += exchange.factor[k];
+        total += double{exchange.factor[k]};
     }
-    const double rest = 1.0 - own.sky_view;
-    for (double& each : factor) each *= rest / total;
+    std::vector<double> around(node_um.size(), 0.0);
+    for (std::uint32_t k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
+        const Surface seen = surface_of(input, exchange.facet[k]);
+        const Light light = light_at(input, seen.height_km, node_um);
+        const double factor = rest * double{exchange.factor[k]} / total;
+        for (std::size_t n = 0; n < node_um.size(); ++n) {
+            const auto [emissivity, reflectance, transmittance] =
+                optics(*seen.material, node_um[n]);
+            const double black = planck(node_um[n], seen.temperature);
+            around[n] +=
+                factor *
+                (emissivity * black + transmittance * planck(node_um[n], seen.behind) +
+                 reflectance * (seen.sunlight * light.sun[n] + seen.sky_view * light.sky[n] +
+                                (1.0 - seen.sky_view) * black));
+        }
+    }
 
+    const Surface own = surface_of(input, facet);
+    const Light light = light_at(input, own.height_km, node_um);
     for (std::size_t n = 0; n < node_um.size(); ++n) {
-        const auto sent = [&](const Surface& s) {
-            const double reflectance = s.material->reflectance.at(node_um[n]);
-            const double transmittance =
-                s.material->transmittance.empty() ? 0.0 : s.material->transmittance.at(node_um[n]);
-            const double black = planck(node_um[n], s.temperature);
-            return (1.0 - reflectance - transmittance) * black +
-                   transmittance * planck(node_um[n], s.behind) +
-                   reflectance * (s.sunlight * light.sun[n] + s.sky_view * light.sky[n] +
-                                  (1.0 - s.sky_view) * black);
-        };
-        const double reflectance = own.material->reflectance.at(node_um[n]);
-        const double transmittance =
-            own.material->transmittance.empty() ? 0.0 : own.material->transmittance.at(node_um[n]);
-        double around = 0.0;
-        for (std::size_t k = 0; k < seen.size(); ++k) around += factor[k] * sent(seen[k]);
-        if (seen.empty()) around = rest * planck(node_um[n], own.temperature);
-        leaving[0][n] = (1.0 - reflectance - transmittance) * planck(node_um[n], own.temperature);
-        leaving[1][n] = reflectance * own.sunlight * light.sun[n];
-        leaving[2][n] = reflectance * own.sky_view * light.sky[n];
-        leaving[3][n] = reflectance * around;
-        leaving[4][n] = transmittance * planck(node_um[n], own.behind);
+        const auto [emissivity, reflectance, transmittance] = optics(*own.material, node_um[n]);
+        const double black = planck(node_um[n], own.temperature);
+        of(Term::emitted)[n] = emissivity * black;
+        of(Term::sun)[n] = reflectance * own.sunlight * light.sun[n];
+        of(Term::sky)[n] = reflectance * own.sky_view * light.sky[n];
+        of(Term::surroundings)[n] = reflectance * (total > 0.0 ? around[n] : rest * black);
+        of(Term::behind)[n] = transmittance * planck(node_um[n], own.behind);
     }
     return leaving;
 }
@@ -184,12 +200,9 @@ std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const
                                                double height, int segments) {
     const double from_km = input.ground_height_km + 1e-3 * observer_height;
     const double to_km = input.ground_height_km + 1e-3 * height;
-    const double facet_km = input.ground_height_km +
-                            1e-3 * level_height(input.facets.centroid[index(facet)].cast<double>());
     const NodeSpectrum path = path_at_nodes(
         input.atmosphere, chord(from_km, to_km, 1e-3 * range, segments), band.node_um);
-    const Light light = light_at(input, facet_km, band.node_um);
-    const auto leaving = leaving_radiance(input, facet, light, band.node_um);
+    const auto leaving = leaving_radiance(input, facet, band.node_um);
     std::array<double, term_count> sum{};
     for (std::size_t n = 0; n < band.node_um.size(); ++n) {
         for (std::size_t t = 0; t + 1 < term_count; ++t) {

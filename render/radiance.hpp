@@ -82,7 +82,7 @@ int chord_segments(double height_change_km);
 ///
 /// returns  (term, node) [W m⁻² sr⁻¹ µm⁻¹]; Term::path is zero
 std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
-                                                             FacetId facet, const Light& light,
+                                                             FacetId facet,
                                                              std::span<const double> node_um);
 
 /// Band radiance [W m⁻² sr⁻¹] at the eye of a facet seen from `observer_height` [m] over a range,

@@ -6,7 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <memory>
+#include <numbers>
 
 #include "materials/error.hpp"
 #include "render/band_table.hpp"
@@ -222,6 +222,15 @@ void add_truth(const View& view, const RadianceInput& input, Frame& frame) {
     add("normal.Z", "1", nothing, [&](std::size_t f) { return facets.normal[f].z(); });
 }
 
+/// Radiance of sunlit surroundings of middling albedo, per node: the weight by which reflectances
+/// are averaged in a channel, where a factor of two does not matter. Empty at night.
+std::vector<double> scattered_sunlight(const RadianceInput& input, const Light& light) {
+    if (input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0) return {};
+    std::vector<double> radiance = light.sun;
+    for (double& value : radiance) value *= 0.1 / std::numbers::pi;
+    return radiance;
+}
+
 /// Light at three heights, per band.
 std::vector<std::array<Light, 3>> light_of(const RadianceInput& input, const LitFacets& lit,
                                            std::span<const Band> bands) {
@@ -258,9 +267,11 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     std::vector<Channels> channels;
     std::vector<SurfaceTable> tables;
     std::vector<std::vector<std::vector<float>>> probes;
-    for (const Band& band : bands) {
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        const Band& band = bands[b];
         channels.push_back(channels_of(band));
-        tables.emplace_back(band, channels.back(), input.materials, lit.material_used, grid);
+        tables.emplace_back(band, channels.back(), input.materials, lit.material_used, grid,
+                            scattered_sunlight(input, light[b][1]));
         // Black bodies as cold and as hot as the scene, and a mirror of a cold sky.
         std::vector<float> cold(channels.back().padded()), hot(cold.size()), mirror(cold.size());
         tables.back().black(lit.coldest, cold.data());

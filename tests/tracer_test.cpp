@@ -117,6 +117,37 @@ TEST_CASE("tables agree with the sum over wavelengths to 2 mK in every pixel", "
     }
 }
 
+TEST_CASE("from visible to thermal, the library's materials are within 2 mK of the reference",
+          "[render][tracer]") {
+    FacetSet facets = testing::hilly_world(40, 60.0);
+    const MaterialLibrary library = default_material_library();
+    std::mt19937 random(5);
+    for (MaterialId& material : facets.material) {
+        material = MaterialId{static_cast<std::uint16_t>(random() % library.size())};
+    }
+    Morning world(std::move(facets));
+    world.materials = library;
+    Observer observer = testing::hilly_observer();
+    observer.position = {-1200.0, -2200.0, 600.0};
+    observer = looking_at(observer, {0.0, 0.0, 0.0});
+    const View view = cast_view(world.scene, world.facets, observer);
+    const std::vector<Band> bands = {flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um()),
+                                     flat_band("1.5-1.8", 1.5, 1.8, bin_edges_um()),
+                                     flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+                                     flat_band("8-14", 8.0, 14.0, bin_edges_um())};
+    const Frame frame = render(view, observer, bands, world.input());
+    for (const Band& band : bands) {
+        double worst = 0.0;
+        for (std::size_t p = 0; p < view.pixels(); p += 101) {
+            worst = std::max(
+                worst, std::abs(frame["apparent_temperature." + band.name].pixel[p] -
+                                brightness_temperature(band, reference(world, view, band, p))));
+        }
+        CAPTURE(band.name, worst);
+        CHECK(worst < 2e-3);
+    }
+}
+
 TEST_CASE("the terms of the radiance add up to it and agree with the reference",
           "[render][tracer]") {
     const Morning world;

@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "materials/error.hpp"
+#include "terrain/ascii_grid.hpp"
 #include "terrain/dem_voids.hpp"
 
 namespace diurna {
@@ -125,7 +126,9 @@ void check_size(GDALDataset& raster, const std::filesystem::path& file) {
 /// Our CRS objects take longitude before latitude, easting before northing, whatever EPSG says.
 OGRSpatialReference reference_of(const std::string& wkt) {
     OGRSpatialReference reference;
-    reference.importFromWkt(wkt.c_str());
+    // A WKT or a name such as EPSG:32611; never a file or an address.
+    reference.SetFromUserInput(wkt.c_str(),
+                               OGRSpatialReference::SET_FROM_USER_INPUT_LIMITATIONS_get());
     reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return reference;
 }
@@ -316,6 +319,9 @@ Dem read_dem(const std::filesystem::path& file, const DemOptions& options) {
     dem.rows = raster->GetRasterYSize();
     read_georeference(*raster, dem);
     check_corners(dem);
+    if (std::string_view(raster->GetDriverName()) == "AAIGrid") {
+        check_ascii_grid(file, std::size_t(dem.columns) * dem.rows);
+    }
 
     const Window window = window_of(dem, options);
     auto& t = dem.transform;

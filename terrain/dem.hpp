@@ -23,7 +23,7 @@ struct Dem {
     int columns = 0, rows = 0;
     std::vector<float> height;          // (row, column) [m]; NaN where void
     std::array<double, 6> transform{};  // GDAL's affine transform, pixel corner convention
-    std::string crs_wkt;
+    std::string crs_wkt;                // or a name such as EPSG:32611
 
     float at(int row, int column) const { return height[std::size_t(row) * columns + column]; }
     std::size_t voids = 0;  // posts without elevation in the file
@@ -37,10 +37,10 @@ struct DemOptions {
     VoidPolicy voids = VoidPolicy::refuse;
     /// Keep only the window of posts that holds the circle of this radius [m] round a place; none:
     /// the whole raster.
-    std::optional<Geodetic> centre;
+    std::optional<Geodetic> centre = std::nullopt;
     double radius = 0.0;
     /// Metres per unit of the file's heights; none: as the file says, metres if it says nothing.
-    std::optional<double> unit;
+    std::optional<double> unit = std::nullopt;
 };
 
 /// Reads any elevation raster of the allow-listed GDAL drivers (GeoTIFF, DTED, SRTM HGT also

@@ -18,8 +18,9 @@ namespace {
 
 using Ring = std::vector<Eigen::Vector2d>;
 
-/// Distance within which a ring's corner is moved onto a post, so that no sliver arises [posts].
-constexpr double snap = 0.02;
+/// Distance within which a ring runs through a post instead of beside it, so that no sliver
+/// arises [posts].
+constexpr double snap = 0.005;
 
 /// The part of a ring inside the raster (Sutherland & Hodgman 1974: one side after the other).
 Ring clipped(Ring ring, const Dem& dem) {
@@ -45,8 +46,28 @@ Ring clipped(Ring ring, const Dem& dem) {
     return ring;
 }
 
-/// Points along the ring no further apart than `largest_edge` [m]; corners beside a post move
-/// there.
+/// Posts within the snapping distance of the way from `a` to `b`, ends left out, in order.
+Ring posts_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d way = b - a;
+    const double length = way.norm();
+    Ring found;
+    const int axis = std::abs(way.x()) >= std::abs(way.y()) ? 0 : 1;
+    const double first = std::min(a[axis], b[axis]), last = std::max(a[axis], b[axis]);
+    for (double line = std::ceil(first); line <= last && length > 0.0; ++line) {
+        const double t = (line - a[axis]) / way[axis];
+        Eigen::Vector2d post;
+        post[axis] = line;
+        post[1 - axis] = std::round(a[1 - axis] + t * way[1 - axis]);
+        const Eigen::Vector2d to = post - a;
+        const double beside = std::abs(way.x() * to.y() - way.y() * to.x()) / length;
+        if (beside < snap) found.push_back(post);
+    }
+    if (a[axis] > b[axis]) std::reverse(found.begin(), found.end());
+    return found;
+}
+
+/// Points along the ring no further apart than `largest_edge` [m]; it runs through the posts that
+/// it comes very near to.
 Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spacing) {
     Ring points;
     const auto add = [&](Eigen::Vector2d p) {
@@ -58,7 +79,13 @@ Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spaci
         const Eigen::Vector2d step = ring[(i + 1) % ring.size()] - ring[i];
         const double parts = std::ceil(step.cwiseProduct(spacing).norm() / largest_edge);
         const int count = std::max(1, static_cast<int>(parts));
-        for (int k = 0; k < count; ++k) add(ring[i] + step * (k / double(count)));
+        for (int k = 0; k < count; ++k) {
+            const Eigen::Vector2d from = ring[i] + step * (k / double(count));
+            add(from);
+            for (const auto& post : posts_along(from, ring[i] + step * ((k + 1) / double(count)))) {
+                add(post);
+            }
+        }
     }
     while (points.size() > 1 && (points.back() - points.front()).norm() <= snap) points.pop_back();
     return points;
@@ -154,11 +181,13 @@ class Cutting {
         : dem_(dem),
           spacing_(post_spacing(dem)),
           has_voids_(std::any_of(dem.height.begin(), dem.height.end(),
-                                 [](float h) { return std::isnan(h); })) {
+                                 [](float h) { return std::isnan(h); })),
+          is_vertex_(dem.height.size(), 0) {
         std::vector<std::pair<Kernel::Point_2, VertexNote>> points;
         points.reserve(tin.post.size());
         for (const auto& [column, row] : tin.post) {
             points.emplace_back(Kernel::Point_2(column, row), VertexNote{dem.at(row, column), 0});
+            is_vertex_[std::size_t(row) * dem.columns + column] = 1;
         }
         mesh_.insert(points.begin(), points.end());
         last_ = mesh_.finite_vertices_begin();
@@ -186,26 +215,31 @@ class Cutting {
         }
     }
 
-    /// Puts back the posts that the cuts have left further than the tolerance from the mesh.
+    /// Puts back the posts that the cuts have left further than the tolerance from the mesh. Each
+    /// is put back at most once: on slivers the plane of a triangle misses even its own corners by
+    /// rounding.
     void restore(double tolerance) {
         for (bool changed = true; changed;) {
+            changed = false;
             give_heights_to_crossings();
             std::vector<std::pair<WorstPost, Constrained::Vertex_handle>> missing;
             for (const auto face : mesh_.finite_face_handles()) {
                 if (!is_ground(face)) continue;
                 const WorstPost worst = worst_post(
                     dem_, {place(face->vertex(0)), place(face->vertex(1)), place(face->vertex(2))});
-                if (worst.error > std::max(tolerance, 1e-9) &&
-                    !std::isnan(dem_.at(worst.row, worst.column))) {
+                if (worst.error > std::max(tolerance, 1e-9)) {
                     missing.emplace_back(worst, face->vertex(0));
                 }
             }
             for (const auto& [worst, near] : missing) {
+                auto& known = is_vertex_[std::size_t(worst.row) * dem_.columns + worst.column];
+                if (known || std::isnan(dem_.at(worst.row, worst.column))) continue;
+                known = 1;
+                changed = true;
                 const auto vertex =
                     mesh_.insert(Kernel::Point_2(worst.column, worst.row), near->face());
                 vertex->info().height = dem_.at(worst.row, worst.column);
             }
-            changed = !missing.empty();
         }
     }
 
@@ -281,13 +315,10 @@ class Cutting {
         return vertex;
     }
 
-    bool beside_vertex_post(const Eigen::Vector2d& p, double distance) {
+    bool beside_vertex_post(const Eigen::Vector2d& p, double distance) const {
         const Eigen::Vector2d post(std::round(p.x()), std::round(p.y()));
-        if ((post - p).cwiseProduct(spacing_).norm() > distance) return false;
-        Constrained::Locate_type found;
-        int index = 0;
-        mesh_.locate(Kernel::Point_2(post.x(), post.y()), found, index, last_->face());
-        return found == Constrained::VERTEX;
+        return (post - p).cwiseProduct(spacing_).norm() <= distance &&
+               is_vertex_[std::size_t(post.y()) * dem_.columns + std::size_t(post.x())];
     }
 
     void give_heights_to_crossings() {
@@ -313,6 +344,7 @@ class Cutting {
     const Dem& dem_;
     Eigen::Vector2d spacing_;
     bool has_voids_;
+    std::vector<std::uint8_t> is_vertex_;  // (post)
     Constrained mesh_;
     Constrained::Vertex_handle last_;  // the next point is often near the last one
     std::vector<Ring> rings_;

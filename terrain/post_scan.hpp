@@ -24,7 +24,7 @@ inline WorstPost worst_post(const Dem& dem, std::array<Eigen::Vector3d, 3> corne
     const auto& [top, middle, bottom] = corner;
     const Eigen::Vector3d normal = (middle - top).cross(bottom - top);
     WorstPost worst;
-    if (normal.z() == 0.0) return worst;
+    if (std::abs(normal.z()) < 1e-9) return worst;  // nothing lies inside but on its border
     const double per_column = -normal.x() / normal.z(), per_row = -normal.y() / normal.z();
     const auto slope = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
         return to.y() > from.y() ? (to.x() - from.x()) / (to.y() - from.y()) : 0.0;

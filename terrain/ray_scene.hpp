@@ -24,7 +24,9 @@ struct Hit {
 enum class Coherence { coherent, incoherent };  // neighbouring rays alike, or scattered
 
 /// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
-/// Non-finite or wildly indexed triangles are refused by an assertion of FacetSet's makers.
+/// A ray aimed exactly at a vertex can slip through (Embree issue 174), one at an edge about once
+/// in a million, so samples are never put there. Non-finite or wildly indexed triangles are refused
+/// by FacetSet's makers.
 class RayScene {
  public:
     explicit RayScene(const FacetSet& facets);

@@ -44,6 +44,7 @@ TinCheck check(const Dem& dem, std::span<const Eigen::Vector2d> place,
             ++result.flipped_triangles;
             continue;
         }
+        if (area < 1e-9) continue;  // thinner than rounding: its border is its neighbours' too
         const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
         for (int row = static_cast<int>(std::ceil(low.y())); row <= high.y(); ++row) {
             for (int column = static_cast<int>(std::ceil(low.x())); column <= high.x(); ++column) {

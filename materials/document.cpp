@@ -54,8 +54,8 @@ std::string shown(const toml::node& node) {
     node.visit([&](const auto& value) {
         if constexpr (toml::is_value<decltype(value)>) text << value;
     });
-    const std::string value = text.str();
-    return node.is_string() ? '"' + value.substr(0, 60) + '"' : value.substr(0, 60);
+    if (node.is_string()) return '"' + node.as_string()->get().substr(0, 60) + '"';
+    return text.str().substr(0, 60);
 }
 
 /// Integers count as numbers; nan and inf do not.
@@ -154,8 +154,9 @@ void Document::finish() const {
     throw InputError(std::move(mistakes));
 }
 
-Section::Section(std::shared_ptr<Document::State> state, const void* table, std::string path)
-    : state_(std::move(state)), table_(table), path_(std::move(path)) {
+Section::Section(std::shared_ptr<Document::State> state, const void* table, std::string path,
+                 bool missed)
+    : state_(std::move(state)), table_(table), path_(std::move(path)), missed_(missed) {
     if (table_ != nullptr) state_->asked[table_];
 }
 
@@ -197,6 +198,7 @@ std::string Section::where(const std::string& key) const {
 
 void Section::mistake(const std::string& key, const std::string& problem,
                       const std::string& hint) const {
+    if (missed_) return;
     const toml::table* table = table_ != nullptr ? as_table(table_) : &state_->root;
     const toml::node* node = key.empty() ? nullptr : table->get(key);
     state_->note(node != nullptr ? node->source() : table->source(), joined(path_, key), problem,
@@ -360,7 +362,7 @@ Section Section::section(const std::string& key, bool required) const {
     } else if (node == nullptr && required) {
         mistake(key, fmt::format("missing, expected a table [{}]", joined(path_, key)));
     }
-    return {state_, table, joined(path_, key)};
+    return {state_, table, joined(path_, key), missed_ || (required && table == nullptr)};
 }
 
 std::vector<Section> Section::sections(const std::string& key) const {

@@ -83,10 +83,12 @@ class Section {
  private:
     friend class Document;
     friend struct Document::State;
-    Section(std::shared_ptr<Document::State> state, const void* table, std::string path);
+    Section(std::shared_ptr<Document::State> state, const void* table, std::string path,
+            bool missed = false);
     std::shared_ptr<Document::State> state_;
     const void* table_;  // toml::table, or null where the table is absent
     std::string path_;
+    bool missed_;  // absent and noted as such: what it lacks is no further mistake
 };
 
 }  // namespace diurna

@@ -18,7 +18,10 @@ ProgressStyle default_progress_style() {
     return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
-Progress::~Progress() { finish(); }
+Progress::~Progress() {
+    // A stage that did not end was given up; its half-drawn bar would stand before the error.
+    if (!name_.empty() && style_ == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
+}
 
 void Progress::stage(const std::string& name) {
     finish();

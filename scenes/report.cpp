@@ -234,9 +234,7 @@ std::string contact_sheet(const fs::path& folder, const std::string& observer,
     for_each_index(
         frames.size(),
         [&](std::size_t i) {
-            const std::vector<std::byte> png = encode_quicklook(
-                pictures[i], plane,
-                {.title = {}, .low_C = scale.low_C, .high_C = scale.high_C, .shrink = 2});
+            const std::vector<std::byte> png = encode_thumbnail(pictures[i], plane, scale, 2);
             figures[i] = fmt::format(
                 "<figure><img alt=\"{0}\" "
                 "src=\"data:image/png;base64,{1}\"/><figcaption>{0}</figcaption>"

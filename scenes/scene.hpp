@@ -26,7 +26,7 @@ struct GroundRule {
 
 struct GroundPolygon {
     std::string name;
-    std::string material;
+    std::string material;               // "": by the rules, on a finer mesh
     std::vector<Eigen::Vector2d> ring;  // corners, not repeated; east, north [m]
     double largest_edge = 30.0;         // of the triangles within [m]
 };

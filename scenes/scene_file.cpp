@@ -88,7 +88,7 @@ std::vector<Eigen::Vector2d> rectangle(const std::vector<double>& spec) {
 GroundPolygon read_polygon(const Section& section, Reading& reading) {
     GroundPolygon polygon;
     polygon.name = reading.object(section);
-    polygon.material = reading.material(section, "material");
+    if (section.has("material")) polygon.material = reading.material(section, "material");
     polygon.largest_edge = section.number_or("largest_edge_m", 30.0, 1.0, 1e4);
     if (section.has("rectangle_m")) {
         const std::vector<double> spec = section.numbers("rectangle_m", 5);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +60,7 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
             if (mesh.footprint[t] != footprint) continue;
             const auto& [a, b, c] = mesh.triangle[t];
             triangles.push_back(mesh.triangle[t]);
-            if (footprint >= 0) {
+            if (footprint >= 0 && !polygons[footprint].material.empty()) {
                 materials.push_back(scene.materials.find(polygons[footprint].material));
                 continue;
             }
@@ -68,8 +69,9 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
             const double height = (mesh.height[a] + mesh.height[b] + mesh.height[c]) / 3.0;
             materials.push_back(material_by_rules(scene, slope, height));
         }
+        const bool ground = footprint < 0 || polygons[footprint].material.empty();
         append_facets(world.facets, vertex, triangles, materials,
-                      ObjectId{static_cast<std::uint16_t>(footprint + 1)});
+                      ObjectId{static_cast<std::uint16_t>(ground ? 0 : footprint + 1)});
     }
     world.ground_facets = world.facets.size();
 }

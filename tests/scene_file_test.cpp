@@ -26,14 +26,14 @@ std::vector<Mistake> mistakes_of(const std::string& text) {
 TEST_CASE("the default scene reads as it is written", "[scenes][scene_file]") {
     const Scene scene = read_scene(DIURNA_SOURCE_DIR "/scenes/jacksboro/scene.toml");
     CHECK(scene.name == "jacksboro");
-    CHECK(scene.terrain.polygons.size() == 5);
+    CHECK(scene.terrain.polygons.size() == 6);
     CHECK(scene.terrain.buildings.size() == 1);
     CHECK(scene.observers.at(0).width == 640);
     CHECK(scene.observers.at(0).height == 512);
     CHECK(scene.time.duration == 86400.0);
     CHECK(format_instant(scene.time.start) == "2026-07-15T04:00:00Z");
     // The runway: 1500 m along 45 degrees, 45 m across.
-    const auto& ring = scene.terrain.polygons.at(0).ring;
+    const auto& ring = scene.terrain.polygons.at(1).ring;
     REQUIRE(ring.size() == 4);
     CHECK((ring[2] - ring[1]).norm() == Approx(1500.0));
     CHECK((ring[1] - ring[0]).norm() == Approx(45.0));

@@ -40,7 +40,7 @@ inline std::string small_scene() {
 name = "small"
 sky_rays = 32
 [site]
-latitude_deg = 36.606667
+latitude_deg = 36.32
 longitude_deg = -84.203333
 [terrain]
 elevation = ")" +
@@ -63,7 +63,7 @@ width_m = 60.0
 depth_m = 40.0
 height_m = 12.0
 heading_deg = 45.0
-wall = "concrete"
+wall = "concrete_wall"
 front = "glass"
 roof = "painted_steel"
 [weather]

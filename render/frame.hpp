@@ -22,7 +22,7 @@ struct Plane {
 ///     apparent_temperature.BAND  K           of the black body of that radiance
 ///     TERM.BAND                  W m-2 sr-1  on request; they add up to radiance.BAND
 ///     temperature, range         K, m        at the pixel's centre; NaN where it is sky
-///     facet, object, material    1           index at the pixel's centre; −1 where it is sky
+///     facet, object, material    1           index at the pixel's centre, exact to 2^24; −1: sky
 ///     normal.X, .Y, .Z           1           east, north, up; NaN where it is sky
 struct Frame {
     int width = 0, height = 0;

@@ -49,7 +49,7 @@ Rgb palette_colour(double t) {
     // Lightness rises evenly from night violet over red to warm white; as colourful as it can be.
     const double lightness = 8.0 + 87.0 * t;
     const double hue_deg = 285.0 + 165.0 * t;
-    double chroma = 20.0 + 70.0 * std::sin(std::numbers::pi * std::min(1.0, 0.05 + 0.85 * t));
+    double chroma = 14.0 + 50.0 * std::sin(std::numbers::pi * std::min(1.0, 0.05 + 0.9 * t));
     std::array<double, 3> rgb{};
     for (;; chroma -= 0.5) {
         rgb = srgb(lightness, chroma, hue_deg);

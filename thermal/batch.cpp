@@ -24,6 +24,7 @@ MaterialColumn material_column(const ThermalSurface& surface, const StepSetup& s
         const double step = setup.step / material.substeps;
         share = typical_film / make_stage(material.grid, step, setup.reference).b;
     } while (share > setup.largest_share && material.substeps < setup.most_substeps);
+    material.substeps *= setup.refinement;
     material.stage =
         make_stage(material.grid, sdirk_gamma * setup.step / material.substeps, setup.reference);
     return material;
@@ -59,6 +60,13 @@ void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
     alignas(64) double a[lanes], flux[2][lanes], slope[lanes], stored[lanes], in[lanes];
 
     for (int k = 0; k < 2; ++k) {
+        // Newton starts where the surface would be if it went on as it has.
+        for (std::size_t l = 0; l < count; ++l) {
+            const double before = state[l] + material.reference;
+            const double rate =
+                k == 0 ? batch.rate[l] : (batch.temperature[l] - before) / sdirk_gamma;
+            batch.temperature[l] = before + stage_share[k] * rate;
+        }
         eliminate(grid, stage, count, k == 0 ? state : start, offset, a);
         const SurfaceCount newton =
             solve_surface(air[k], {.count = count,
@@ -106,6 +114,7 @@ void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
 #pragma omp simd
             for (std::size_t l = 0; l < count; ++l) {
                 carried[l] = batch.temperature[l] - material.reference;
+                batch.rate[l] = carried[l] - state[l];
                 stored[l] = grid.capacity[0] * (carried[l] - state[l]);
                 state[l] = carried[l];
             }

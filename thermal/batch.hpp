@@ -30,7 +30,8 @@ struct StepSetup {
     /// A step is divided while 25 W m⁻² K⁻¹ moves the surface by more than this share of what it
     /// would move it in the end: an implicit step that reaches too far overshoots after a jump.
     double largest_share = 1.0;
-    int most_substeps = 6;
+    int most_substeps = 2;  // six would be no better in a day of shadows (bench/solver_bench)
+    int refinement = 1;     // every (sub)step is divided once more into so many
     GridOptions grid;
 };
 MaterialColumn material_column(const ThermalSurface& surface, const StepSetup& setup);
@@ -40,6 +41,7 @@ struct Batch {
     std::size_t count = 0;
     std::vector<double> state;                // [node][lane]
     std::array<double, lanes> temperature{};  // of the surface [K]
+    std::array<double, lanes> rate{};         // its change over the last step, for a first guess
     std::array<NaturalFilm, lanes> natural{};
 
     void resize(std::size_t nodes, std::size_t facets);

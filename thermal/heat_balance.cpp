@@ -10,50 +10,73 @@ namespace diurna {
 namespace {
 
 constexpr double coldest = 1.0, hottest = 5000.0;  // [K] bracket
-constexpr double settled = 1e-6;                   // [K] of the last correction
-constexpr int most_iterations = 80;                // bisection alone needs 53 to its last bit
+constexpr double settled = 1e-5;                   // [K] of the last correction
+constexpr int patience = 3;          // iterations before Newton has to halve its steps
+constexpr int most_iterations = 80;  // bisection alone needs 53 to its last bit
 
 template <bool Plate, bool Wet>
-SurfaceCount newton(const AirFilm& air, const SurfaceLanes& s) {
-    const VapourTable& table = vapour_table();
-    const double radiation = s.emissivity * stefan_boltzmann;
-    double low[lanes], high[lanes];
-    std::fill_n(low, s.count, coldest);
-    std::fill_n(high, s.count, hottest);
-    SurfaceCount count;
+SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
+    // Values of its own, which no store through a pointer can change, let the loop become vectors.
+    const AirFilm air = given;
+    const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;
+    const double* const heat = s.heat;
+    const double* const a = s.a;
+    const NaturalFilm* const natural = s.natural;
+    double* const temperature = s.temperature;
+    const std::size_t count = s.count;
+    double low[lanes], high[lanes], last_step[lanes], flux_at[lanes], slope_at[lanes];
+    std::fill_n(low, count, coldest);
+    std::fill_n(high, count, hottest);
+    std::fill_n(last_step, count, hottest);
+    SurfaceCount result;
     double correction = hottest;
-    while (correction > settled && count.iterations < most_iterations) {
+    while (correction > settled && result.iterations < most_iterations) {
         correction = 0.0;
-        double left = 0.0;
-#pragma omp simd reduction(max : correction) reduction(+ : left)
-        for (std::size_t l = 0; l < s.count; ++l) {
-            const double t = s.temperature[l];
-            const Film film = Plate ? plate_film(air, s.natural[l], t) : ground_film(air, t);
+        double strays = 0.0;
+        const double steady_share = result.iterations < patience ? hottest : 0.5;
+#pragma omp simd reduction(max : correction) reduction(+ : strays)
+        for (std::size_t l = 0; l < count; ++l) {
+            const double t = temperature[l];
+            const Film film = Plate ? plate_film(air, natural[l], t) : ground_film(air, t);
             const double cube = radiation * t * t * t;
-            double flux = s.heat[l] - cube * t - film.h * (t - air.air_temperature);
+            double flux = heat[l] - cube * t - film.h * (t - air.air_temperature);
             double slope = -4.0 * cube - film.h - film.rise;
             if (Wet) {
-                const LatentHeat latent = latent_heat(air, table, film, t);
+                const LatentHeat latent = latent_heat(air, film, t);
                 flux += latent.flux;
                 slope += latent.slope;
             }
-            const double excess = flux + s.a[l] - s.b * (t - s.reference);
-            low[l] = excess > 0.0 ? t : low[l];
-            high[l] = excess < 0.0 ? t : high[l];
-            const double newton_step = excess / (s.b - slope);
+            const double excess = flux + a[l] - b * (t - reference);
+            const double from = excess > 0.0 ? t : low[l];
+            const double to = excess < 0.0 ? t : high[l];
+            const double newton_step = excess / (b - slope);
             const double wanted = t + newton_step;
-            const bool outside = !(wanted >= low[l] && wanted <= high[l]);
-            const double next = outside ? 0.5 * (low[l] + high[l]) : wanted;
-            s.temperature[l] = next;
-            s.flux[l] = flux + slope * (next - t);
-            s.slope[l] = slope;
-            correction = std::max(correction, std::abs(next - t));
-            left += outside ? 1.0 : 0.0;
+            // Newton may swing about a bend for ever: between two points with the root in between
+            // it has to halve its steps, or the bracket is halved instead.
+            const double most = to - from < hottest / 2.0 ? steady_share * last_step[l] : hottest;
+            double stray = std::abs(newton_step) > most + settled ? 1.0 : 0.0;
+            stray = wanted < from - settled ? 1.0 : stray;
+            stray = wanted > to + settled ? 1.0 : stray;
+            const double middle = 0.5 * (from + to);
+            const double next = stray > 0.0 ? middle : wanted;
+            const double step = std::abs(next - t);
+            low[l] = from;
+            high[l] = to;
+            last_step[l] = step;
+            temperature[l] = next;
+            flux_at[l] = flux + slope * (next - t);
+            slope_at[l] = slope;
+            // A halved bracket is no root, however short it is.
+            const double unsettled = stray > 0.0 ? hottest : step;
+            correction = unsettled > correction ? unsettled : correction;
+            strays += stray;
         }
-        count.bisections += static_cast<std::size_t>(left);
-        ++count.iterations;
+        result.bisections += static_cast<std::size_t>(strays);
+        ++result.iterations;
     }
-    return count;
+    std::copy_n(flux_at, count, s.flux);
+    std::copy_n(slope_at, count, s.slope);
+    return result;
 }
 
 }  // namespace
@@ -73,7 +96,7 @@ HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissiv
     balance.longwave_out = -emissivity * stefan_boltzmann * power4(temperature);
     balance.sensible = -film.h * (temperature - air.air_temperature);
     if (air.wetness > 0.0) {
-        balance.latent = latent_heat(air, vapour_table(), film, temperature).flux;
+        balance.latent = latent_heat(air, film, temperature).flux;
     }
     balance.internal = internal;
     return balance;

@@ -32,6 +32,8 @@ struct Block {
     std::vector<std::size_t> facet;
     std::vector<NaturalFilm> natural;
     std::vector<double> start, change;  // [node][lane] relative; change over the last pass
+    std::vector<double> move, planned;  // [node][lane] of the start after the pass before: what
+                                        // was done, and what the material's matrix alone would do
     double residual = 0.0;              // [K] largest of `change`
 };
 
@@ -47,7 +49,13 @@ struct Kind {
     std::vector<double> slope;          // (step, substep, stage) mean surface slope, last pass
     std::size_t facets = 0;
     /// (I − M)⁻¹ of the linearised period.
-    std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period;
+    std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period{};
+};
+
+/// A way to step the span: every `stride` instants at once.
+struct Level {
+    std::size_t stride = 1;
+    std::vector<Kind> kind;
 };
 
 struct Job {
@@ -61,7 +69,6 @@ struct Job {
     std::vector<float> sunlight;  // (instant, facet) incident
     std::vector<float> excess;    // (instant, facet) terrain longwave; empty without exchange
     std::vector<float> kelvin;    // (instant, facet)
-    std::vector<Kind> kind;
     std::vector<Block> block;
 
     std::size_t steps() const { return instant.size() - 1; }
@@ -88,49 +95,67 @@ void check(const SolveInput& input, const SolveOptions& options) {
     }
 }
 
-void group_by_material(Job& job, const StepSetup& setup) {
-    std::map<std::size_t, std::size_t> kind_of;
-    std::vector<std::size_t> open;  // (kind) block still taking facets
+/// Cuts the facets into blocks by material. Returns the materials in the order of Block::material.
+std::vector<MaterialId> group_by_material(Job& job) {
+    std::map<std::size_t, std::size_t> place_of;
+    std::vector<MaterialId> materials;
+    std::vector<std::size_t> open;  // (material) block still taking facets
     for (std::size_t f = 0; f < job.facets; ++f) {
         const MaterialId id = job.input.facets.material[f];
-        const auto [place, is_new] = kind_of.try_emplace(index(id), job.kind.size());
-        const std::size_t k = place->second;
+        const auto [place, is_new] = place_of.try_emplace(index(id), materials.size());
+        const std::size_t m = place->second;
         if (is_new) {
-            job.kind.push_back({.column = material_column(job.input.materials[id].thermal, setup),
-                                .forcing = {},
-                                .slope = {},
-                                .period = {}});
+            materials.push_back(id);
             open.push_back(0);
         }
-        if (job.kind[k].facets++ % lanes == 0) {
-            open[k] = job.block.size();
-            job.block.push_back(
-                {.material = k, .facet = {}, .natural = {}, .start = {}, .change = {}});
+        if (is_new || job.block[open[m]].facet.size() == lanes) {
+            open[m] = job.block.size();
+            job.block.emplace_back().material = m;
         }
-        Block& block = job.block[open[k]];
+        Block& block = job.block[open[m]];
         block.facet.push_back(f);
         block.natural.push_back(natural_film(job.input.facets.normal[f].z()));
     }
+    return materials;
 }
 
-void set_forcing(Job& job, Kind& kind) {
-    const int substeps = kind.column.substeps;
-    kind.forcing.reserve(job.steps() * substeps * 2);
-    for (std::size_t i = 0; i < job.steps(); ++i) {
-        for (int s = 0; s < substeps; ++s) {
-            for (const double share : stage_share) {
-                const double at = (s + share) / substeps * job.step;
-                const Instant when = later(job.instant[i], at);
-                const Forcing forcing = job.input.weather.at(when);
-                const SkyState sky = sky_state(job.input.site, job.input.elevation, when, forcing,
-                                               job.input.clear_sky);
-                kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
-                                                 forcing.air, forcing.wind_speed),
-                                        sky.longwave_down});
+Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
+                 int most_substeps) {
+    const Weather& weather = job.input.weather;
+    const double step = job.step * double(stride);
+    Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
+    for_each_index(
+        materials.size(),
+        [&](std::size_t m) {
+            Kind& kind = level.kind[m];
+            kind.column =
+                material_column(job.input.materials[materials[m]].thermal,
+                                {.step = step,
+                                 .wind_height = weather.wind_height,
+                                 .air_height = weather.air_height,
+                                 .reference = weather.at(job.options.start).air.temperature,
+                                 .most_substeps = most_substeps,
+                                 .refinement = job.options.refinement,
+                                 .grid = {}});
+            const int substeps = kind.column.substeps;
+            for (std::size_t i = 0; i < job.steps(); i += stride) {
+                for (int s = 0; s < substeps; ++s) {
+                    for (const double share : stage_share) {
+                        const Instant when = later(job.instant[i], (s + share) / substeps * step);
+                        const Forcing forcing = weather.at(when);
+                        const SkyState sky = sky_state(job.input.site, job.input.elevation, when,
+                                                       forcing, job.input.clear_sky);
+                        kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
+                                                         forcing.air, forcing.wind_speed),
+                                                sky.longwave_down});
+                    }
+                }
             }
-        }
-    }
-    kind.slope.assign(kind.forcing.size(), 0.0);
+            kind.slope.assign(kind.forcing.size(), 0.0);
+        },
+        1);
+    for (const Block& block : job.block) level.kind[block.material].facets += block.facet.size();
+    return level;
 }
 
 void shine(Job& job) {
@@ -176,8 +201,8 @@ void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_
 }
 
 /// First guess: every facet's steady state under its mean forcing over the span.
-void settle(Job& job, Block& block) {
-    const Kind& kind = job.kind[block.material];
+void settle(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
     const std::size_t count = block.facet.size();
     AirFilm mean = kind.forcing.front().air;
     double sky = 0.0, sums[5] = {};
@@ -214,8 +239,9 @@ void settle(Job& job, Block& block) {
 }
 
 /// Runs one block over the span; writes its temperatures, change and mean surface slopes.
-void run(Job& job, Block& block, StepRecord& record, std::vector<double>& slope) {
-    const Kind& kind = job.kind[block.material];
+void run(Job& job, const Level& level, Block& block, StepRecord& record,
+         std::vector<double>& slope) {
+    const Kind& kind = level.kind[block.material];
     const int substeps = kind.column.substeps;
     const std::size_t count = block.facet.size();
     const double emissivity = kind.column.surface.emissivity;
@@ -232,8 +258,8 @@ void run(Job& job, Block& block, StepRecord& record, std::vector<double>& slope)
         job.kelvin[block.facet[l]] = float(batch.temperature[l]);
     }
     std::size_t stage = 0;
-    for (std::size_t i = 0; i < job.steps(); ++i) {
-        facet_heat(job, block, kind, i + 1, after);
+    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
+        facet_heat(job, block, kind, i, after);
         for (int s = 0; s < substeps; ++s, stage += 2) {
             for (int k = 0; k < 2; ++k) {
                 const double share = (s + stage_share[k]) / substeps;
@@ -247,7 +273,7 @@ void run(Job& job, Block& block, StepRecord& record, std::vector<double>& slope)
             slope[stage] = record.slope[0];
             slope[stage + 1] = record.slope[1];
         }
-        float* row = job.kelvin.data() + (i + 1) * job.facets;
+        float* row = job.kelvin.data() + i * job.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
         std::swap(before, after);
     }
@@ -276,36 +302,49 @@ void linearise(Kind& kind) {
     kind.period->compute(Eigen::MatrixXd::Identity(n, n) - map);
 }
 
-/// Moves a block's start by (I − M)⁻¹ times its change; returns the largest move [K].
-double correct(const Kind& kind, Block& block) {
+/// Moves a block's start by (I − M)⁻¹ times its change; returns the largest move [K]. The matrix
+/// belongs to the material's mean facet; Broyden's update by the move before fits it to each.
+/// `secant`: whether that move's effect is all that has changed since.
+double correct(const Kind& kind, Block& block, bool secant) {
     const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
-    Eigen::MatrixXd change(n, static_cast<Eigen::Index>(block.facet.size()));
-    for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index l = 0; l < change.cols(); ++l) {
-            change(i, l) = block.change[i * Eigen::Index(lanes) + l];
-        }
+    const auto count = static_cast<Eigen::Index>(block.facet.size());
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+    const Eigen::OuterStride<> stride{Eigen::Index(lanes)};
+    const bool update = secant && !block.move.empty();
+    block.move.resize(block.start.size());
+    block.planned.resize(block.start.size());
+    Strided start(block.start.data(), n, count, stride);
+    Strided done(block.move.data(), n, count, stride);
+    Strided planned(block.planned.data(), n, count, stride);
+    const Eigen::MatrixXd change = Strided(block.change.data(), n, count, stride);
+    const Eigen::MatrixXd plan = kind.period->solve(change);
+    Eigen::MatrixXd move = plan;
+    for (Eigen::Index l = 0; update && l < count; ++l) {
+        // Of the move `done` the matrix explains `explained`.
+        const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
+        const double along = done.col(l).dot(explained);
+        if (along < 0.1 * done.col(l).squaredNorm()) continue;
+        move.col(l) += (done.col(l) - explained) * (done.col(l).dot(plan.col(l)) / along);
     }
-    const Eigen::MatrixXd move = kind.period->solve(change);
-    for (Eigen::Index i = 0; i < n; ++i) {
-        for (Eigen::Index l = 0; l < change.cols(); ++l) {
-            block.start[i * Eigen::Index(lanes) + l] += move(i, l);
-        }
-    }
+    start += move;
+    done = move;
+    planned = plan;
     return move.cwiseAbs().maxCoeff();
 }
 
 /// One pass over the span for all blocks.
-StepRecord pass(Job& job, double progress_from, double progress_to) {
+StepRecord pass(Job& job, Level& level, double progress_from, double progress_to) {
     std::vector<StepRecord> record(job.block.size());
     std::vector<std::vector<double>> slope(job.block.size());
-    constexpr std::size_t slices = 16;
+    constexpr std::size_t slices = 8;
     for (std::size_t slice = 0; slice < slices; ++slice) {
         const std::size_t from = job.block.size() * slice / slices;
         const std::size_t to = job.block.size() * (slice + 1) / slices;
         for_each_index(
             to - from,
             [&](std::size_t b) {
-                run(job, job.block[from + b], record[from + b], slope[from + b]);
+                run(job, level, job.block[from + b], record[from + b], slope[from + b]);
             },
             4);
         if (job.options.progress) {
@@ -314,15 +353,56 @@ StepRecord pass(Job& job, double progress_from, double progress_to) {
         }
     }
     StepRecord all;
-    for (Kind& kind : job.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+    for (Kind& kind : level.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
     for (std::size_t b = 0; b < job.block.size(); ++b) {
         all.merge(record[b]);
-        Kind& kind = job.kind[job.block[b].material];
+        Kind& kind = level.kind[job.block[b].material];
         for (std::size_t i = 0; i < kind.slope.size(); ++i) {
             kind.slope[i] += slope[b][i] / double(kind.facets);
         }
     }
     return all;
+}
+
+/// Corrects all blocks' starts after a pass; returns the largest move [K].
+double correct(Job& job, Level& level, bool renew, bool secant) {
+    if (renew) {
+        for_each_index(
+            level.kind.size(), [&](std::size_t k) { linearise(level.kind[k]); }, 1);
+    }
+    std::vector<double> moves(job.block.size());
+    for_each_index(
+        job.block.size(),
+        [&](std::size_t b) {
+            moves[b] = correct(level.kind[job.block[b].material], job.block[b], secant);
+        },
+        16);
+    return *std::max_element(moves.begin(), moves.end());
+}
+
+/// Temperatures at the instants a coarse level steps over, on the line between those it lands on.
+void fill_between(Job& job, std::size_t stride) {
+    for_each_index(
+        job.steps() / stride,
+        [&](std::size_t s) {
+            const auto a = job.row(job.kelvin, s * stride),
+                       b = job.row(job.kelvin, (s + 1) * stride);
+            for (std::size_t i = 1; i < stride; ++i) {
+                const float share = float(i) / float(stride);
+                const auto between = job.row(job.kelvin, s * stride + i);
+                for (std::size_t f = 0; f < job.facets; ++f) {
+                    between[f] = a[f] + share * (b[f] - a[f]);
+                }
+            }
+        },
+        1);
+}
+
+/// The largest number of steps that divides the span and takes an hour at most.
+std::size_t coarse_stride(const Job& job) {
+    auto stride = static_cast<std::size_t>(std::max(1.0, std::floor(3600.0 / job.step + 1e-9)));
+    while (job.steps() % stride != 0) --stride;
+    return stride;
 }
 
 TemperatureField kept(const Job& job) {
@@ -374,7 +454,6 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
             .sunlight = {},
             .excess = {},
             .kelvin = {},
-            .kind = {},
             .block = {}};
     job.step = options.duration / double(job.steps());
     job.optics = facet_optics(input.facets, input.materials);
@@ -382,13 +461,8 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         job.sky.push_back(
             sky_state(input.site, input.elevation, when, input.weather.at(when), input.clear_sky));
     }
-    group_by_material(job, {.step = job.step,
-                            .wind_height = input.weather.wind_height,
-                            .air_height = input.weather.air_height,
-                            .reference = input.weather.at(options.start).air.temperature,
-                            .grid = {}});
-    for_each_index(
-        job.kind.size(), [&](std::size_t k) { set_forcing(job, job.kind[k]); }, 1);
+    const std::vector<MaterialId> materials = group_by_material(job);
+    Level fine = make_level(job, materials, 1, StepSetup{}.most_substeps);
 
     SolveReport report{.facets = job.facets, .steps = int(job.steps())};
     const auto shining = Clock::now();
@@ -397,47 +471,52 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
 
     job.kelvin.resize(job.instant.size() * job.facets);
     for_each_index(
-        job.block.size(), [&](std::size_t b) { settle(job, job.block[b]); }, 4);
+        job.block.size(), [&](std::size_t b) { settle(job, fine, job.block[b]); }, 4);
     const bool exchanging =
         options.exchange && (!input.sky_view.exchange.facet.empty() ||
                              std::any_of(input.sky_view.below.begin(), input.sky_view.below.end(),
                                          [](float below) { return below > 0.0f; }));
     if (exchanging) job.excess.assign(job.instant.size() * job.facets, 0.0f);
 
-    constexpr double usual_passes = 4.0;
+    const auto exchange = [&] {
+        const auto since = Clock::now();
+        if (exchanging) report.exchange_change = exchange_longwave(job);
+        report.exchange_seconds += seconds_since(since);
+    };
+    if (const std::size_t stride = coarse_stride(job); options.periodic && stride > 1) {
+        // A day in hours, twice, leaves a few tenths of a kelvin to the passes that count.
+        const auto stepping = Clock::now();
+        Level coarse = make_level(job, materials, stride, 1);
+        for (int i = 0; i < 3; ++i) {
+            exchange();
+            pass(job, coarse, 0.0, 0.0);
+            correct(job, coarse, true, false);
+            fill_between(job, stride);
+        }
+        for (Block& block : job.block) block.move.clear();
+        report.step_seconds += seconds_since(stepping);
+    }
+
+    constexpr double usual_passes = 3.0;
     StepRecord record;
     while (!report.converged && report.passes < options.max_passes) {
-        const auto exchanging_since = Clock::now();
-        const double change = exchanging ? exchange_longwave(job) : 0.0;
-        report.exchange_seconds += seconds_since(exchanging_since);
         // The change just made tells how far the pass before was from its surroundings.
-        report.exchange_change = change;
+        exchange();
         const auto stepping = Clock::now();
         const double done = std::min(0.95, report.passes / usual_passes);
-        record = pass(job, done, std::min(1.0, done + 1.0 / usual_passes));
+        record = pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
         ++report.passes;
-        double residual = 0.0, move = 0.0;
+        double residual = 0.0;
         for (const Block& block : job.block) residual = std::max(residual, block.residual);
         if (options.periodic) {
-            if (report.passes <= 2) {
-                for_each_index(
-                    job.kind.size(), [&](std::size_t k) { linearise(job.kind[k]); }, 1);
-            }
-            std::vector<double> moves(job.block.size());
-            for_each_index(
-                job.block.size(),
-                [&](std::size_t b) {
-                    Block& block = job.block[b];
-                    moves[b] = correct(job.kind[block.material], block);
-                },
-                16);
-            move = *std::max_element(moves.begin(), moves.end());
+            report.estimated_error =
+                correct(job, fine, report.passes == 1, report.exchange_change < 0.01);
+            report.periodic_residual = residual;
         }
         report.step_seconds += seconds_since(stepping);
-        report.periodic_residual = options.periodic ? residual : 0.0;
-        report.estimated_error = move;
-        report.converged = (!options.periodic || (residual <= options.tolerance && move <= 0.01)) &&
-                           change <= settled_exchange;
+        report.converged = report.periodic_residual <= options.tolerance &&
+                           report.estimated_error <= 0.01 &&
+                           report.exchange_change <= settled_exchange;
     }
     report.worst_energy_closure = record.worst_closure;
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));

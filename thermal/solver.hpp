@@ -23,6 +23,7 @@ struct SolveOptions {
     bool periodic = true;        // the span repeats for ever; else start from its mean balance
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
+    int refinement = 1;          // divides every step, forcing as it was: tells a result's error
     bool exchange = true;        // light and heat from one facet to another
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
 };

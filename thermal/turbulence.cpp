@@ -1,5 +1,6 @@
 #include "thermal/turbulence.hpp"
 
+#include <array>
 #include <numbers>
 
 #include "materials/units.hpp"
@@ -120,19 +121,6 @@ AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const Ai
         film.s = louis.s;
     }
     return film;
-}
-
-VapourTable::VapourTable() {
-    for (int i = 0; i <= count; ++i) {
-        const double temperature = first + step * i;
-        value_[i] = saturation_vapour_pressure(temperature);
-        slope_[i] = saturation_vapour_pressure_derivative(temperature);
-    }
-}
-
-const VapourTable& vapour_table() {
-    static const VapourTable table;
-    return table;
 }
 
 }  // namespace diurna

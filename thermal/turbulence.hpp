@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "materials/air.hpp"
+#include "materials/fast_exp.hpp"
 #include "materials/material.hpp"
 
 namespace diurna {
@@ -69,30 +69,17 @@ inline constexpr double least_wind = 0.3;
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed);
 
-/// Saturation vapour pressure by cubic Hermite interpolation of materials/air.hpp between 150 and
-/// 450 K (relative error below 1e-8 above 200 K), continued in a straight line beyond, so that a
-/// surface hotter than boiling stays finite. For loops over lanes: no call, no branch.
-class VapourTable {
- public:
-    VapourTable();
-    /// [Pa] and, through `slope`, [Pa K⁻¹].
-    double operator()(double temperature, double& slope) const {
-        const double x = std::clamp((temperature - first) / step, 0.0, double(count) - 1e-9);
-        const int i = static_cast<int>(x);
-        const double t = x - i;
-        const double p = value_[i], q = value_[i + 1], m = slope_[i] * step,
-                     n = slope_[i + 1] * step;
-        const double third = m + n - 2.0 * (q - p), second = 3.0 * (q - p) - 2.0 * m - n;
-        slope = (m + t * (2.0 * second + t * 3.0 * third)) / step;
-        return p + t * (m + t * (second + t * third)) + slope * (temperature - first - x * step);
-    }
-
- private:
-    static constexpr double first = 150.0, step = 0.5;
-    static constexpr int count = 600;
-    std::array<double, count + 1> value_, slope_;
-};
-const VapourTable& vapour_table();
+/// Saturation vapour pressure [Pa] as in materials/air.hpp and, through `slope`, its derivative;
+/// above 450 K it goes on in a straight line, so that a surface hotter than boiling stays finite.
+/// For loops over lanes: no call, no branch.
+inline double vapour_pressure_of(double temperature, double& slope) {
+    constexpr double a = 17.2693882, b = 35.86, triple = 273.16;  // Murray 1967
+    const double t = std::clamp(temperature, 100.0, 450.0);
+    const double inverse = 1.0 / (t - b);
+    const double pressure = 610.78 * fast_exp(a * (t - triple) * inverse);
+    slope = pressure * (a * (triple - b)) * inverse * inverse;
+    return pressure + slope * std::max(0.0, temperature - 450.0);
+}
 
 /// A film between surface and air [W m⁻² K⁻¹], and (T_s − T_a) dh/dT_s, which stays finite where
 /// the two are equally warm.
@@ -100,17 +87,19 @@ struct Film {
     double h, rise;
 };
 
-/// Ground (Louis) or constant film.
+/// Ground (Louis) or constant film. One root and one division for both branches of F.
 inline Film ground_film(const AirFilm& air, double temperature) {
     const double x = air.instability * (temperature - air.air_temperature);
-    const double warm = std::max(x, 0.0), cold = std::max(-x, 0.0);
-    const double root = std::sqrt(warm), below = 1.0 / (1.0 + air.c * root);
-    const double tail = std::sqrt(1.0 + 30.0 * cold), held = 1.0 / (1.0 + air.s * cold * tail);
     const bool unstable = x > 0.0;
-    const double f = unstable ? 1.0 + air.a * warm * below : held;
-    const double df = unstable ? air.a * (1.0 + 0.5 * air.c * root) * below * below
-                               : air.s * held * held * (1.0 + 45.0 * cold) / tail;
-    return {air.neutral * f, air.neutral * df * x};
+    const double root = std::sqrt(unstable ? x : 1.0 - 30.0 * x);
+    const double inverse = 1.0 / (unstable ? 1.0 + air.c * root : root * (1.0 - air.s * x * root));
+    // Warm: F = 1 + a x i, x F' = a x (1 + c √x / 2) i².  Cold, i = 1 / (r (1 + s y r)): F = i r,
+    // x F' = −s y F² (1 + 45 y) / r, where F² / r = i² r.
+    const double warm = air.a * x * inverse;
+    const double f = unstable ? 1.0 + warm : inverse * root;
+    const double rise = unstable ? warm * inverse * (1.0 + 0.5 * air.c * root)
+                                 : air.s * x * (1.0 - 45.0 * x) * inverse * inverse * root;
+    return {air.neutral * f, air.neutral * rise};
 }
 
 /// A plate under natural and forced convection: their sum (TARP) or their root sum of squares
@@ -128,17 +117,17 @@ inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperatu
 struct LatentHeat {
     double flux, slope;
 };
-inline LatentHeat latent_heat(const AirFilm& air, const VapourTable& table, Film film,
-                              double temperature) {
+inline LatentHeat latent_heat(const AirFilm& air, Film film, double temperature) {
     double slope;
-    const double excess = table(temperature, slope) - air.vapour_pressure;
+    const double excess = vapour_pressure_of(temperature, slope) - air.vapour_pressure;
     const bool drying = excess > 0.0;
     const double resistance = drying ? air.resistance : 0.0;
     const double share = air.latent * (drying ? air.wetness : 1.0);
     const double in_series = 1.0 / (air.heat_capacity + resistance * film.h);
     const double conductance = film.h * in_series;
+    // h's own slope counts a few per cent here; where it is left out Newton takes a step more.
     const double difference = temperature - air.air_temperature;
-    const double dh = std::abs(difference) > 1e-3 ? film.rise / difference : 0.0;
+    const double dh = film.rise * difference / (difference * difference + 1e-4);
     const double steeper = air.heat_capacity * in_series * in_series * dh;
     return {-share * conductance * excess, -share * (conductance * slope + steeper * excess)};
 }

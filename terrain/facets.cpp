@@ -15,6 +15,9 @@ namespace {
 
 constexpr double furthest = 100e3;  // [m] from the origin: beyond it, float is coarser than 8 mm
 
+/// Thinner than this share of its distance from the origin, a triangle's normal is only rounding.
+constexpr double float_resolution = 1e-7;
+
 struct Box {
     Eigen::Vector2d low, high;
 };
@@ -114,7 +117,10 @@ void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
         const Eigen::Vector3d c = vertex[corner[2]].cast<float>().cast<double>();
         const Eigen::Vector3d across = (b - a).cross(c - a);
         const double twice_area = across.norm();
-        if (!(static_cast<float>(0.5 * twice_area) > 0.0f)) continue;
+        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        const double furthest_corner =
+            std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
+        if (!(twice_area > longest * furthest_corner * float_resolution)) continue;
         facets.corner.push_back({placed(corner[0]), placed(corner[1]), placed(corner[2])});
         facets.centroid.push_back(((a + b + c) / 3.0).cast<float>());
         facets.normal.push_back((across / twice_area).cast<float>());

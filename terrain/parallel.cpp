@@ -32,7 +32,8 @@ void set_thread_count(int threads) {
         w.limit = std::make_unique<tbb::global_control>(
             tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
     }
-    w.arena = std::make_unique<tbb::task_arena>(threads > 0 ? threads : +tbb::task_arena::automatic);
+    w.arena =
+        std::make_unique<tbb::task_arena>(threads > 0 ? threads : +tbb::task_arena::automatic);
 }
 
 int thread_count() {

@@ -32,8 +32,9 @@ struct SkyViewOptions {
     std::uint64_t seed = 1;
 };
 
-/// By rays from points spread over each facet. Standard error about 0.5/rays^0.75 per facet
-/// (stratified); the same numbers for any number of threads.
+/// By rays from points spread over each facet. Standard error of a facet about 0.65/rays^0.75 (0.03
+/// at 64 rays, 0.011 at 256, measured in bowls), of means over n facets √n less; the same numbers
+/// for any number of threads.
 SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOptions& options = {});
 
 struct SunFractionOptions {

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "materials/error.hpp"
-#include "sample_dems.hpp"
+#include "shared_data.hpp"
 
 using namespace diurna;
 
@@ -267,7 +267,7 @@ TEST_CASE("sample rasters of many kinds are read rightly", "[terrain][dem][sampl
         {"isce_dem_south_pole.tif", 211, 210, 2584.021f, 3366.898f, 0, -88.4254441031,
          92.2309138546},
     }));
-    const auto file = sample("dem/" + c.name);
+    const auto file = shared_data("data/dem/" + c.name);
     if (!file) return;
     CAPTURE(c.name);
     const Dem dem = read_dem(*file, {.voids = VoidPolicy::leave});

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "materials/error.hpp"
-#include "sample_dems.hpp"
+#include "shared_data.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/ground_mesh.hpp"
 #include "terrain/object_mesh.hpp"
@@ -233,7 +233,7 @@ TEST_CASE("real terrain to a tolerance, as many triangles as known", "[terrain][
                                           {"N43E007.hgt.zip", 10.0, 0},
                                           {"SainteHelens.dem", 5.0, 0},
                                           {"craterlake-elev-16bit-30m.tif", 5.0, 0}}));
-    const auto file = sample("dem/" + c.name);
+    const auto file = shared_data("data/dem/" + c.name);
     if (!file) return;
     const Dem dem = read_dem(*file, {.voids = VoidPolicy::leave});
     Tin tin;
@@ -251,7 +251,7 @@ TEST_CASE("real terrain to a tolerance, as many triangles as known", "[terrain][
 TEST_CASE("any elevation file becomes facets in a local frame", "[terrain][samples]") {
     const auto name = GENERATE("bigtujunga.tif", "N43E007.hgt.zip", "SainteHelens.dem",
                                "craterlake-elev-16bit-30m.tif", "isce_dem_south_pole.tif");
-    const auto file = sample(std::string("dem/") + name);
+    const auto file = shared_data(std::string("data/dem/") + name);
     if (!file) return;
     CAPTURE(name);
     const Dem dem = read_dem(*file, {.voids = VoidPolicy::leave});

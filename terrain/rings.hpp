@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace diurna {
+
+/// Corners of a polygon in fractional (column, row) of a raster, not closed.
+using Ring = std::vector<Eigen::Vector2d>;
+
+/// The smallest upright rectangle round a ring.
+struct Extent {
+    Eigen::Vector2d low, high;
+    explicit Extent(const Ring& ring);
+    bool contains(const Eigen::Vector2d& p) const;
+};
+
+/// True for points inside, by the even-odd rule.
+bool contains(const Ring& ring, const Eigen::Vector2d& p);
+
+/// The part of a ring on a raster of so many posts; less than three corners if there is none.
+Ring clipped(Ring ring, int columns, int rows);
+
+/// Points along the ring no further apart than `largest_edge` [m], where `spacing` is the distance
+/// of columns and of rows [m]. The ring runs through posts that it comes nearer to than 0.005
+/// posts, so that no sliver arises between them.
+Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spacing);
+
+/// A lattice along the longest side of a ring of the given corners, inside its divided border and
+/// clear of it, for triangles with edges of about `largest_edge` [m].
+Ring lattice_inside(const Ring& corners, const Ring& border, double largest_edge,
+                    const Eigen::Vector2d& spacing);
+
+}  // namespace diurna

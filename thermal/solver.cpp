@@ -324,7 +324,8 @@ double correct(const Kind& kind, Block& block, bool secant) {
         // Of the move `done` the matrix explains `explained`.
         const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
         const double along = done.col(l).dot(explained);
-        if (along < 0.1 * done.col(l).squaredNorm()) continue;
+        // Not `<`: a facet that has arrived did not move, and 0 < 0 would let 0 / 0 through.
+        if (!(along > 0.1 * done.col(l).squaredNorm())) continue;
         move.col(l) += (done.col(l) - explained) * (done.col(l).dot(plan.col(l)) / along);
     }
     start += move;

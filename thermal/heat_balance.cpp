@@ -10,12 +10,14 @@ namespace diurna {
 namespace {
 
 constexpr double coldest = 1.0, hottest = 5000.0;  // [K] bracket
-constexpr double settled = 1e-5;                   // [K] of the last correction
 constexpr int patience = 3;          // iterations before Newton has to halve its steps
 constexpr int most_iterations = 80;  // bisection alone needs 53 to its last bit
 
 template <bool Plate, bool Wet>
 SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
+    // [K] of the last correction. Smooth ground squares what is left; where dew begins, and where
+    // a plate is as warm as the air, the balance has a bend.
+    constexpr double settled = Plate ? 1e-8 : Wet ? 1e-6 : 1e-5;
     // Values of its own, which no store through a pointer can change, let the loop become vectors.
     const AirFilm air = given;
     const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;

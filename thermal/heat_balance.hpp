@@ -49,9 +49,10 @@ struct SurfaceCount {
     std::size_t bisections = 0;  // lane-iterations in which Newton left the bracket
 };
 
-/// Newton within the bracket 1 to 5000 K, all lanes until the last correction is below 1e-5 K and
-/// has been applied; what is left goes with its square, below 1e-12 K. The equation has one root:
-/// every term falls with T but a stable film's tail, which conduction and radiation outweigh.
+/// Newton within the bracket 1 to 5000 K, all lanes until the last correction is below 1e-5 K
+/// (wet 1e-6, plates 1e-8) and has been applied; what is left goes with its square, below 1e-12 K.
+/// The equation has one root: every term falls with T but a stable film's tail, which conduction
+/// and radiation outweigh.
 SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface);
 
 }  // namespace diurna

@@ -28,8 +28,12 @@ ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pre
     const double pressure_mass = mass * pressure / 101325.0;
     const double top = solar_constant / (distance_au * distance_au);
 
-    const double rayleigh = std::exp(-0.0903 * std::pow(pressure_mass, 0.84) *
-                                     (1.0 + pressure_mass - std::pow(pressure_mass, 1.01)));
+    // Bird's depth of Rayleigh scattering turns back beyond 13 air masses (sun below 4°); from 10
+    // on it follows the slope of Kasten's (1996, Solar Energy 56, 239).
+    const double thin = std::min(pressure_mass, 10.0);
+    const double rayleigh =
+        std::exp(-0.0903 * std::pow(thin, 0.84) * (1.0 + thin - std::pow(thin, 1.01)) -
+                 0.0156 * (pressure_mass - thin));
     const double o = sky.ozone_cm * mass;
     const double ozone = 1.0 - 0.1611 * o * std::pow(1.0 + 139.48 * o, -0.3035) -
                          0.002715 * o / (1.0 + 0.044 * o + 0.0003 * o * o);

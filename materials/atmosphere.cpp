@@ -95,34 +95,94 @@ std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const Sig
     return paths;
 }
 
-std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
-                                 std::span<const double> node_um) {
-    double behind = 0.0;  // temperature of what is behind the air
-    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
-        behind = meets_ground(height_km, zenith_deg) ? model->profile.temperature.front()
-                                                     : model->space_temperature;
-    } else {
-        behind = std::get<Vacuum>(atmosphere).space_temperature;
-    }
-    NodeSpectrum path = path_at_nodes(atmosphere, sight_line(height_km, zenith_deg), node_um);
+namespace {
+
+/// What a line of infinite range sees of a cloudless sky or of the ground.
+std::vector<double> clear_sky(const BandModel& model, double height_km, double zenith_deg,
+                              std::span<const double> node_um) {
+    const bool ground = ends_on_ground(model, height_km, zenith_deg);
+    const double behind = ground ? model.profile.temperature.front() : model.space_temperature;
+    NodeSpectrum path = path_at_nodes(model, line_of(model, height_km, zenith_deg), node_um);
     for (std::size_t i = 0; i < node_um.size(); ++i) {
         path.radiance[i] += path.transmittance[i] * planck(node_um[i], behind);
     }
     return std::move(path.radiance);
 }
 
+/// Distance along a straight line to a height above its start.
+double distance_to(double height_km, double zenith_deg, double top_km) {
+    const double r = earth_radius_km + height_km, mu = std::cos(radians(zenith_deg));
+    const double sphere = earth_radius_km + top_km;
+    return std::sqrt((sphere - r) * (sphere + r) + r * r * mu * mu) - r * mu;
+}
+
+}  // namespace
+
+bool ends_on_ground(const BandModel& model, double height_km, double zenith_deg) {
+    return model.refraction ? meets_ground(model.profile, height_km, zenith_deg)
+                            : meets_ground(height_km, zenith_deg);
+}
+
+SightLine line_of(const BandModel& model, double height_km, double zenith_deg, double range_km) {
+    return model.refraction ? refracted_line(model.profile, height_km, zenith_deg, range_km)
+                            : sight_line(height_km, zenith_deg, range_km);
+}
+
+std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
+                                 std::span<const double> node_um) {
+    const auto* model = std::get_if<BandModel>(&atmosphere);
+    if (model == nullptr) {
+        std::vector<double> sky;
+        for (const double um : node_um) {
+            sky.push_back(planck(um, std::get<Vacuum>(atmosphere).space_temperature));
+        }
+        return sky;
+    }
+    std::vector<double> sky = clear_sky(*model, height_km, zenith_deg, node_um);
+    const CloudLayer& cloud = model->cloud;
+    if (cloud.fraction <= 0.0 || height_km >= cloud.base_km ||
+        ends_on_ground(*model, height_km, zenith_deg)) {
+        return sky;
+    }
+    const double temperature = cloud.temperature > 0.0
+                                   ? cloud.temperature
+                                   : air_at(model->profile, cloud.base_km).temperature;
+    const NodeSpectrum below = path_at_nodes(
+        *model,
+        line_of(*model, height_km, zenith_deg, distance_to(height_km, zenith_deg, cloud.base_km)),
+        node_um);
+    for (std::size_t i = 0; i < sky.size(); ++i) {
+        // What is behind the cloud, as seen from below it, shines through 1 − emissivity of it.
+        const double black = below.transmittance[i] * planck(node_um[i], temperature);
+        const double behind = sky[i] - below.radiance[i];
+        const double covered =
+            below.radiance[i] + cloud.emissivity * black + (1.0 - cloud.emissivity) * behind;
+        sky[i] += cloud.fraction * (covered - sky[i]);
+    }
+    return sky;
+}
+
 std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_km,
                                    double zenith_deg, double distance_au,
                                    std::span<const double> node_um) {
     std::vector<double> irradiance(node_um.size(), 0.0);
-    if (node_um.empty() || meets_ground(height_km, zenith_deg)) return irradiance;
+    const auto* model = std::get_if<BandModel>(&atmosphere);
+    if (node_um.empty() || (model != nullptr ? ends_on_ground(*model, height_km, zenith_deg)
+                                             : meets_ground(height_km, zenith_deg))) {
+        return irradiance;
+    }
     const BinRange bins = bins_of(node_um);
     std::vector<double> tau(bins.size(), 1.0);
-    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
-        tau = transmittance(*model, sight_line(height_km, zenith_deg), bins);
+    double clear = 1.0;
+    if (model != nullptr) {
+        tau = transmittance(*model, line_of(*model, height_km, zenith_deg), bins);
+        if (height_km < model->cloud.base_km) {
+            const double mu = std::max(0.02, std::cos(radians(zenith_deg)));
+            clear -= model->cloud.fraction * -std::expm1(-model->cloud.optical_depth / mu);
+        }
     }
     for (std::size_t i = 0; i < node_um.size(); ++i) {
-        irradiance[i] = solar_above_air(node_um[i]) * tau[bin_of(node_um[i]) - bins.first] /
+        irradiance[i] = clear * solar_above_air(node_um[i]) * tau[bin_of(node_um[i]) - bins.first] /
                         (distance_au * distance_au);
     }
     return irradiance;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <variant>
 #include <vector>
@@ -39,16 +40,22 @@ NodeSpectrum path_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
 std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
                                          std::span<const double> node_um);
 
+/// Lines from a height as the model's air bends them, or straight if it has no refraction.
+SightLine line_of(const BandModel& model, double height_km, double zenith_deg,
+                  double range_km = std::numeric_limits<double>::infinity());
+bool ends_on_ground(const BandModel& model, double height_km, double zenith_deg);
+
 /// Radiance of the sky at each node [W m⁻² sr⁻¹ µm⁻¹], seen from `height_km` under `zenith_deg`:
-/// thermal emission of the air along the path and of the background behind it. Below the horizon
-/// the background is a black ground at the temperature of the profile's lowest level. No scattered
-/// sunlight. In a vacuum: Planck's law at `space_temperature` in every direction.
+/// thermal emission of the air along the path, of the cloud layer over its part of the sky, and of
+/// the background behind. Below the horizon the background is a black ground at the temperature of
+/// the profile's lowest level. No scattered sunlight. In a vacuum: Planck's law at
+/// `space_temperature` in every direction.
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
                                  std::span<const double> node_um);
 
 /// Direct solar irradiance on a plane facing the sun at `height_km`, (node) [W m⁻² µm⁻¹], for the
 /// sun at `zenith_deg` (zero where the earth is in between) and `distance_au`. Constant per bin.
-/// Direct beam only: what the air scatters out of it is lost.
+/// Direct beam only: what the air scatters out of it is lost. Clouds take their share of it.
 std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_km,
                                    double zenith_deg, double distance_au,
                                    std::span<const double> node_um);

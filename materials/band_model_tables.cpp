@@ -87,26 +87,69 @@ void load_gases(Tables& tables) {
     }
 }
 
-void load_aerosols(Tables& tables) {
-    const CsvTable csv = table("aerosol_shettle_fenn.csv");
+/// Values of a curve at the middle of every bin; its first and last value beyond its ends.
+std::vector<double> at_bins(const Tables& tables, const Spectrum& curve) {
+    std::vector<double> value(tables.bins());
+    for (std::size_t bin = 0; bin < value.size(); ++bin) {
+        value[bin] = curve.at(std::clamp(tables.middle_um[bin], curve.wavelength_um.front(),
+                                         curve.wavelength_um.back()));
+    }
+    return value;
+}
+
+void load_extinction(Tables& tables, const char* file) {
+    const CsvTable csv = table(file);
     const std::size_t type = csv.column("type"), humidity = csv.column("RH_percent");
-    const std::size_t wavelength = csv.column("wavelength_um"), extinction = csv.column("ext");
-    std::map<std::string, std::map<double, Spectrum>> curves;
+    const std::size_t wavelength = csv.column("wavelength_um");
+    const std::size_t extinction = csv.column("ext"), absorption = csv.column("abs");
+    std::map<std::string, std::map<double, std::pair<Spectrum, Spectrum>>> curves;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
-        Spectrum& curve = curves[csv.rows[row][type]][csv.number(row, humidity)];
-        curve.wavelength_um.push_back(csv.number(row, wavelength));
-        curve.value.push_back(csv.number(row, extinction));
+        auto& [ext, abs] = curves[csv.rows[row][type]][csv.number(row, humidity)];
+        ext.wavelength_um.push_back(csv.number(row, wavelength));
+        ext.value.push_back(csv.number(row, extinction));
+        abs.wavelength_um.push_back(csv.number(row, wavelength));
+        abs.value.push_back(std::max(0.0, csv.number(row, absorption)));
     }
     for (const auto& [name, levels] : curves) {
         for (const auto& [percent, curve] : levels) {
-            std::vector<double> ln(tables.bins());
-            for (std::size_t bin = 0; bin < ln.size(); ++bin) {
-                const double um = std::clamp(tables.middle_um[bin], curve.wavelength_um.front(),
-                                             curve.wavelength_um.back());
-                ln[bin] = std::log(std::max(curve.at(um), 1e-9));
-            }
-            tables.aerosols[name].emplace_back(percent, std::move(ln));
+            std::vector<double> ln = at_bins(tables, curve.first);
+            for (double& value : ln) value = std::log(std::max(value, 1e-9));
+            tables.aerosols[name].levels.push_back(
+                {std::log(100.0 - percent), std::move(ln), at_bins(tables, curve.second)});
         }
+    }
+}
+
+void load_asymmetry(Tables& tables) {
+    const CsvTable csv = table("aerosol_asymmetry.csv");
+    const std::size_t wavelength = csv.column("wavelength_um");
+    for (auto& [name, aerosol] : tables.aerosols) {
+        const std::size_t column = csv.column(name);
+        Spectrum curve;
+        for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+            curve.wavelength_um.push_back(csv.number(row, wavelength));
+            curve.value.push_back(csv.number(row, column));
+        }
+        aerosol.asymmetry = at_bins(tables, curve);
+    }
+}
+
+void load_haze(Tables& tables) {
+    const CsvTable csv = table("haze_profiles.csv");
+    const std::size_t model = csv.column("model"), visibility = csv.column("vis_km");
+    const std::array<std::size_t, 4> zone = {csv.column("A1"), csv.column("A2"), csv.column("A3"),
+                                             csv.column("A4")};
+    for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+        const std::string& name = csv.rows[row][model];
+        if (name != "2" && name != "3") continue;  // midlatitude summer and winter
+        std::vector<Tables::Haze>& season = tables.haze[name == "2" ? 0 : 1];
+        const double km = csv.number(row, visibility);
+        if (season.empty() || season.back().visibility_km != km) season.push_back({km, {}, {}});
+        Tables::Haze& haze = season.back();
+        haze.height_km.push_back(csv.number(row, csv.column("z_km")));
+        haze.extinction[0].push_back(csv.number(row, zone[0]));
+        haze.extinction[1].push_back(csv.number(row, zone[1]));
+        haze.extinction[2].push_back(csv.number(row, zone[2]) + csv.number(row, zone[3]));
     }
 }
 
@@ -128,7 +171,10 @@ const BandModelTables& band_model_tables() {
         Tables loaded;
         load_continuum(loaded);
         load_gases(loaded);
-        load_aerosols(loaded);
+        load_extinction(loaded, "aerosol_shettle_fenn.csv");
+        load_extinction(loaded, "aerosol_desert.csv");
+        load_asymmetry(loaded);
+        load_haze(loaded);
         load_sun(loaded);
         return loaded;
     }();

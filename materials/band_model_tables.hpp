@@ -32,9 +32,25 @@ struct BandModelTables {
     std::vector<Run> runs;
     std::array<std::vector<double>, linear_count> linear;  // (term, bin)
 
-    /// Extinction relative to 0.55 µm at a relative humidity [%]: (bin) of its logarithm.
-    using AerosolLevels = std::vector<std::pair<double, std::vector<double>>>;
-    std::map<std::string, AerosolLevels> aerosols;
+    /// An aerosol relative to its extinction at 0.55 µm. Logarithms are linear in that of the
+    /// dryness 100 − RH between the humidities of the table.
+    struct Aerosol {
+        struct Level {
+            double ln_dryness;
+            std::vector<double> ln_extinction, absorption;  // (bin)
+        };
+        std::vector<Level> levels;      // dryness descending
+        std::vector<double> asymmetry;  // (bin) mean cosine of scattering
+    };
+    std::map<std::string, Aerosol> aerosols;
+
+    /// Extinction at 0.55 µm [km⁻¹] by height: boundary layer, troposphere, above.
+    struct Haze {
+        double visibility_km;
+        std::vector<double> height_km;
+        std::array<std::vector<double>, 3> extinction;  // (zone)(height)
+    };
+    std::array<std::vector<Haze>, 2> haze;  // spring-summer, autumn-winter; visibility ascending
 
     std::vector<double> solar_edge_um;  // (solar bin + 1)
     std::vector<double> solar_W_m2_um;  // (solar bin), scaled to `solar_constant`

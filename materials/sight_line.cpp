@@ -62,8 +62,24 @@ bool meets_ground(double height_km, double zenith_deg) {
     return !std::isnan(to_ground(ray, height_km, 0.0));
 }
 
-SightLine sight_line(double height_km, double zenith_deg, double range_km,
-                     const Segmentation& segmentation) {
+double refractivity(const Profile& profile, double height_km) {
+    if (height_km >= atmosphere_top_km) return 0.0;
+    const AirSample air = air_at(profile, height_km);
+    return 77.6e-6 * air.pressure_hPa / air.temperature;
+}
+
+bool meets_ground(const Profile& profile, double height_km, double zenith_deg) {
+    if (!(cosine(zenith_deg) < 0.0)) return false;
+    if (height_km <= 0.0) return true;
+    const auto bouguer = [&](double z) {
+        return (1.0 + refractivity(profile, z)) * (earth_radius_km + z);
+    };
+    return bouguer(height_km) * std::sin(radians(zenith_deg)) < bouguer(0.0);
+}
+
+namespace {
+
+void check_line(double height_km, double zenith_deg, double range_km) {
     if (!(zenith_deg >= 0.0 && zenith_deg <= 180.0)) {
         throw InputError("zenith angle",
                          fmt::format("found {:g}°, expected 0 (up) to 180 (down)", zenith_deg));
@@ -75,6 +91,20 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         throw InputError("height",
                          fmt::format("found {:g} km, expected {:g} to 1e6", height_km, lowest_km));
     }
+}
+
+/// Change of height a segment may make that starts `here`.
+double allowed_change(const Segmentation& segmentation, double here, double travelled) {
+    const double thinness = std::max(here, 0.0) / segmentation.thinning_km;
+    const double ceiling = segmentation.ceiling_km * (1.0 + thinness * thinness);
+    return std::clamp(segmentation.growth * travelled, segmentation.first_km, ceiling);
+}
+
+}  // namespace
+
+SightLine sight_line(double height_km, double zenith_deg, double range_km,
+                     const Segmentation& segmentation) {
+    check_line(height_km, zenith_deg, range_km);
     Ray ray{earth_radius_km + height_km, cosine(zenith_deg)};
     if (height_km > atmosphere_top_km) {
         const double entry = ray.near(earth_radius_km + atmosphere_top_km);
@@ -91,10 +121,7 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
     double travelled = 0.0;  // all ups and downs so far [km]
     for (double s = 0.0; s < end;) {
         const double here = height_km + ray.rise(s);
-        const double thinness = std::max(here, 0.0) / segmentation.thinning_km;
-        const double ceiling = segmentation.ceiling_km * (1.0 + thinness * thinness);
-        double allowed =
-            std::clamp(segmentation.growth * travelled, segmentation.first_km, ceiling);
+        double allowed = allowed_change(segmentation, here, travelled);
         const Ray onward = ray.after(s);
         const double to_level = -onward.r * onward.mu;
         const bool falls = to_level > 1e-9;
@@ -108,6 +135,54 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         line.length_km.push_back(length);
         travelled += std::abs(onward.rise(length));
         s += length;
+    }
+    return line;
+}
+
+SightLine refracted_line(const Profile& profile, double height_km, double zenith_deg,
+                         double range_km, const Segmentation& segmentation) {
+    check_line(height_km, zenith_deg, range_km);
+    double mu = cosine(zenith_deg), here = height_km, left = range_km;
+    if (here > atmosphere_top_km) {
+        const Ray ray{earth_radius_km + here, mu};
+        const double entry = ray.near(earth_radius_km + atmosphere_top_km);
+        if (!(entry >= 0.0 && entry < left)) return {};
+        mu = ray.after(entry).mu;
+        left -= entry;
+        here = atmosphere_top_km;
+    }
+    const double floor_km = std::isinf(range_km) ? 0.0 : lowest_km;
+    SightLine line;
+    double travelled = 0.0;
+    while (left > 0.0 && !(mu < 0.0 && here <= floor_km) &&
+           !(mu >= 0.0 && here >= atmosphere_top_km)) {
+        // Within a segment the earth's radius is that of its curvature less the ray's.
+        const bool falls = mu < -1e-12;
+        double allowed = allowed_change(segmentation, here, travelled);
+        if (falls) allowed = std::min(allowed, here - floor_km);
+        const double to_aerosol_top = (aerosol_top_km - here) * (falls ? -1.0 : 1.0);
+        if (to_aerosol_top > 1e-6) allowed = std::min(allowed, to_aerosol_top);
+        if (!falls) allowed = std::min(allowed, atmosphere_top_km - here + 1e-9);
+        const double low = falls ? here - allowed : here, high = falls ? here : here + allowed;
+        // ln(n r) over the segment's heights makes Bouguer's law exact at its ends.
+        const double n_low = refractivity(profile, low), n_high = refractivity(profile, high);
+        const double slope = (std::log1p(n_high) - std::log1p(n_low)) / (high - low);
+        const double curvature = 1.0 / (earth_radius_km + 0.5 * (low + high)) + slope;
+        const Ray ray{1.0 / std::max(curvature, 1e-9), mu};
+        double length = falls ? ray.near(ray.r - allowed) : ray.far(ray.r + allowed);
+        if (std::isnan(length)) length = -ray.r * mu;  // it turns before it has fallen so far
+        length = std::min(length, left);
+        if (left - length < 1e-9) length = left;
+        if (!(length > 0.0)) break;
+        line.height_km.push_back(here + ray.rise(0.5 * length));
+        line.length_km.push_back(length);
+        const double rise = ray.rise(length);
+        travelled += std::abs(rise);
+        mu = ray.after(length).mu;
+        here += rise;
+        left -= length;
+        if (std::abs(here - floor_km) < 1e-9) here = floor_km;
+        if (std::abs(here - aerosol_top_km) < 1e-9) here = aerosol_top_km;
     }
     return line;
 }

@@ -3,15 +3,16 @@
 #include <limits>
 #include <vector>
 
+#include "materials/profile.hpp"
+
 namespace diurna {
 
 inline constexpr double earth_radius_km = 6371.23;
 inline constexpr double atmosphere_top_km = 100.0;
-/// Boundary-layer aerosol ends here at once; no segment may lie across, or radiances would jump as
-/// the end of a line moves.
+/// Boundary-layer aerosol begins to fade here; no segment lies across.
 inline constexpr double aerosol_top_km = 2.0;
 
-/// A straight sight line over a spherical earth, sampled outward from the observer.
+/// A sight line over a spherical earth, sampled outward from the observer.
 struct SightLine {
     std::vector<double> height_km;  // (segment) of its middle, above the sea
     std::vector<double> length_km;  // (segment)
@@ -37,8 +38,7 @@ struct Segmentation {
 /// air is moved to where the line enters it; a line that never does has no segments.
 ///
 /// With the default segmentation path radiance is converged to 0.2 % in every band
-/// (tests/atmosphere_test.cpp). No refraction: at zenith 88° that shortens the way through the
-/// lowest air by some per cent.
+/// (tests/atmosphere_test.cpp). Straight; refracted_line() bends.
 /// Throws InputError for a zenith outside 0 to 180, a negative range, or a height that is not
 /// within -0.5 to 1e6 km.
 SightLine sight_line(double height_km, double zenith_deg,
@@ -47,5 +47,16 @@ SightLine sight_line(double height_km, double zenith_deg,
 
 /// Whether a line of infinite range ends on the ground.
 bool meets_ground(double height_km, double zenith_deg);
+
+/// Refractivity of dry air, (n − 1) = 77.6e-6 P/T [hPa, K]: that of infrared light, 2 % low in the
+/// visible; water vapour left out (Edlén; Hill's term for vapour is below 1 % beyond 1 µm).
+double refractivity(const Profile& profile, double height_km);
+
+/// The same lines bent by the profile's refraction: n r sin(zenith) is constant along them
+/// (Bouguer) to 1e-6 (tests/sight_line_test.cpp). Zenith angles are those seen at the start.
+SightLine refracted_line(const Profile& profile, double height_km, double zenith_deg,
+                         double range_km = std::numeric_limits<double>::infinity(),
+                         const Segmentation& segmentation = {});
+bool meets_ground(const Profile& profile, double height_km, double zenith_deg);
 
 }  // namespace diurna

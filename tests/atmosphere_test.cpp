@@ -128,7 +128,7 @@ TEST_CASE("the sun fades with the square of its distance and through the air",
     CHECK(sun(0, 90.5, 1.0) == 0.0);  // below the sea's horizon
     CHECK(sun(3, 90.5, 1.0) > 0.0);   // but not below that of a mountain, 1.76 degrees lower
     CHECK(sun(3, 92.0, 1.0) == 0.0);
-    const NodeSpectrum path = path_at_nodes(air, sight_line(0, 45), in.node_um);
+    const NodeSpectrum path = path_at_nodes(air, line_of(air, 0, 45), in.node_um);
     CHECK(solar_at_nodes(air, 0, 45, 1.0, in.node_um)[9] ==
           Approx(path.transmittance[9] * solar_above_air(in.node_um[9])).epsilon(1e-13));
 }

@@ -1,0 +1,300 @@
+#include "materials/band_model_medium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/fast_exp.hpp"
+#include "materials/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Tables = BandModelTables;
+
+constexpr double standard_pressure_hPa = 1013.25;
+constexpr double standard_temperature = 273.15;
+constexpr double haze_squeezed_below_km = 6.0;  // LOWTRAN7: above, ground height does not matter
+constexpr std::size_t rayleigh_term = 4;
+
+/// ln(100 − relative humidity [%]), humidity by LOWTRAN's formula: absolute humidity over its
+/// saturation [g m⁻³].
+double ln_dryness(const AirSample& air) {
+    const double vapour_hPa =
+        air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
+    const double a = standard_temperature / air.temperature;
+    const double saturated = a * std::exp(18.9766 - 14.9595 * a - 2.43882 * a * a);
+    const double percent = 100.0 * (vapour_hPa * 1e5 / (461.5 * air.temperature)) / saturated;
+    return std::log(100.0 - std::clamp(percent, 0.0, 99.0));
+}
+
+/// Between levels exponentially, or linearly where one end is zero.
+double between(double low, double high, double t) {
+    if (low > 0.0 && high > 0.0) return low * std::exp(t * std::log(high / low));
+    return low + t * (high - low);
+}
+
+/// The two levels of an aerosol around a dryness and the place between them.
+struct Place {
+    std::size_t low, high;
+    double t;
+};
+Place place_of(const Tables::Aerosol& aerosol, double dryness) {
+    const auto& levels = aerosol.levels;
+    std::size_t upper = 0;
+    while (upper < levels.size() && levels[upper].ln_dryness > dryness) ++upper;
+    const std::size_t high = std::min(upper, levels.size() - 1), low = upper > 0 ? upper - 1 : 0;
+    if (low == high) return {low, high, 0.0};
+    const double from = levels[low].ln_dryness;
+    return {low, high, (dryness - from) / (levels[high].ln_dryness - from)};
+}
+
+}  // namespace
+
+void Amounts::add(const Amounts& other) {
+    for (std::size_t i = 0; i < gas.size(); ++i) gas[i] += other.gas[i];
+    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] += other.linear[i];
+    for (std::size_t i = 0; i < aerosol.size(); ++i) aerosol[i] += other.aerosol[i];
+}
+
+Medium::Medium(const BandModel& model, BinRange bins)
+    : tables_(band_model_tables()), model_(model), bins_(bins) {
+    constexpr auto carbon_dioxide = static_cast<std::size_t>(Gas::carbon_dioxide);
+    const double profile_co2 = model.profile.mixing_ratio_ppm[carbon_dioxide].front();
+    co2_scale_ = profile_co2 > 0.0 ? model.co2_ppm / profile_co2 : 0.0;
+    if (model.rain_mm_h > 0.0) rain_extinction_ = 0.365 * std::pow(model.rain_mm_h, 0.63);
+    for (const Tables::Run& run : tables_.runs) {  // runs stand in the order of their groups
+        const bool absorbs = run.first < bins.last && run.first + run.a.size() > bins.first;
+        const bool listed = !active_.empty() && active_.back() == run.group;
+        if (absorbs && !listed) active_.push_back(run.group);
+    }
+    if (model.aerosol == "none") return;
+    boundary_ = &tables_.aerosols.at(model.aerosol);
+    tropospheric_ = &tables_.aerosols.at("tropospheric");
+    const bool winter = model.profile.name == "MLW" || model.profile.name == "SAW";
+    const std::vector<Tables::Haze>& season = tables_.haze[winter ? 1 : 0];
+    // Between tabulated visibilities linear in 1 / visibility, as the ground's extinction is.
+    std::size_t high = 1;
+    while (high + 1 < season.size() && season[high].visibility_km < model.visibility_km) ++high;
+    const Tables::Haze &a = season[high - 1], &b = season[high];
+    const double t = (1.0 / model.visibility_km - 1.0 / a.visibility_km) /
+                     (1.0 / b.visibility_km - 1.0 / a.visibility_km);
+    const double ground = std::max(0.0, std::log(50.0) / model.visibility_km - 0.01159);
+    haze_height_km_ = a.height_km;
+    for (std::size_t zone = 0; zone < zones; ++zone) {
+        haze_[zone] = a.extinction[zone];
+        for (std::size_t i = 0; i < haze_[zone].size(); ++i) {
+            // Beyond the tabulated visibilities the ground's extinction alone goes on.
+            const double inside = std::clamp(t, 0.0, 1.0);
+            haze_[zone][i] += inside * (b.extinction[zone][i] - a.extinction[zone][i]);
+        }
+    }
+    const double scale = ground / haze_[0].front();
+    // Thick haze fills the lowest kilometre evenly; thin haze thins at all its heights.
+    const std::size_t filled = model.visibility_km > 10.0 ? 3 : 2;
+    for (std::size_t i = 0; i < filled; ++i) haze_[0][i] *= scale;
+}
+
+Amounts Medium::none() const {
+    Amounts amounts;
+    amounts.gas.assign(tables_.groups.size(), 0.0);
+    if (boundary_ != nullptr || rain_extinction_ > 0.0) amounts.aerosol.assign(bins_.size(), 0.0);
+    return amounts;
+}
+
+std::array<double, Medium::zones> Medium::haze(double height_km) const {
+    std::array<double, zones> extinction{};
+    if (boundary_ == nullptr) return extinction;
+    double z = height_km;
+    if (z < haze_squeezed_below_km) {
+        z = haze_squeezed_below_km * (z - model_.ground_km) /
+            (haze_squeezed_below_km - model_.ground_km);
+    }
+    if (z >= haze_height_km_.back()) return extinction;
+    if (z <= 0.0) {
+        for (std::size_t zone = 0; zone < zones; ++zone) extinction[zone] = haze_[zone].front();
+        return extinction;
+    }
+    const auto above = std::upper_bound(haze_height_km_.begin(), haze_height_km_.end(), z);
+    const auto i = static_cast<std::size_t>(above - haze_height_km_.begin());
+    const double t = (z - haze_height_km_[i - 1]) / (haze_height_km_[i] - haze_height_km_[i - 1]);
+    for (std::size_t zone = 0; zone < zones; ++zone) {
+        extinction[zone] = between(haze_[zone][i - 1], haze_[zone][i], t);
+    }
+    return extinction;
+}
+
+double Medium::rain(double height_km) const {
+    return height_km < model_.ground_km + model_.rain_top_km ? rain_extinction_ : 0.0;
+}
+
+void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double strength,
+                         std::span<double> depth) const {
+    const auto [low, high, t] = place_of(aerosol, dryness);
+    const double* const from = aerosol.levels[low].ln_extinction.data() + bins_.first;
+    const double* const to = aerosol.levels[high].ln_extinction.data() + bins_.first;
+    const std::size_t count = bins_.size();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        depth[i] += strength * fast_exp(from[i] + t * (to[i] - from[i]));
+    }
+}
+
+double Medium::add(double height_km, double length_km, Amounts& amounts) const {
+    const AirSample air = air_at(model_.profile, height_km);
+    const double pressure = air.pressure_hPa / standard_pressure_hPa;
+    const double temperature = standard_temperature / air.temperature;
+    const double amagat = pressure * temperature;  // density over that at 0 °C, 1 atm
+
+    std::array<double, gas_count> amount;  // [cm at STP], water [g cm⁻²]
+    for (std::size_t gas = 0; gas < gas_count; ++gas) {
+        amount[gas] = 1e5 * amagat * air.mixing_ratio_ppm[gas] * 1e-6 * length_km;
+    }
+    const auto of = [&](Gas gas) -> double& { return amount[static_cast<std::size_t>(gas)]; };
+    of(Gas::carbon_dioxide) *= co2_scale_;
+    const double water_cm = of(Gas::water);
+    constexpr double loschmidt = 2.68675e19, avogadro = 6.022045e23, water_molar_mass = 18.015;
+    of(Gas::water) *= loschmidt / avogadro * water_molar_mass;
+
+    const double ln_pressure = std::log(pressure), ln_temperature = std::log(temperature);
+    for (const std::size_t i : active_) {
+        const auto& [gas, n, m] = tables_.groups[i];
+        amounts.gas[i] += of(gas) * fast_exp(n * ln_pressure + m * ln_temperature);
+    }
+
+    const double molecules = water_cm * loschmidt * 1e-20;  // [1e20 cm⁻²]
+    const double vapour_hPa =
+        air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
+    const double reference = 296.0 / air.temperature / standard_pressure_hPa;
+    const double self = molecules * vapour_hPa * reference;
+    const double foreign = molecules * (air.pressure_hPa - vapour_hPa) * reference;
+    const double colder = std::clamp((296.0 - air.temperature) / 36.0, 0.0, 1.0);
+    const std::array<double, Tables::linear_count> linear = {
+        self,
+        self * colder,
+        foreign,
+        0.781 * amagat * pressure * std::sqrt(temperature) * length_km,
+        amagat * length_km,
+        of(Gas::ozone),
+        of(Gas::nitric_acid)};
+    for (std::size_t i = 0; i < linear.size(); ++i) amounts.linear[i] += linear[i];
+
+    const double drops = rain(height_km);
+    if (boundary_ != nullptr) {
+        const auto [boundary, troposphere, above] = haze(height_km);
+        // Rain saturates the air.
+        const double dryness = drops > 0.0 ? 0.0 : ln_dryness(air);
+        if (boundary > 0.0) {
+            add_aerosol(*boundary_, dryness, boundary * length_km, amounts.aerosol);
+        }
+        if (troposphere > 0.0) {
+            add_aerosol(*tropospheric_, dryness, troposphere * length_km, amounts.aerosol);
+        }
+        if (above > 0.0) {
+            add_aerosol(*tropospheric_, std::log(100.0), above * length_km, amounts.aerosol);
+        }
+    }
+    if (drops > 0.0) {
+        for (double& depth : amounts.aerosol) depth += drops * length_km;
+    }
+    return air.temperature;
+}
+
+void Medium::transmittances(const Amounts& amounts, std::span<double> out) const {
+    evaluate(amounts, true, out);
+}
+
+void Medium::absorption_transmittances(const Amounts& amounts, std::span<double> out) const {
+    evaluate(amounts, false, out);
+}
+
+void Medium::evaluate(const Amounts& amounts, bool scattering, std::span<double> out) const {
+    const std::array<const double*, Tables::linear_count> k = {
+        tables_.linear[0].data() + bins_.first, tables_.linear[1].data() + bins_.first,
+        tables_.linear[2].data() + bins_.first, tables_.linear[3].data() + bins_.first,
+        tables_.linear[4].data() + bins_.first, tables_.linear[5].data() + bins_.first,
+        tables_.linear[6].data() + bins_.first};
+    std::array<double, Tables::linear_count> w = amounts.linear;
+    if (!scattering) w[rayleigh_term] = 0.0;
+    const std::size_t count = bins_.size();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = w[0] * k[0][i] + w[1] * k[1][i] + w[2] * k[2][i] + w[3] * k[3][i] +
+                 w[4] * k[4][i] + w[5] * k[5][i] + w[6] * k[6][i];
+    }
+    if (scattering && !amounts.aerosol.empty()) {
+#pragma omp simd
+        for (std::size_t i = 0; i < count; ++i) out[i] += amounts.aerosol[i];
+    }
+    std::vector<double> ln_w(amounts.gas.size());
+    for (const std::size_t i : active_) ln_w[i] = std::log(amounts.gas[i] + 1e-300);
+    for (const Tables::Run& run : tables_.runs) {
+        const std::size_t from = std::max(run.first, bins_.first);
+        const std::size_t to = std::min(run.first + run.a.size(), bins_.last);
+        if (from >= to) continue;
+        const double* const ln_c = run.ln_c.data() + (from - run.first);
+        const double* const a = run.a.data() + (from - run.first);
+        double* const depth = out.data() + (from - bins_.first);
+        const double ln_amount = ln_w[run.group];
+#pragma omp simd
+        for (std::size_t i = 0; i < to - from; ++i) {
+            depth[i] += fast_exp(std::clamp(a[i] * (ln_c[i] + ln_amount), -60.0, 6.0));
+        }
+    }
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) out[i] = fast_exp(-out[i]);
+}
+
+Scatterers Medium::scatterers(double height_km) const {
+    const AirSample air = air_at(model_.profile, height_km);
+    const std::size_t count = bins_.size();
+    const double amagat =
+        air.pressure_hPa / standard_pressure_hPa * standard_temperature / air.temperature;
+    Scatterers s{.rayleigh = std::vector<double>(count),
+                 .aerosol_extinction = std::vector<double>(count, 0.0),
+                 .aerosol_scattering = std::vector<double>(count, 0.0),
+                 .asymmetry = std::vector<double>(count, 0.0)};
+    for (std::size_t i = 0; i < count; ++i) {
+        s.rayleigh[i] = amagat * tables_.linear[rayleigh_term][bins_.first + i];
+    }
+    const auto mix = [&](std::size_t i, double extinction, double scattering, double asymmetry) {
+        s.aerosol_extinction[i] += extinction;
+        s.aerosol_scattering[i] += scattering;
+        s.asymmetry[i] += scattering * asymmetry;
+    };
+    const double drops = rain(height_km);
+    if (boundary_ != nullptr) {
+        const auto extinction = haze(height_km);
+        for (std::size_t zone = 0; zone < zones; ++zone) {
+            if (extinction[zone] <= 0.0) continue;
+            const Tables::Aerosol& aerosol = zone == 0 ? *boundary_ : *tropospheric_;
+            const double dryness =
+                zone == 2 ? std::log(100.0) : (drops > 0.0 ? 0.0 : ln_dryness(air));
+            const auto [low, high, t] = place_of(aerosol, dryness);
+            const auto &from = aerosol.levels[low], &to = aerosol.levels[high];
+            for (std::size_t i = 0; i < count; ++i) {
+                const std::size_t bin = bins_.first + i;
+                const double ext = fast_exp(from.ln_extinction[bin] +
+                                            t * (to.ln_extinction[bin] - from.ln_extinction[bin]));
+                const double absorbed =
+                    from.absorption[bin] + t * (to.absorption[bin] - from.absorption[bin]);
+                mix(i, extinction[zone] * ext, extinction[zone] * std::max(0.0, ext - absorbed),
+                    aerosol.asymmetry[bin]);
+            }
+        }
+    }
+    if (drops > 0.0) {
+        // Drops of a millimetre: half the extinction is diffraction, and beyond 2.5 um what enters
+        // a drop is absorbed.
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool clear = tables_.middle_um[bins_.first + i] < 2.5;
+            mix(i, drops, (clear ? 0.999 : 0.53) * drops, clear ? 0.87 : 0.97);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (s.aerosol_scattering[i] > 0.0) s.asymmetry[i] /= s.aerosol_scattering[i];
+    }
+    return s;
+}
+
+}  // namespace diurna

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "materials/band_model.hpp"
+#include "materials/band_model_tables.hpp"
+
+/// The band model made ready for one model and a range of bins: shared by band_model.cpp and
+/// scattering.cpp, no part of the public interface.
+namespace diurna {
+
+/// What a line has met so far; optical depth follows from it alone. Amounts of two lines add.
+struct Amounts {
+    std::vector<double> gas;  // (group) W
+    std::array<double, BandModelTables::linear_count> linear{};
+    std::vector<double> aerosol;  // (bin) optical depth of aerosol and rain; empty: none
+
+    void add(const Amounts& other);
+};
+
+/// How a cubic kilometre of air scatters sunlight, per bin.
+struct Scatterers {
+    std::vector<double> rayleigh;            // (bin) [km⁻¹]
+    std::vector<double> aerosol_extinction;  // (bin) [km⁻¹], rain included
+    std::vector<double> aerosol_scattering;  // (bin) [km⁻¹]
+    std::vector<double> asymmetry;           // (bin) of the aerosol
+};
+
+/// Refers to the model: use it while the model lives.
+class Medium {
+ public:
+    Medium(const BandModel& model, BinRange bins);
+
+    BinRange bins() const { return bins_; }
+    Amounts none() const;
+    /// Adds a segment; returns the temperature [K] of its middle.
+    double add(double height_km, double length_km, Amounts& amounts) const;
+    /// Transmittance of every bin for the amounts met.
+    void transmittances(const Amounts& amounts, std::span<double> out) const;
+    /// Transmittance of gases and continua alone: neither Rayleigh nor aerosol.
+    void absorption_transmittances(const Amounts& amounts, std::span<double> out) const;
+    Scatterers scatterers(double height_km) const;
+
+ private:
+    using Tables = BandModelTables;
+    static constexpr std::size_t zones = 3;
+
+    /// Extinction at 0.55 µm [km⁻¹] of each zone's aerosol.
+    std::array<double, zones> haze(double height_km) const;
+    double rain(double height_km) const;
+    void evaluate(const Amounts& amounts, bool scattering, std::span<double> out) const;
+    /// Adds strength · extinction relative to 0.55 µm to every bin.
+    void add_aerosol(const Tables::Aerosol& aerosol, double ln_dryness, double strength,
+                     std::span<double> depth) const;
+
+    const Tables& tables_;
+    const BandModel& model_;
+    BinRange bins_;
+    double co2_scale_ = 1.0;
+    double rain_extinction_ = 0.0;     // [km⁻¹]
+    std::vector<std::size_t> active_;  // groups that absorb in these bins
+    const Tables::Aerosol* boundary_ = nullptr;
+    const Tables::Aerosol* tropospheric_ = nullptr;
+    std::vector<double> haze_height_km_;
+    std::array<std::vector<double>, zones> haze_;  // (zone)(height) at 0.55 µm [km⁻¹]
+};
+
+}  // namespace diurna

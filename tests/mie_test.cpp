@@ -1,0 +1,31 @@
+#include "materials/mie.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace diurna;
+
+TEST_CASE("a sphere scatters as Bohren and Huffman's program prints", "[materials][mie]") {
+    // Appendix A: n = 1.55, x = 5.21283 gives Q = 3.10543 (sphere of 0.525 um at 0.6328 um).
+    const MieEfficiency q = mie({1.55, 0.0}, 5.21283);
+    CHECK(q.extinction == Approx(3.10543).epsilon(2e-5));
+    CHECK(q.scattering == Approx(3.10543).epsilon(2e-5));
+    CHECK(q.asymmetry == Approx(0.63314).epsilon(1e-4));
+}
+
+TEST_CASE("small spheres scatter as Rayleigh says, large ones as twice their shadow",
+          "[materials][mie]") {
+    const double x = 0.01;
+    const MieEfficiency small = mie({1.5, 0.0}, x);
+    const double lorentz = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 2.0);
+    CHECK(small.scattering == Approx(8.0 / 3.0 * x * x * x * x * lorentz * lorentz).epsilon(1e-3));
+    CHECK(std::abs(small.asymmetry) < 1e-3);
+    CHECK(mie({1.33, 0.1}, 3000.0).extinction == Approx(2.0).epsilon(0.02));
+}
+
+TEST_CASE("a sphere without absorption loses no light", "[materials][mie]") {
+    for (const double x : {0.3, 3.0, 30.0, 300.0}) {
+        const MieEfficiency q = mie({1.4, 0.0}, x);
+        CHECK(q.scattering == Approx(q.extinction).epsilon(1e-9));
+        CHECK(mie({1.4, 0.01}, x).scattering < mie({1.4, 0.01}, x).extinction);
+    }
+}

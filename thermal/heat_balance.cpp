@@ -68,8 +68,8 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
             temperature[l] = next;
             flux_at[l] = flux + slope * (next - t);
             slope_at[l] = slope;
-            // A halved bracket is no root, however short it is.
-            const double unsettled = stray > 0.0 ? hottest : step;
+            // A halved bracket says nothing of the root but that it lies inside.
+            const double unsettled = stray > 0.0 ? to - from : step;
             correction = unsettled > correction ? unsettled : correction;
             strays += stray;
         }

@@ -34,7 +34,17 @@ struct Block {
     std::vector<double> start, change;  // [node][lane] relative; change over the last pass
     std::vector<double> move, planned;  // [node][lane] of the start after the pass before: what
                                         // was done, and what the material's matrix alone would do
-    double residual = 0.0;              // [K] largest of `change`
+    double residual = 1e9;              // [K] largest of `change`
+    double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run
+    double largest_move = 1e9;          // [K] of `move`
+    bool rests = false;                 // left out of the last pass
+    StepRecord record;                  // of the last run
+    std::vector<double> slope;          // (step, substep, stage) Σ over facets, of the last run
+
+    /// Running it again would change nothing that counts.
+    bool settled(double tolerance) const {
+        return residual <= 0.5 * tolerance && heat_change <= 0.01;
+    }
 };
 
 struct StageForcing {
@@ -173,16 +183,30 @@ void shine(Job& job) {
         1);
 }
 
-/// Renews the terrain's longwave from the temperatures of the last pass.
+/// Renews the terrain's longwave from the temperatures of the last pass. Returns its largest change
+/// and tells each block its own.
 double exchange_longwave(Job& job) {
-    std::vector<double> change(job.instant.size());
+    std::vector<float> leaving(job.kelvin.size()), change(job.facets, 0.0f);
     for_each_index(
         job.instant.size(),
         [&](std::size_t i) {
-            change[i] = terrain_longwave(job.input.sky_view, job.optics, job.sky[i].longwave_down,
-                                         job.row(job.kelvin, i), job.row(job.excess, i));
+            leaving_longwave(job.optics, job.sky[i].longwave_down, job.row(job.kelvin, i),
+                             job.row(job.excess, i), job.row(leaving, i));
         },
         1);
+    for_each_block(job.facets, 2048, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = 0; i < job.instant.size(); ++i) {
+            arriving_longwave(job.input.sky_view, job.row(leaving, i), begin, end,
+                              job.row(job.excess, i), change);
+        }
+    });
+    for (Block& block : job.block) {
+        double most = 0.0;
+        for (const std::size_t f : block.facet) {
+            most = std::max(most, double(change[f]));
+        }
+        block.heat_change += most;
+    }
     return *std::max_element(change.begin(), change.end());
 }
 
@@ -239,8 +263,7 @@ void settle(Job& job, const Level& level, Block& block) {
 }
 
 /// Runs one block over the span; writes its temperatures, change and mean surface slopes.
-void run(Job& job, const Level& level, Block& block, StepRecord& record,
-         std::vector<double>& slope) {
+void run(Job& job, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const int substeps = kind.column.substeps;
     const std::size_t count = block.facet.size();
@@ -249,7 +272,8 @@ void run(Job& job, const Level& level, Block& block, StepRecord& record,
     batch.resize(kind.column.grid.size(), count);
     batch.state = block.start;
     std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    slope.assign(kind.forcing.size(), 0.0);
+    block.slope.assign(kind.forcing.size(), 0.0);
+    StepRecord record;
 
     double before[lanes], after[lanes], heat[2][lanes];
     facet_heat(job, block, kind, 0, before);
@@ -270,14 +294,15 @@ void run(Job& job, const Level& level, Block& block, StepRecord& record,
             }
             advance(kind.column, {kind.forcing[stage].air, kind.forcing[stage + 1].air},
                     {heat[0], heat[1]}, batch, record);
-            slope[stage] = record.slope[0];
-            slope[stage + 1] = record.slope[1];
+            block.slope[stage] = record.slope[0];
+            block.slope[stage + 1] = record.slope[1];
         }
         float* row = job.kelvin.data() + i * job.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
         std::swap(before, after);
     }
-    block.residual = 0.0;
+    block.record = record;
+    block.residual = block.heat_change = 0.0;
     block.change.resize(batch.state.size());
     for (std::size_t i = 0; i < kind.column.grid.size(); ++i) {
         for (std::size_t l = 0; l < count; ++l) {
@@ -302,10 +327,10 @@ void linearise(Kind& kind) {
     kind.period->compute(Eigen::MatrixXd::Identity(n, n) - map);
 }
 
-/// Moves a block's start by (I − M)⁻¹ times its change; returns the largest move [K]. The matrix
+/// Moves a block's start by (I − M)⁻¹ times its change. The matrix
 /// belongs to the material's mean facet; Broyden's update by the move before fits it to each.
 /// `secant`: whether that move's effect is all that has changed since.
-double correct(const Kind& kind, Block& block, bool secant) {
+void correct(const Kind& kind, Block& block, bool secant) {
     const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
     const auto count = static_cast<Eigen::Index>(block.facet.size());
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -331,13 +356,11 @@ double correct(const Kind& kind, Block& block, bool secant) {
     start += move;
     done = move;
     planned = plan;
-    return move.cwiseAbs().maxCoeff();
+    block.largest_move = move.cwiseAbs().maxCoeff();
 }
 
-/// One pass over the span for all blocks.
-StepRecord pass(Job& job, Level& level, double progress_from, double progress_to) {
-    std::vector<StepRecord> record(job.block.size());
-    std::vector<std::vector<double>> slope(job.block.size());
+/// One pass over the span for all blocks that have not settled.
+void pass(Job& job, Level& level, double progress_from, double progress_to) {
     constexpr std::size_t slices = 8;
     for (std::size_t slice = 0; slice < slices; ++slice) {
         const std::size_t from = job.block.size() * slice / slices;
@@ -345,7 +368,9 @@ StepRecord pass(Job& job, Level& level, double progress_from, double progress_to
         for_each_index(
             to - from,
             [&](std::size_t b) {
-                run(job, level, job.block[from + b], record[from + b], slope[from + b]);
+                Block& block = job.block[from + b];
+                block.rests = block.settled(job.options.tolerance);
+                if (!block.rests) run(job, level, block);
             },
             4);
         if (job.options.progress) {
@@ -353,32 +378,30 @@ StepRecord pass(Job& job, Level& level, double progress_from, double progress_to
                                  (progress_to - progress_from) * double(slice + 1) / slices);
         }
     }
-    StepRecord all;
-    for (Kind& kind : level.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
-    for (std::size_t b = 0; b < job.block.size(); ++b) {
-        all.merge(record[b]);
-        Kind& kind = level.kind[job.block[b].material];
-        for (std::size_t i = 0; i < kind.slope.size(); ++i) {
-            kind.slope[i] += slope[b][i] / double(kind.facets);
-        }
-    }
-    return all;
 }
 
-/// Corrects all blocks' starts after a pass; returns the largest move [K].
-double correct(Job& job, Level& level, bool renew, bool secant) {
-    if (renew) {
-        for_each_index(
-            level.kind.size(), [&](std::size_t k) { linearise(level.kind[k]); }, 1);
+/// Mean surface slopes of each material over the last pass, and the period's matrix from them.
+void renew_matrices(const Job& job, Level& level) {
+    for (Kind& kind : level.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+    for (const Block& block : job.block) {
+        Kind& kind = level.kind[block.material];
+        for (std::size_t i = 0; i < kind.slope.size(); ++i) {
+            kind.slope[i] += block.slope[i] / double(kind.facets);
+        }
     }
-    std::vector<double> moves(job.block.size());
+    for_each_index(
+        level.kind.size(), [&](std::size_t k) { linearise(level.kind[k]); }, 1);
+}
+
+/// Corrects the start of every block that ran.
+void correct(Job& job, const Level& level, bool secant) {
     for_each_index(
         job.block.size(),
         [&](std::size_t b) {
-            moves[b] = correct(level.kind[job.block[b].material], job.block[b], secant);
+            Block& block = job.block[b];
+            if (!block.rests) correct(level.kind[block.material], block, secant);
         },
         16);
-    return *std::max_element(moves.begin(), moves.end());
 }
 
 /// Temperatures at the instants a coarse level steps over, on the line between those it lands on.
@@ -491,34 +514,42 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         for (int i = 0; i < 3; ++i) {
             exchange();
             pass(job, coarse, 0.0, 0.0);
-            correct(job, coarse, true, false);
+            renew_matrices(job, coarse);
+            correct(job, coarse, false);
             fill_between(job, stride);
         }
-        for (Block& block : job.block) block.move.clear();
+        for (Block& block : job.block) {
+            block.move.clear();
+            block.residual = 1e9;
+        }
         report.step_seconds += seconds_since(stepping);
     }
 
     constexpr double usual_passes = 3.0;
-    StepRecord record;
     while (!report.converged && report.passes < options.max_passes) {
         // The change just made tells how far the pass before was from its surroundings.
         exchange();
         const auto stepping = Clock::now();
         const double done = std::min(0.95, report.passes / usual_passes);
-        record = pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
+        pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
         ++report.passes;
-        double residual = 0.0;
-        for (const Block& block : job.block) residual = std::max(residual, block.residual);
         if (options.periodic) {
-            report.estimated_error =
-                correct(job, fine, report.passes == 1, report.exchange_change < 0.01);
-            report.periodic_residual = residual;
+            if (report.passes == 1) renew_matrices(job, fine);
+            correct(job, fine, report.exchange_change < 0.01);
+        }
+        report.periodic_residual = report.estimated_error = 0.0;
+        for (const Block& block : job.block) {
+            if (!options.periodic) break;
+            report.periodic_residual = std::max(report.periodic_residual, block.residual);
+            report.estimated_error = std::max(report.estimated_error, block.largest_move);
         }
         report.step_seconds += seconds_since(stepping);
         report.converged = report.periodic_residual <= options.tolerance &&
                            report.estimated_error <= 0.01 &&
                            report.exchange_change <= settled_exchange;
     }
+    StepRecord record;
+    for (const Block& block : job.block) record.merge(block.record);
     report.worst_energy_closure = record.worst_closure;
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;

@@ -10,7 +10,7 @@ namespace diurna {
 namespace {
 
 /// Σ factor · value over a facet's row.
-double gathered(const Exchange& exchange, std::size_t facet, const std::vector<float>& value) {
+double gathered(const Exchange& exchange, std::size_t facet, std::span<const float> value) {
     double sum = 0.0;
     for (std::uint32_t k = exchange.row[facet]; k < exchange.row[facet + 1]; ++k) {
         sum += double(exchange.factor[k]) * value[index(exchange.facet[k])];
@@ -58,23 +58,24 @@ void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetO
     }
 }
 
-double terrain_longwave(const SkyView& view, const FacetOptics& optics, double sky_longwave,
-                        std::span<const float> temperature, std::span<float> excess) {
-    const std::size_t n = temperature.size();
-    std::vector<float> leaving(n);
-    for (std::size_t f = 0; f < n; ++f) {
+void leaving_longwave(const FacetOptics& optics, double sky_longwave,
+                      std::span<const float> temperature, std::span<const float> excess,
+                      std::span<float> leaving) {
+    for (std::size_t f = 0; f < temperature.size(); ++f) {
         const double black = stefan_boltzmann * power4(double(temperature[f]));
         const double emissivity = optics.emissivity[f];
         leaving[f] = float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess[f]);
     }
-    double change = 0.0;
-    for (std::size_t f = 0; f < n; ++f) {
+}
+
+void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t begin,
+                       std::size_t end, std::span<float> excess, std::span<float> change) {
+    for (std::size_t f = begin; f < end; ++f) {
         const float next =
             float(gathered(view.exchange, f, leaving) + double(view.below[f]) * leaving[f]);
-        change = std::max(change, std::abs(double(next) - excess[f]));
+        change[f] = std::max(change[f], std::abs(next - excess[f]));
         excess[f] = next;
     }
-    return change;
 }
 
 }  // namespace diurna

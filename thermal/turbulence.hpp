@@ -81,10 +81,11 @@ inline double vapour_pressure_of(double temperature, double& slope) {
     return pressure + slope * std::max(0.0, temperature - 450.0);
 }
 
-/// A film between surface and air [W m⁻² K⁻¹], and (T_s − T_a) dh/dT_s, which stays finite where
-/// the two are equally warm.
+/// A film between surface and air [W m⁻² K⁻¹]; (T_s − T_a) dh/dT_s, which stays finite where the
+/// two are equally warm; and dh/dT_s for the latent heat, zero for plates: there a step of Newton's
+/// more costs less.
 struct Film {
-    double h, rise;
+    double h, rise, slope;
 };
 
 /// Ground (Louis) or constant film. One root and one division for both branches of F.
@@ -93,13 +94,14 @@ inline Film ground_film(const AirFilm& air, double temperature) {
     const bool unstable = x > 0.0;
     const double root = std::sqrt(unstable ? x : 1.0 - 30.0 * x);
     const double inverse = 1.0 / (unstable ? 1.0 + air.c * root : root * (1.0 - air.s * x * root));
-    // Warm: F = 1 + a x i, x F' = a x (1 + c √x / 2) i².  Cold, i = 1 / (r (1 + s y r)): F = i r,
-    // x F' = −s y F² (1 + 45 y) / r, where F² / r = i² r.
+    // Warm: F = 1 + a x i, F' = a (1 + c √x / 2) i².  Cold, i = 1 / (r (1 + s y r)): F = i r,
+    // dF/dx = s F² (1 + 45 y) / r, where F² / r = i² r.
     const double warm = air.a * x * inverse;
     const double f = unstable ? 1.0 + warm : inverse * root;
-    const double rise = unstable ? warm * inverse * (1.0 + 0.5 * air.c * root)
-                                 : air.s * x * (1.0 - 45.0 * x) * inverse * inverse * root;
-    return {air.neutral * f, air.neutral * rise};
+    const double steepness = unstable ? air.a * inverse * inverse * (1.0 + 0.5 * air.c * root)
+                                      : air.s * (1.0 - 45.0 * x) * inverse * inverse * root;
+    const double slope = air.neutral * steepness * air.instability;
+    return {air.neutral * f, air.neutral * steepness * x, slope};
 }
 
 /// A plate under natural and forced convection: their sum (TARP) or their root sum of squares
@@ -107,9 +109,9 @@ inline Film ground_film(const AirFilm& air, double temperature) {
 inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperature) {
     const double excess = temperature - air.air_temperature;
     const double n = (excess > 0.0 ? natural.warm : natural.cold) * std::cbrt(std::abs(excess));
-    if (!air.quadratic) return {n + air.neutral, n / 3.0};
+    if (!air.quadratic) return {n + air.neutral, n / 3.0, 0.0};
     const double h = std::sqrt(n * n + air.neutral * air.neutral);
-    return {h, h > 0.0 ? n * n / (3.0 * h) : 0.0};
+    return {h, h > 0.0 ? n * n / (3.0 * h) : 0.0, 0.0};
 }
 
 /// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share against the
@@ -117,7 +119,7 @@ inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperatu
 struct LatentHeat {
     double flux, slope;
 };
-inline LatentHeat latent_heat(const AirFilm& air, Film film, double temperature) {
+inline LatentHeat latent_heat(const AirFilm& air, const Film& film, double temperature) {
     double slope;
     const double excess = vapour_pressure_of(temperature, slope) - air.vapour_pressure;
     const bool drying = excess > 0.0;
@@ -125,10 +127,7 @@ inline LatentHeat latent_heat(const AirFilm& air, Film film, double temperature)
     const double share = air.latent * (drying ? air.wetness : 1.0);
     const double in_series = 1.0 / (air.heat_capacity + resistance * film.h);
     const double conductance = film.h * in_series;
-    // h's own slope counts a few per cent here; where it is left out Newton takes a step more.
-    const double difference = temperature - air.air_temperature;
-    const double dh = film.rise * difference / (difference * difference + 1e-4);
-    const double steeper = air.heat_capacity * in_series * in_series * dh;
+    const double steeper = air.heat_capacity * in_series * in_series * film.slope;
     return {-share * conductance * excess, -share * (conductance * slope + steeper * excess)};
 }
 

@@ -163,6 +163,7 @@ void column_command(const std::filesystem::path& file, const std::filesystem::pa
 void doctor_command() {
     const auto has = [](bool there) { return there ? "yes" : "no"; };
     fmt::print("diurna            {}\ncompiler          g++ {}\n", DIURNA_VERSION, __VERSION__);
+    fmt::print("libraries         {}\n", DIURNA_LIBRARIES);
     fmt::print("AVX2, FMA         {}, {} (needed)\n", has(__builtin_cpu_supports("avx2")),
                has(__builtin_cpu_supports("fma")));
     fmt::print("AVX-512           {}\n", has(__builtin_cpu_supports("avx512f")));

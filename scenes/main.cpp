@@ -125,7 +125,8 @@ void run_program(int argc, char** argv) {
     verb->add_option("--out", scene.job.out, "folder for the results (default: out)");
     verb->add_flag("--resume", scene.job.resume,
                    "keep what an earlier run of the same inputs left");
-    verb->add_flag("--exact", scene.exact, "skip nothing");
+    verb->add_flag("--exact", scene.exact,
+                   "skip nothing that costs accuracy, whatever the plan allows");
     verb->callback([&] { run_verb(scene); });
 
     verb = app.add_subcommand("solve", "temperatures alone");

@@ -400,6 +400,7 @@ TEST_CASE("the embedded model keeps to MODTRAN 5's published paths",
     for (const Path& p : {Path{"horizon5kmtropical.fl7", 23, false, 3.5, 4.1, 0.03},
                           Path{"horizon5kmtropical.fl7", 23, false, 3.0, 5.0, 0.03},
                           Path{"horizon5kmtropical.fl7", 23, false, 8.0, 12.0, 0.03},
+                          Path{"horizon5kmtropical.fl7", 23, false, 8.0, 14.0, 0.03},
                           Path{"tape7.MWIRSun", 23, true, 3.52, 4.1, 0.03},
                           Path{"tape7.LWIRSun", 23, true, 8.3, 11.6, 0.04}}) {
         const FilePath path = path_of(read_tape7(sample(*folder, p.file))[0]);

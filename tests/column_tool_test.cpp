@@ -197,6 +197,32 @@ TEST_CASE("steps of flux and air warm a half-space and a slab as in Carslaw and 
     }
 }
 
+TEST_CASE("a thin plate with air behind loses heat on both sides",
+          "[thermal][column_tool][plate]") {
+    // Steady: 500 W/m² absorbed, two films of 10, both sides radiating at 0.9; the steel's own drop
+    // is 0.01 K. 2 h (T − 300) + ε σ (2 T⁴ − L/σ − 300⁴) = 500, by bisection: the test's own root.
+    ColumnJob job = facet_over({{0.001, 50.0, 7800.0, 500.0}}, FixedFlux{0.0}, 10.0, 0.9);
+    job.surface.back = ExposedBack{.emissivity = 0.9, .albedo = 0.9};
+    drive(
+        job, [](double) { return 500.0; }, [](double) { return 300.0; }, 350.0);
+    double low = 300.0, high = 400.0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.5 * (low + high);
+        const double loss = 20.0 * (t - 300.0) +
+                            0.9 * (stefan_boltzmann * (2.0 * power4(t) - power4(300.0)) - 350.0);
+        (loss < 500.0 ? low : high) = t;
+    }
+    const ColumnResult result = run_column(job);
+    const ColumnRow& row = result.row.back();
+    CHECK(result.has_back);
+    CHECK(row.surface_temperature == Approx(low).margin(0.01));
+    CHECK(row.surface_temperature - row.back_temperature ==
+          Approx(-row.conducted / 50000.0).margin(1e-5));
+    CHECK(row.back_temperature < row.surface_temperature);
+    CHECK(result.worst_energy_closure < 1e-10);
+    CHECK(result.periodic_residual < 1e-6);
+}
+
 TEST_CASE("a column file with mistakes is answered with places, ranges and nearest keys",
           "[thermal][column_tool][errors]") {
     const auto folder = std::filesystem::temp_directory_path() / "diurna_column_tool_test";

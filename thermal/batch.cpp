@@ -9,11 +9,16 @@
 namespace diurna {
 
 MaterialColumn material_column(const ThermalSurface& surface, const StepSetup& setup) {
+    // Behind a plate a typical film stands in the grid, for first guesses and the period's matrix;
+    // its steps take the true one.
+    constexpr double film_behind = 15.0;
+    const Bottom bottom =
+        surface.back ? Bottom{Interior{setup.reference, film_behind}} : surface.bottom;
     MaterialColumn material{
         .surface = surface,
         .louis = louis_form(surface.roughness_length, surface.heat_roughness_length,
                             setup.wind_height, setup.air_height),
-        .grid = column_grid(surface.layers, surface.bottom, setup.grid),
+        .grid = column_grid(surface.layers, bottom, setup.grid),
         .stage = {},
         .reference = setup.reference,
         .substeps = 0};
@@ -46,6 +51,7 @@ void StepRecord::merge(const StepRecord& other) {
 
 void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
              const std::array<const double*, 2>& heat, Batch& batch, StepRecord& record) {
+    if (material.surface.back) return advance_plate(material, air, heat, batch, record);
     constexpr double again = (1.0 - sdirk_gamma) / sdirk_gamma;
     const ColumnGrid& grid = material.grid;
     const Stage& stage = material.stage;

@@ -63,6 +63,12 @@ struct StepRecord {
 void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
              const std::array<const double*, 2>& heat, Batch& batch, StepRecord& record);
 
+/// The same for a thin plate with air behind (ThermalSurface::back): its last node exchanges heat
+/// with air and surroundings of the air's temperature, through the film of its other side and
+/// radiation, solved by Newton around the surface's own to 1e-9 K. `advance` calls it.
+void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
+                   const std::array<const double*, 2>& heat, Batch& batch, StepRecord& record);
+
 /// The steady state under constant air and heat, as a first guess.
 void settle(const MaterialColumn& material, const AirFilm& air, const double* heat, Batch& batch);
 

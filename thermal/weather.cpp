@@ -22,7 +22,7 @@ struct Column {
 
 // Range: what no thermometer, anemometer or radiometer on the ground has ever read.
 const std::array<Column, 10> flux_and_state{{
-    {"wind_speed_m_s", 0.0, 120.0, [](Forcing& f) -> double& { return f.wind_speed; },
+    {"wind_speed_m_s", -0.5, 120.0, [](Forcing& f) -> double& { return f.wind_speed; },
      "wind 1 m/s"},
     {"rain_mm_h", 0.0, 2000.0, [](Forcing& f) -> double& { return f.rain_mm_h; }, nullptr},
     {"cloud_fraction", 0.0, 1.0, [](Forcing& f) -> double& { return f.cloud_fraction; }, nullptr},
@@ -120,6 +120,8 @@ Weather read_weather(const std::filesystem::path& file, const WeatherOptions& op
                 column.place(forcing) = checked(table, row, c, column.least, column.most);
             }
         }
+        // An anemometer at rest may read a little less than nothing.
+        forcing.wind_speed = std::max(0.0, forcing.wind_speed);
         double humidity = 0.5;
         if (table.has("relative_humidity")) {
             const std::size_t c = table.column("relative_humidity");

@@ -93,7 +93,8 @@ PixelRays pixel_rays(const Observer& observer) {
         2.0 * std::tan(0.5 * radians(observer.horizontal_fov_deg)) / observer.width;
     return {.corner = axis - 0.5 * pitch * (observer.width * right + observer.height * down),
             .column = pitch * right,
-            .row = pitch * down};
+            .row = pitch * down,
+            .flat = true};
 }
 
 }  // namespace diurna

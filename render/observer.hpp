@@ -36,6 +36,7 @@ struct PixelRays {
     Eigen::Vector3d corner;  // towards column 0, row 0; not of unit length
     Eigen::Vector3d column;  // added for each column to the right
     Eigen::Vector3d row;     // added for each row downward
+    bool flat = true;        // directions are linear in the place before normalisation
 
     /// Unit vector towards a place in the picture, in pixels from its upper left corner.
     Eigen::Vector3d towards(double at_column, double at_row) const;

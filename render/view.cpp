@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -15,16 +16,19 @@ namespace diurna {
 
 namespace {
 
-/// Two numbers in [0, 1) that depend on the three given ones alone (SplitMix64's finaliser).
-std::array<double, 2> jitter(std::uint64_t seed, std::uint64_t pixel, std::uint64_t sample) {
-    std::uint64_t x = seed * 0x9E3779B97F4A7C15u + pixel * 0xD1B54A32D192ED03u + sample;
-    for (int round = 0; round < 2; ++round) {
-        x += 0x9E3779B97F4A7C15u;
-        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-        x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-        x ^= x >> 31;
-    }
-    return {double(x >> 32) * 0x1p-32, double(x & 0xFFFFFFFFu) * 0x1p-32};
+/// 32 bits that depend on the three given numbers alone: SplitMix64's finaliser for seed and pixel,
+/// then a 32-bit finaliser ("lowbias32", C. Wellons) for the sample, cheap in vector code.
+std::uint32_t pixel_hash(std::uint64_t seed, std::uint64_t pixel) {
+    std::uint64_t x = seed * 0x9E3779B97F4A7C15u + pixel * 0xD1B54A32D192ED03u;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return static_cast<std::uint32_t>((x ^ (x >> 31)) >> 16);
+}
+inline std::uint32_t sample_hash(std::uint32_t pixel, std::uint32_t sample) {
+    std::uint32_t x = pixel ^ (sample * 0x9E3779B9u);
+    x = (x ^ (x >> 16)) * 0x7FEB352Du;
+    x = (x ^ (x >> 15)) * 0x846CA68Bu;
+    return x ^ (x >> 16);
 }
 
 /// Columns and rows of the grid that has one cell a sample: as square as the number allows.
@@ -34,64 +38,154 @@ std::array<int, 2> strata(int samples) {
     return {samples / rows, rows};
 }
 
+constexpr int tile = 32;
+constexpr std::size_t lanes = 16;
+
+/// What one tile of pixels sees; targets are facet ids until all tiles are known.
+struct Tile {
+    std::vector<Sighting> sighting;
+    std::vector<std::uint32_t> count;  // (pixel of the tile)
+};
+
+/// One sample that hit, ordered by facet, then by its number.
 struct Sample {
-    FacetId facet;
+    std::uint64_t key;
     float range, height;
 };
 
-/// What one row of pixels sees; targets are facet ids until all rows are known.
-struct PixelRow {
-    std::vector<Sighting> sighting;
-    std::vector<std::uint32_t> count;  // (pixel)
-};
-
 /// Adds the sightings of one pixel: samples on one facet become one.
-void gather(std::span<Sample> samples, float share, PixelRow& row) {
-    std::stable_sort(samples.begin(), samples.end(),
-                     [](const Sample& a, const Sample& b) { return a.facet < b.facet; });
+void gather(std::span<Sample> samples, float share, Tile& out) {
+    const bool one = std::all_of(samples.begin(), samples.end(), [&](const Sample& s) {
+        return s.key >> 32 == samples[0].key >> 32;
+    });
+    if (!one) {
+        std::sort(samples.begin(), samples.end(),
+                  [](const Sample& a, const Sample& b) { return a.key < b.key; });
+    }
     std::uint32_t count = 0;
     for (std::size_t first = 0; first < samples.size();) {
         std::size_t last = first;
         double range = 0.0, height = 0.0;
-        for (; last < samples.size() && samples[last].facet == samples[first].facet; ++last) {
-            range += samples[last].range;
-            height += samples[last].height;
+        for (; last < samples.size() && samples[last].key >> 32 == samples[first].key >> 32;
+             ++last) {
+            range += double{samples[last].range};
+            height += double{samples[last].height};
         }
         const double n = double(last - first);
-        row.sighting.push_back({.target = static_cast<std::uint32_t>(samples[first].facet),
+        out.sighting.push_back({.target = static_cast<std::uint32_t>(samples[first].key >> 32),
                                 .weight = static_cast<float>(n) * share,
                                 .range = static_cast<float>(range / n),
                                 .height = static_cast<float>(height / n)});
         ++count;
         first = last;
     }
-    row.count.push_back(count);
+    out.count.push_back(count);
 }
 
-/// Renames the facets seen to consecutive targets, ascending, and joins the rows.
-void join(const std::vector<PixelRow>& rows, std::size_t facet_count, View& view) {
-    std::vector<std::uint32_t> target(facet_count, 0);
-    std::size_t sightings = 0;
-    for (const PixelRow& row : rows) {
-        for (const Sighting& s : row.sighting) target[s.target] = 1;
-        sightings += row.sighting.size();
+/// Part of a facet that a sighting belongs to: 1/64 of an octave of range, 16 m of height.
+std::uint64_t part_of(const Sighting& s) {
+    const auto bits = std::bit_cast<std::uint32_t>(s.range);
+    const auto step = static_cast<std::uint32_t>(std::floor(s.height / 16.0f) + 65536.0f);
+    return std::uint64_t{bits >> 17} << 32 | step;
+}
+
+struct Extent {
+    float near = 1e30f, far = 0.0f, low = 1e30f, high = -1e30f;
+    bool seen() const { return far > 0.0f || near < 1e30f; }
+    bool narrow() const { return far <= near * (1.0f + 1.0f / 64.0f) && high - low <= 16.0f; }
+};
+
+/// Sightings in the order of pixels, from tiles.
+void join(const std::vector<Tile>& tiles, int columns, View& view) {
+    const auto width = static_cast<std::size_t>(view.width);
+    const auto height = static_cast<std::size_t>(view.height);
+    std::vector<std::uint32_t> begin(view.pixels());
+    view.row.assign(view.pixels() + 1, 0);
+    const auto each_pixel = [&](std::size_t t, const auto& body) {
+        const std::size_t x0 = (t % std::size_t(columns)) * tile,
+                          y0 = t / std::size_t(columns) * tile;
+        std::size_t k = 0;
+        for (std::size_t y = y0; y < std::min(height, y0 + tile); ++y) {
+            for (std::size_t x = x0; x < std::min(width, x0 + tile); ++x) body(y * width + x, k++);
+        }
+    };
+    for_each_index(
+        tiles.size(),
+        [&](std::size_t t) {
+            std::uint32_t at = 0;
+            each_pixel(t, [&](std::size_t pixel, std::size_t k) {
+                begin[pixel] = at;
+                at += view.row[pixel + 1] = tiles[t].count[k];
+            });
+        },
+        1);
+    for (std::size_t p = 0; p < view.pixels(); ++p) view.row[p + 1] += view.row[p];
+    view.sighting.resize(view.row.back());
+    for_each_index(
+        tiles.size(),
+        [&](std::size_t t) {
+            each_pixel(t, [&](std::size_t pixel, std::size_t) {
+                const std::uint32_t count = view.row[pixel + 1] - view.row[pixel];
+                std::copy_n(tiles[t].sighting.begin() + begin[pixel], count,
+                            view.sighting.begin() + view.row[pixel]);
+            });
+        },
+        1);
+}
+
+/// Names the targets: facets seen and parts of facets that reach deep, ascending.
+void name_targets(std::size_t facet_count, View& view) {
+    std::vector<Extent> extent(facet_count);
+    for (const Sighting& s : view.sighting) {
+        Extent& e = extent[s.target];
+        e.near = std::min(e.near, s.range);
+        e.far = std::max(e.far, s.range);
+        e.low = std::min(e.low, s.height);
+        e.high = std::max(e.high, s.height);
     }
+    std::vector<std::pair<std::uint32_t, std::uint64_t>> parts;  // (facet, part) of deep facets
+    for (const Sighting& s : view.sighting) {
+        if (!extent[s.target].narrow()) parts.emplace_back(s.target, part_of(s));
+    }
+    std::sort(parts.begin(), parts.end());
+    parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+
+    std::vector<std::uint32_t> first(facet_count), first_part(facet_count);
+    std::size_t part = 0;
     for (std::size_t f = 0; f < facet_count; ++f) {
-        if (target[f] == 0) continue;
-        target[f] = static_cast<std::uint32_t>(view.facet.size());
-        view.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
-    }
-    view.sighting.reserve(sightings);
-    view.row.reserve(view.pixels() + 1);
-    view.row.push_back(0);
-    for (const PixelRow& row : rows) {
-        for (const std::uint32_t count : row.count) view.row.push_back(view.row.back() + count);
-        for (Sighting s : row.sighting) {
-            s.target = target[s.target];
-            view.sighting.push_back(s);
+        if (!extent[f].seen()) continue;
+        first[f] = static_cast<std::uint32_t>(view.facet.size());
+        first_part[f] = static_cast<std::uint32_t>(part);
+        if (extent[f].narrow()) {
+            view.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
+        }
+        for (; part < parts.size() && parts[part].first == f; ++part) {
+            view.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
         }
     }
+    std::vector<double> weight(view.facet.size(), 0.0), range(weight), height(weight);
+    for (Sighting& s : view.sighting) {
+        const std::uint32_t f = s.target;
+        s.target = first[f];
+        if (!extent[f].narrow()) {
+            const auto at = std::lower_bound(parts.begin() + first_part[f], parts.end(),
+                                             std::pair{f, part_of(s)});
+            s.target += static_cast<std::uint32_t>(at - parts.begin()) - first_part[f];
+        }
+        weight[s.target] += double{s.weight};
+        range[s.target] += double{s.weight} * double{s.range};
+        height[s.target] += double{s.weight} * double{s.height};
+    }
+    view.range.resize(view.facet.size());
+    view.target_height.resize(view.facet.size());
+    for (std::size_t t = 0; t < view.facet.size(); ++t) {
+        view.range[t] = static_cast<float>(range[t] / weight[t]);
+        view.target_height[t] = static_cast<float>(height[t] / weight[t]);
+    }
 }
+
+/// Zenith angle [deg] of a unit vector's upward part.
+double zenith_of(float up) { return degrees(std::acos(std::clamp(double{up}, -1.0, 1.0))); }
 
 }  // namespace
 
@@ -112,6 +206,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     const PixelRays eye = pixel_rays(observer);
     const Eigen::Vector3f origin = observer.position.cast<float>();
     const float share = 1.0f / static_cast<float>(samples);
+    constexpr std::uint32_t nothing = index(no_facet);
 
     View view;
     view.width = observer.width;
@@ -123,60 +218,138 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     view.centre_range.assign(width * height, std::numeric_limits<float>::quiet_NaN());
     view.rays = width * height * (samples + 1);
 
-    std::vector<PixelRow> picture(height);
-    const auto cast_row = [&](std::size_t y) {
-        PixelRow& out = picture[y];
-        out.count.reserve(width);
-        std::vector<Ray> rays(std::max(samples, width));
-        std::vector<Hit> hits(rays.size());
-        std::vector<Sample> seen(samples);
-        for (Ray& ray : rays) ray.origin = origin;
+    // Where in the pixel each sample's cell begins; lanes beyond the last repeat the first.
+    const std::size_t packets = (samples + lanes - 1) / lanes;
+    std::vector<float> cell_right(packets * lanes), cell_down(packets * lanes);
+    for (std::size_t s = 0; s < cell_right.size(); ++s) {
+        const auto cell = static_cast<int>(s < samples ? s : 0);
+        cell_right[s] = static_cast<float>(cell % columns) / static_cast<float>(columns);
+        cell_down[s] = static_cast<float>(cell / columns) / static_cast<float>(rows);
+    }
+    const float scale_right = 0x1p-16f / static_cast<float>(columns);
+    const float scale_down = 0x1p-16f / static_cast<float>(rows);
 
-        for (std::size_t x = 0; x < width; ++x) {
-            rays[x].direction = eye.towards(double(x) + 0.5, double(y) + 0.5).cast<float>();
-        }
-        scene.closest(std::span(rays).first(width), std::span(hits).first(width));
-        for (std::size_t x = 0; x < width; ++x) {
-            if (hits[x].facet == no_facet) continue;
-            view.centre[y * width + x] = hits[x].facet;
-            view.centre_range[y * width + x] = hits[x].range;
-        }
+    const int tile_columns = (observer.width + tile - 1) / tile;
+    const int tile_rows = (observer.height + tile - 1) / tile;
+    std::vector<Tile> tiles(std::size_t(tile_columns) * std::size_t(tile_rows));
 
-        for (std::size_t x = 0; x < width; ++x) {
-            const std::size_t pixel = y * width + x;
-            for (std::size_t s = 0; s < samples; ++s) {
-                const auto [right, down] = jitter(options.seed, pixel, s);
-                const auto column = static_cast<int>(s) % columns;
-                const auto row = static_cast<int>(s) / columns;
-                rays[s].direction = eye.towards(double(x) + (column + right) / columns,
-                                                double(y) + (row + down) / rows)
-                                        .cast<float>();
-            }
-            // The samples of a pixel fill whole packets, which are the most alike rays there are.
-            scene.closest(std::span(rays).first(samples), std::span(hits).first(samples));
-            std::size_t solid = 0;
-            double zenith = 0.0;
-            for (std::size_t s = 0; s < samples; ++s) {
-                if (hits[s].facet == no_facet) {
-                    zenith +=
-                        degrees(std::acos(std::clamp(double(rays[s].direction.z()), -1., 1.)));
-                    continue;
+    const auto cast_centres = [&](std::size_t x0, std::size_t x1, std::size_t y0, std::size_t y1) {
+        std::vector<Ray> rays;
+        for (std::size_t y = y0; y < y1; y += 4) {
+            for (std::size_t x = x0; x < x1; x += 4) {
+                for (std::size_t k = 0; k < lanes; ++k) {
+                    const double right = double(std::min(x + k % 4, x1 - 1)) + 0.5;
+                    const double down = double(std::min(y + k / 4, y1 - 1)) + 0.5;
+                    rays.push_back(
+                        {.origin = origin, .direction = eye.towards(right, down).cast<float>()});
                 }
-                const Eigen::Vector3d place =
-                    observer.position + double(hits[s].range) * rays[s].direction.cast<double>();
-                seen[solid++] = {hits[s].facet, hits[s].range,
-                                 static_cast<float>(level_height(place))};
             }
-            const std::size_t open = samples - solid;
-            if (open > 0) {
-                view.sky[pixel] = static_cast<float>(open) * share;
-                view.sky_zenith_deg[pixel] = static_cast<float>(zenith / double(open));
+        }
+        std::vector<Hit> hits(rays.size());
+        scene.closest(rays, hits);
+        std::size_t at = 0;
+        for (std::size_t y = y0; y < y1; y += 4) {
+            for (std::size_t x = x0; x < x1; x += 4, at += lanes) {
+                for (std::size_t k = 0; k < lanes; ++k) {
+                    const Hit& hit = hits[at + k];
+                    if (x + k % 4 >= x1 || y + k / 4 >= y1 || hit.facet == no_facet) continue;
+                    const std::size_t pixel = (y + k / 4) * width + x + k % 4;
+                    view.centre[pixel] = hit.facet;
+                    view.centre_range[pixel] = hit.range;
+                }
             }
-            gather(std::span(seen).first(solid), share, out);
         }
     };
-    for_each_index(height, cast_row, 4);
-    join(picture, facets.size(), view);
+    const auto aim = [&](std::size_t x, std::size_t y, std::uint32_t hash, std::size_t packet,
+                         Fan& fan) {
+        alignas(64) std::array<float, lanes> right, down;
+        const float* from_right = &cell_right[packet * lanes];
+        const float* from_down = &cell_down[packet * lanes];
+#pragma omp simd
+        for (std::size_t s = 0; s < lanes; ++s) {
+            const std::uint32_t bits =
+                sample_hash(hash, static_cast<std::uint32_t>(packet * lanes + s));
+            right[s] = from_right[s] + scale_right * (static_cast<float>(bits >> 16) + 0.5f);
+            down[s] = from_down[s] + scale_down * (static_cast<float>(bits & 0xFFFFu) + 0.5f);
+        }
+        if (!eye.flat) {
+            for (std::size_t s = 0; s < lanes; ++s) {
+                const Eigen::Vector3f d =
+                    eye.towards(double(x) + double{right[s]}, double(y) + double{down[s]})
+                        .cast<float>();
+                fan.x[s] = d.x(), fan.y[s] = d.y(), fan.z[s] = d.z();
+            }
+            return;
+        }
+        const Eigen::Vector3f from =
+            (eye.corner + double(x) * eye.column + double(y) * eye.row).cast<float>();
+        const Eigen::Vector3f a = eye.column.cast<float>(), b = eye.row.cast<float>();
+        const float fx = from.x(), fy = from.y(), fz = from.z(), ax = a.x(), ay = a.y(), az = a.z(),
+                    bx = b.x(), by = b.y(), bz = b.z();
+#pragma omp simd
+        for (std::size_t s = 0; s < lanes; ++s) {
+            const float dx = fx + right[s] * ax + down[s] * bx;
+            const float dy = fy + right[s] * ay + down[s] * by;
+            const float dz = fz + right[s] * az + down[s] * bz;
+            const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
+            fan.x[s] = dx * scale;
+            fan.y[s] = dy * scale;
+            fan.z[s] = dz * scale;
+        }
+    };
+    const auto cast_tile = [&](std::size_t t) {
+        const std::size_t x0 = (t % std::size_t(tile_columns)) * tile,
+                          y0 = t / std::size_t(tile_columns) * tile;
+        const std::size_t x1 = std::min(width, x0 + tile), y1 = std::min(height, y0 + tile);
+        Tile& out = tiles[t];
+        out.count.reserve(tile * tile);
+        out.sighting.reserve(4 * tile * tile);
+        cast_centres(x0, x1, y0, y1);
+        Fan fan;
+        fan.origin = origin;
+        FanHits hits;
+        std::vector<Sample> seen(samples);
+        const float ox = origin.x(), oy = origin.y(), oz = origin.z();
+        constexpr auto bend = static_cast<float>(1.0 / (2e3 * earth_radius_km));
+        alignas(64) std::array<float, lanes> level;
+        for (std::size_t y = y0; y < y1; ++y) {
+            for (std::size_t x = x0; x < x1; ++x) {
+                const std::size_t pixel = y * width + x;
+                const std::uint32_t hash = pixel_hash(options.seed, pixel);
+                std::size_t solid = 0;
+                double zenith = 0.0;
+                for (std::size_t packet = 0; packet < packets; ++packet) {
+                    aim(x, y, hash, packet, fan);
+                    scene.closest(fan, hits);
+#pragma omp simd
+                    for (std::size_t s = 0; s < lanes; ++s) {
+                        const float px = ox + hits.range[s] * fan.x[s];
+                        const float py = oy + hits.range[s] * fan.y[s];
+                        level[s] = oz + hits.range[s] * fan.z[s] + bend * (px * px + py * py);
+                    }
+                    const std::size_t used = std::min(lanes, samples - packet * lanes);
+                    for (std::size_t s = 0; s < used; ++s) {
+                        if (hits.facet[s] == nothing) {
+                            zenith += zenith_of(fan.z[s]);
+                        } else {
+                            seen[solid++] = {
+                                std::uint64_t{hits.facet[s]} << 32 | (packet * lanes + s),
+                                hits.range[s], level[s]};
+                        }
+                    }
+                }
+                const std::size_t open = samples - solid;
+                if (open > 0) {
+                    view.sky[pixel] = static_cast<float>(open) * share;
+                    view.sky_zenith_deg[pixel] = static_cast<float>(zenith / double(open));
+                }
+                gather(std::span(seen).first(solid), share, out);
+            }
+        }
+    };
+    for_each_index(tiles.size(), cast_tile, 1);
+    join(tiles, tile_columns, view);
+    name_targets(facets.size(), view);
     return view;
 }
 

@@ -14,7 +14,7 @@ struct ViewOptions {
     std::uint64_t seed = 1;
 };
 
-/// What a pixel sees of one facet.
+/// What a pixel sees of one target.
 struct Sighting {
     std::uint32_t target = 0;  // index into View::facet
     float weight = 0.0f;       // share of the pixel, 0 to 1
@@ -24,11 +24,17 @@ struct Sighting {
 
 /// What every pixel of an observer sees, cast once and good for every instant and band while
 /// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
+///
+/// A target is a facet, or a part of one that reaches so deep into the picture that the air in
+/// front of it is not linear in range and height: parts span at most 1/64 of an octave of range and
+/// 16 m of height. What a target sends to the eye is thus worked out once, with two slopes.
 struct View {
     int width = 0, height = 0;
-    std::vector<FacetId> facet;         // (target) facets seen, ascending
+    std::vector<FacetId> facet;         // (target) ascending
+    std::vector<float> range;           // (target) [m] mean over its sightings
+    std::vector<float> target_height;   // (target) [m] the same, as Sighting::height
     std::vector<std::uint32_t> row;     // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
-    std::vector<Sighting> sighting;     // of a pixel: ascending target
+    std::vector<Sighting> sighting;     // of a pixel: ascending facet
     std::vector<float> sky;             // (pixel) share that sees no facet
     std::vector<float> sky_zenith_deg;  // (pixel) mean direction of that share; 0 if none
     std::vector<FacetId> centre;        // (pixel) facet at the pixel's centre, or no_facet
@@ -41,7 +47,7 @@ struct View {
 
 /// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a place that depends
 /// on (seed, pixel, sample) alone, and one through its centre. The same for any number of threads.
-/// Ranges are true to the facet's plane; averaging them over a pixel is the only loss.
+/// Averaging ranges over a pixel is the only loss.
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                const ViewOptions& options = {});
 

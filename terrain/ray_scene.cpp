@@ -148,6 +148,44 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence
     }
 }
 
+void RayScene::closest(const Fan& fan, FanHits& hits) const {
+    RTCIntersectContext context = context_for(Coherence::coherent);
+    alignas(64) int valid[width];
+    alignas(64) RTCRayHit16 packet;
+    for (std::size_t i = 0; i < width; ++i) {
+        valid[i] = -1;
+        packet.ray.org_x[i] = fan.origin.x();
+        packet.ray.org_y[i] = fan.origin.y();
+        packet.ray.org_z[i] = fan.origin.z();
+        packet.ray.dir_x[i] = fan.x[i];
+        packet.ray.dir_y[i] = fan.y[i];
+        packet.ray.dir_z[i] = fan.z[i];
+        packet.ray.tnear[i] = 0.0f;
+        packet.ray.tfar[i] = 1e30f;
+        packet.ray.time[i] = 0.0f;
+        packet.ray.mask[i] = 0xFFFFFFFFu;
+        packet.ray.flags[i] = 0;
+        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect16(valid, impl_->scene, &context, &packet);
+    alignas(64) int grazing[width];
+    for (std::size_t i = 0; i < width; ++i) {
+        const float nx = packet.hit.Ng_x[i], ny = packet.hit.Ng_y[i], nz = packet.hit.Ng_z[i];
+        const float across = nx * fan.x[i] + ny * fan.y[i] + nz * fan.z[i];
+        const float least = 0.05f * 0.05f * (nx * nx + ny * ny + nz * nz);
+        hits.facet[i] = packet.hit.primID[i];
+        hits.range[i] = packet.ray.tfar[i];
+        grazing[i] = hits.facet[i] != RTC_INVALID_GEOMETRY_ID && !(across * across > least);
+    }
+    for (std::size_t i = 0; i < width; ++i) {
+        if (!grazing[i]) continue;
+        const Ray ray{.origin = fan.origin, .direction = {fan.x[i], fan.y[i], fan.z[i]}};
+        hits.range[i] = impl_->range(ray, hits.facet[i], hits.range[i]);
+    }
+}
+
 void RayScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
                         Coherence coherence) const {
     assert(rays.size() == blocked.size());

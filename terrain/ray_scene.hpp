@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,6 +22,17 @@ struct Hit {
     float range = 0.0f;        // [m], recomputed in double from the facet's corners
 };
 
+/// Sixteen rays from one point: the samples of a pixel, the most alike rays there are.
+struct Fan {
+    Eigen::Vector3f origin;
+    alignas(64) std::array<float, 16> x, y, z;  // unit directions
+};
+struct FanHits {
+    alignas(64) std::array<std::uint32_t, 16> facet;  // index(no_facet): nothing was hit
+    alignas(64) std::array<float, 16> range;  // [m]; recomputed in double at grazing incidence
+                                              // (below 3°), within 2e-5 of it elsewhere
+};
+
 enum class Coherence { coherent, incoherent };  // neighbouring rays alike, or scattered
 
 /// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
@@ -37,6 +49,7 @@ class RayScene {
     /// The nearest facet along each ray. Rays are traced 16 at a time in the order given.
     void closest(std::span<const Ray> rays, std::span<Hit> hits,
                  Coherence coherence = Coherence::coherent) const;
+    void closest(const Fan& fan, FanHits& hits) const;
     /// blocked[i] = 1 if anything lies between near and far.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
                   Coherence coherence = Coherence::coherent) const;

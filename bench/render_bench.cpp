@@ -1,0 +1,297 @@
+// Pictures of rough ground of 2 million triangles, seen obliquely: what casting costs against bare
+// Embree, what shading adds, what a frame costs once the view is cast, and how the error falls with
+// the number of samples.
+//
+//   render_bench [posts = 1001] [size = 1024]
+
+#include <embree3/rtcore.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+
+#include "materials/planck.hpp"
+#include "render/exr.hpp"
+#include "render/tracer.hpp"
+#include "terrain/parallel.hpp"
+#include "terrain/ray_scene.hpp"
+#include "terrain/site.hpp"
+#include "terrain/visibility.hpp"
+
+using namespace diurna;
+
+namespace {
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+/// Median wall time of a few runs.
+template <class Work>
+double median_time(int runs, const Work& work) {
+    std::vector<double> times;
+    for (int i = 0; i < runs; ++i) {
+        const double start = now();
+        work();
+        times.push_back(now() - start);
+    }
+    std::nth_element(times.begin(), times.begin() + runs / 2, times.end());
+    return times[std::size_t(runs / 2)];
+}
+
+/// Sums of sines of random direction: relief of about 1200 m over 10 km, rough down to 20 m.
+double relief(double x, double y) {
+    double z = 0.0, wave = 8000.0, height = 300.0, angle = 0.4;
+    for (int octave = 0; octave < 9; ++octave) {
+        const double k = 2.0 * std::numbers::pi / wave;
+        z += height * std::sin(k * (x * std::cos(angle) + y * std::sin(angle)) + octave) *
+             std::cos(k * 0.8 * (y * std::cos(angle) - x * std::sin(angle)) + 2.0 * octave);
+        wave *= 0.5;
+        height *= 0.5;
+        angle += 1.3;
+    }
+    return z;
+}
+
+FacetSet rough_ground(int posts, double size, std::span<const MaterialId> used) {
+    std::vector<Eigen::Vector3d> vertex;
+    std::vector<std::array<std::uint32_t, 3>> triangle;
+    const double step = size / (posts - 1);
+    for (int j = 0; j < posts; ++j) {
+        for (int i = 0; i < posts; ++i) {
+            const double x = i * step - 0.5 * size, y = j * step - 0.5 * size;
+            vertex.emplace_back(x, y, relief(x, y));
+        }
+    }
+    for (int j = 0; j + 1 < posts; ++j) {
+        for (int i = 0; i + 1 < posts; ++i) {
+            const auto a = std::uint32_t(j * posts + i), up = std::uint32_t(posts);
+            triangle.push_back({a, a + 1, a + up + 1});
+            triangle.push_back({a, a + up + 1, a + up});
+        }
+    }
+    FacetSet facets;
+    append_facets(facets, vertex, triangle,
+                  std::vector<MaterialId>(triangle.size(), used.front()), ObjectId{0});
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        const Eigen::Vector3f& c = facets.centroid[f];
+        const auto patch = std::size_t(
+            std::abs(std::floor(c.x() / 300.0f) * 7.0f + std::floor(c.y() / 300.0f) * 3.0f));
+        facets.material[f] = used[patch % used.size()];
+    }
+    return facets;
+}
+
+/// Mray/s of Embree alone on the same rays, packets of a pixel's 16 samples, tiles of 32 x 32.
+double bare_rate(const FacetSet& facets, const Observer& observer) {
+    RTCDevice device = rtcNewDevice("isa=avx2");
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertex = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, facets.vertex.size()));
+    auto* corner = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, facets.corner.size()));
+    for (std::size_t v = 0; v < facets.vertex.size(); ++v) {
+        std::copy_n(facets.vertex[v].data(), 3, vertex + 3 * v);
+    }
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        std::copy_n(facets.corner[f].data(), 3, corner + 3 * f);
+    }
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(scene, geometry);
+    rtcReleaseGeometry(geometry);
+    rtcCommitScene(scene);
+
+    constexpr int tile = 32;
+    const PixelRays eye = pixel_rays(observer);
+    const Eigen::Vector3f origin = observer.position.cast<float>();
+    std::vector<RTCRayHit16> packets(tile * tile);
+    alignas(64) int valid[16];
+    std::fill_n(valid, 16, -1);
+    double seconds = 0.0;
+    std::size_t rays = 0;
+    for (int y0 = 0; y0 + tile <= observer.height; y0 += tile) {
+        for (int x0 = 0; x0 + tile <= observer.width; x0 += tile) {
+            for (int p = 0; p < tile * tile; ++p) {
+                RTCRayHit16& packet = packets[std::size_t(p)];
+                for (int s = 0; s < 16; ++s) {
+                    const Eigen::Vector3f d =
+                        eye.towards(x0 + p % tile + (s % 4 + 0.5) / 4.0,
+                                    y0 + p / tile + (s / 4 + 0.5) / 4.0)
+                            .cast<float>();
+                    packet.ray.org_x[s] = origin.x();
+                    packet.ray.org_y[s] = origin.y();
+                    packet.ray.org_z[s] = origin.z();
+                    packet.ray.dir_x[s] = d.x();
+                    packet.ray.dir_y[s] = d.y();
+                    packet.ray.dir_z[s] = d.z();
+                    packet.ray.tnear[s] = 0.0f;
+                    packet.ray.tfar[s] = 1e30f;
+                    packet.ray.time[s] = 0.0f;
+                    packet.ray.mask[s] = 0xFFFFFFFFu;
+                    packet.ray.flags[s] = 0;
+                    packet.hit.geomID[s] = RTC_INVALID_GEOMETRY_ID;
+                    packet.hit.instID[0][s] = RTC_INVALID_GEOMETRY_ID;
+                }
+            }
+            const double start = now();
+            RTCIntersectContext context;
+            rtcInitIntersectContext(&context);
+            context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+            for (RTCRayHit16& packet : packets) rtcIntersect16(valid, scene, &context, &packet);
+            seconds += now() - start;
+            rays += 16 * packets.size();
+        }
+    }
+    rtcReleaseScene(scene);
+    rtcReleaseDevice(device);
+    return 1e-6 * double(rays) / seconds;
+}
+
+/// Root mean square difference of apparent temperatures [K].
+double rms(const Frame& a, const Frame& b, const std::string& plane) {
+    const auto &x = a[plane].pixel, &y = b[plane].pixel;
+    double sum = 0.0;
+    for (std::size_t p = 0; p < x.size(); ++p) sum += (x[p] - y[p]) * (x[p] - y[p]);
+    return std::sqrt(sum / double(x.size()));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int posts = argc > 1 ? std::atoi(argv[1]) : 1001;
+    const int size = argc > 2 ? std::atoi(argv[2]) : 1024;
+    const MaterialLibrary materials = default_material_library();
+    std::vector<MaterialId> used;
+    for (const char* name : {"grass", "forest", "bare_soil", "rock"}) {
+        used.push_back(materials.find(name));
+    }
+    const FacetSet facets = rough_ground(posts, 10e3, used);
+    double start = now();
+    const RayScene scene(facets);
+    const double build = now() - start;
+    start = now();
+    const SkyView sky = sky_view(facets, scene, {.rays = 32});
+    fmt::print(stderr, "{} facets, scene {:.2f} s, sky view {:.1f} s, {:.1f} exchange entries each\n",
+               facets.size(), build, now() - start,
+               double(sky.exchange.facet.size()) / double(facets.size()));
+
+    const Eigen::Vector3d to_sun = direction(110.0, 35.0);
+    std::vector<float> sun(facets.size());
+    sun_fraction(facets, scene, to_sun, sun);
+    std::vector<float> temperature(facets.size());
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        temperature[f] = 288.0f - 0.0065f * facets.centroid[f].z() +
+                         18.0f * sun[f] * std::max(0.0f, facets.normal[f].dot(to_sun.cast<float>()));
+    }
+    const Atmosphere air =
+        BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
+    const auto input = [&](std::span<const float> temperatures) {
+        return RadianceInput{.facets = facets,
+                             .sky_view = sky,
+                             .materials = materials,
+                             .atmosphere = air,
+                             .temperature = temperatures,
+                             .sun_fraction = sun,
+                             .to_sun = to_sun,
+                             .sun_zenith_deg = 55.0,
+                             .ground_height_km = 0.8};
+    };
+    Observer aerial;
+    aerial.name = "aerial";
+    aerial.position = {-6000.0, -6000.0, 3000.0};
+    aerial = looking_at(aerial, {0.0, 0.0, -300.0});
+    aerial.horizontal_fov_deg = 50.0;
+    aerial.width = aerial.height = size;
+    const std::vector<Band> lw = {flat_band("8-12", 8.0, 12.0, bin_edges_um())};
+    const std::vector<Band> both = {flat_band("3-5", 3.0, 5.0, bin_edges_um()), lw[0]};
+
+    fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
+    const auto row = [&](const char* name, const char* method, const std::string& setting,
+                         int threads, double seconds, double error, const char* unit) {
+        fmt::print("{},{},{},{},{},{:.4f},{:.4g},{}\n", name, method, setting, facets.size(),
+                   threads, seconds, error, unit);
+        std::fflush(stdout);
+    };
+    const std::string setting = fmt::format("{}x{}x16", size, size);
+    const double rays = 16.0 * size * size;
+
+    set_thread_count(1);
+    const double bare = bare_rate(facets, aerial);
+    row("cast", "embree_alone", setting, 1, 1e-6 * rays / bare, bare, "Mray/s");
+    View view;
+    double cast[3] = {}, frame[3] = {}, two_bands[3] = {};
+    for (const int threads : {1, 2}) {
+        set_thread_count(threads);
+        cast[threads] = median_time(3, [&] { view = cast_view(scene, facets, aerial, {}); });
+        row("cast", "cast_view", setting, threads, cast[threads], 1e-6 * rays / cast[threads],
+            "Mray/s");
+        Frame picture;
+        frame[threads] = median_time(
+            7, [&] { picture = render(view, aerial, lw, input(temperature), {.truth = false}); });
+        row("frame", "from_view", setting + " 8-12", threads, frame[threads],
+            cast[threads] / frame[threads], "x cheaper than casting");
+        two_bands[threads] = median_time(
+            5, [&] { picture = render(view, aerial, both, input(temperature), {.truth = false}); });
+        row("frame", "from_view", setting + " 3-5 8-12", threads, two_bands[threads], 0.0, "");
+    }
+    fmt::print(stderr, "{} targets, {:.2f} sightings a pixel\n", view.facet.size(),
+               double(view.sighting.size()) / double(view.pixels()));
+    row("ratio", "cast_view_to_embree", setting, 1, 0.0, rays * 1e-6 / cast[1] / bare, "must 0.90");
+    row("ratio", "cast_to_cast_and_shade", setting, 1, 0.0, cast[1] / (cast[1] + frame[1]),
+        "must 0.80");
+    row("ratio", "frame_to_rendering_again", setting, 1, 0.0, frame[1] / (cast[1] + frame[1]),
+        "must 0.083");
+    row("ratio", "two_threads_cast", setting, 2, 0.0, cast[1] / cast[2], "must 1.85");
+    row("ratio", "two_threads_frame", setting, 2, 0.0, frame[1] / frame[2], "must 1.85");
+
+    // A day of pictures, written.
+    set_thread_count(0);
+    Observer camera = aerial;
+    camera.width = 640;
+    camera.height = 512;
+    const auto folder = std::filesystem::temp_directory_path() /
+                        fmt::format("diurna-render-bench-{}", std::uint64_t(1e6 * now()));
+    std::filesystem::create_directories(folder);
+    start = now();
+    const View still = cast_view(scene, facets, camera, {});
+    const double still_cast = now() - start;
+    for_each_index(
+        24,
+        [&](std::size_t hour) {
+            std::vector<float> warm(temperature.size());
+            for (std::size_t f = 0; f < warm.size(); ++f) {
+                warm[f] = temperature[f] + 0.2f * float(hour);
+            }
+            RadianceInput state = input(warm);
+            state.instant = later(state.instant, 3600.0 * double(hour));
+            const Frame picture = render(still, camera, both, state);
+            for (const Band& band : both) {
+                write_exr(folder / (frame_name(picture, band.name) + ".exr"),
+                          band_frame(picture, band.name));
+            }
+        },
+        1);
+    row("day", "24_frames_2_bands_exr", "640x512x16", 2, now() - start, still_cast, "s of it casting");
+    std::filesystem::remove_all(folder);
+
+    // Error against samples.
+    Observer small = aerial;
+    small.width = small.height = size / 4;
+    const View finest = cast_view(scene, facets, small, {.samples = 1024});
+    const Frame truth = render(finest, small, lw, input(temperature), {.truth = false});
+    for (const int samples : {1, 4, 16, 64, 256}) {
+        start = now();
+        const View some = cast_view(scene, facets, small, {.samples = samples, .seed = 7});
+        const double seconds = now() - start;
+        const Frame picture = render(some, small, lw, input(temperature), {.truth = false});
+        row("samples", "uniform", fmt::format("{}x{}x{}", small.width, small.height, samples), 2,
+            seconds, rms(picture, truth, "apparent_temperature.8-12"), "K rms");
+    }
+}

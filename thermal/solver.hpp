@@ -75,11 +75,12 @@ struct SolveResult {
 ///
 /// Time: SDIRK2 (γ = 1 − 1/√2, second order, L-stable), linear forcing between step instants;
 /// materials too thin for the step are stepped more often. Space: thermal/column.hpp. The surface
-/// equation is solved by Newton within a bracket to 1e-10 K. A periodic span is found by Newton on
+/// equation is solved by Newton within a bracket to 1e-12 K. A periodic span is found by Newton on
 /// the period map, with one monodromy matrix per material. What neighbours send in longwave follows
 /// from pass to pass. The result has the same bytes for any number of threads.
 ///
-/// Throws InputError if arrays do not match, or a period has no equilibrium.
+/// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
+/// tells. Throws InputError if arrays do not match.
 SolveResult solve(const SolveInput& input, const SolveOptions& options);
 
 }  // namespace diurna

@@ -1,6 +1,7 @@
-/// Makes two of the atmosphere's tables from published size distributions and refractive indices:
+/// Makes three of the atmosphere's tables from published size distributions and refractive indices:
 ///
 ///     aerosol_tables_bench asymmetry > materials/atmosphere/aerosol_asymmetry.csv
+///     aerosol_tables_bench phase > materials/atmosphere/aerosol_phase.csv
 ///     aerosol_tables_bench desert > materials/atmosphere/aerosol_desert.csv
 ///
 /// Sizes: Shettle and Fenn 1979 (AFGL-TR-79-0214) at 70 % humidity; desert: the background model of
@@ -14,6 +15,7 @@
 
 #include "materials/mie.hpp"
 #include "materials/spectrum.hpp"
+#include "materials/units.hpp"
 
 using namespace diurna;
 
@@ -104,6 +106,33 @@ int main(int argc, char** argv) {
             const MieMean m = desert.at(um);
             fmt::print("desert,1.0,{},{:.5f},{:.5f}\n", um, m.extinction / unit,
                        (m.extinction - m.scattering) / unit);
+        }
+        return 0;
+    }
+    if (argc == 2 && std::strcmp(argv[1], "phase") == 0) {
+        fmt::print(
+            "# phase functions (mean 1 over the sphere) at 70 % humidity: Mie means over "
+            "Shettle and Fenn's size distributions (bench/aerosol_tables_bench.cpp)\n"
+            "wavelength_um,angle_deg");
+        for (const auto& [name, aerosol] : aerosols) fmt::print(",{}", name);
+        fmt::print("\n");
+        const std::vector<double> angles = {0,   0.5, 1,   1.5, 2,   3,   4,   5,   6,   8,   10,
+                                            12,  16,  20,  25,  30,  40,  50,  60,  70,  80,  90,
+                                            100, 110, 120, 130, 140, 150, 160, 165, 170, 175, 180};
+        std::vector<double> cosine;
+        for (const double angle : angles) cosine.push_back(std::cos(radians(angle)));
+        for (const double um : {0.35, 0.55, 0.86, 1.25, 1.8, 2.5, 3.0, 3.75, 5.0}) {
+            std::map<std::string, std::vector<double>> phase;
+            for (const auto& [name, aerosol] : aerosols) {
+                std::vector<std::complex<double>> n;
+                for (const Index& each : aerosol.index) n.push_back(each.at(um));
+                phase[name] = mie_phase(aerosol.modes, n, um, cosine);
+            }
+            for (std::size_t k = 0; k < angles.size(); ++k) {
+                fmt::print("{},{}", um, angles[k]);
+                for (const auto& [name, values] : phase) fmt::print(",{:.4g}", values[k]);
+                fmt::print("\n");
+            }
         }
         return 0;
     }

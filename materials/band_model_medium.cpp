@@ -140,8 +140,9 @@ void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double 
     }
 }
 
-double Medium::add(double height_km, double length_km, Amounts& amounts) const {
-    const AirSample air = air_at(model_.profile, height_km);
+double Medium::add_gases(double height_km, double length_km, Amounts& amounts,
+                         AirSample& air) const {
+    air = air_at(model_.profile, height_km);
     const double pressure = air.pressure_hPa / standard_pressure_hPa;
     const double temperature = standard_temperature / air.temperature;
     const double amagat = pressure * temperature;  // density over that at 0 °C, 1 atm
@@ -179,6 +180,21 @@ double Medium::add(double height_km, double length_km, Amounts& amounts) const {
         of(Gas::nitric_acid)};
     for (std::size_t i = 0; i < linear.size(); ++i) amounts.linear[i] += linear[i];
 
+    return air.temperature;
+}
+
+double Medium::add(double height_km, double length_km, std::span<const double> aerosol,
+                   Amounts& amounts) const {
+    AirSample air;
+    for (std::size_t i = 0; i < amounts.aerosol.size(); ++i) {
+        amounts.aerosol[i] += aerosol[i] * length_km;
+    }
+    return add_gases(height_km, length_km, amounts, air);
+}
+
+double Medium::add(double height_km, double length_km, Amounts& amounts) const {
+    AirSample air;
+    add_gases(height_km, length_km, amounts, air);
     const double drops = rain(height_km);
     if (boundary_ != nullptr) {
         const auto [boundary, troposphere, above] = haze(height_km);
@@ -253,11 +269,15 @@ Scatterers Medium::scatterers(double height_km) const {
     Scatterers s{.rayleigh = std::vector<double>(count),
                  .aerosol_extinction = std::vector<double>(count, 0.0),
                  .aerosol_scattering = std::vector<double>(count, 0.0),
-                 .asymmetry = std::vector<double>(count, 0.0)};
+                 .asymmetry = std::vector<double>(count, 0.0),
+                 .part = {}};
     for (std::size_t i = 0; i < count; ++i) {
         s.rayleigh[i] = amagat * tables_.linear[rayleigh_term][bins_.first + i];
     }
-    const auto mix = [&](std::size_t i, double extinction, double scattering, double asymmetry) {
+    const auto mix = [&](std::size_t part, std::size_t i, double extinction, double scattering,
+                         double asymmetry) {
+        if (s.part[part].empty()) s.part[part].assign(count, 0.0);
+        s.part[part][i] += scattering;
         s.aerosol_extinction[i] += extinction;
         s.aerosol_scattering[i] += scattering;
         s.asymmetry[i] += scattering * asymmetry;
@@ -278,8 +298,8 @@ Scatterers Medium::scatterers(double height_km) const {
                                             t * (to.ln_extinction[bin] - from.ln_extinction[bin]));
                 const double absorbed =
                     from.absorption[bin] + t * (to.absorption[bin] - from.absorption[bin]);
-                mix(i, extinction[zone] * ext, extinction[zone] * std::max(0.0, ext - absorbed),
-                    aerosol.asymmetry[bin]);
+                mix(zone == 0 ? 0 : 1, i, extinction[zone] * ext,
+                    extinction[zone] * std::max(0.0, ext - absorbed), aerosol.asymmetry[bin]);
             }
         }
     }
@@ -288,13 +308,42 @@ Scatterers Medium::scatterers(double height_km) const {
         // a drop is absorbed.
         for (std::size_t i = 0; i < count; ++i) {
             const bool clear = tables_.middle_um[bins_.first + i] < 2.5;
-            mix(i, drops, (clear ? 0.999 : 0.53) * drops, clear ? 0.87 : 0.97);
+            mix(2, i, drops, (clear ? 0.999 : 0.53) * drops, clear ? 0.87 : 0.97);
         }
     }
     for (std::size_t i = 0; i < count; ++i) {
         if (s.aerosol_scattering[i] > 0.0) s.asymmetry[i] /= s.aerosol_scattering[i];
     }
     return s;
+}
+
+std::array<std::vector<double>, 3> Medium::phase(double cosine) const {
+    const auto place = [](const std::vector<double>& grid, double x) {
+        const double clamped = std::clamp(x, grid.front(), grid.back());
+        const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, clamped);
+        const auto i = static_cast<std::size_t>(above - grid.begin()) - 1;
+        return std::pair(i, (clamped - grid[i]) / (grid[i + 1] - grid[i]));
+    };
+    const auto [angle, part] =
+        place(tables_.phase_deg, degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
+    std::array<std::vector<double>, 3> phase;
+    const std::array<const Tables::Aerosol*, 2> aerosols = {boundary_, tropospheric_};
+    for (std::size_t k = 0; k < aerosols.size(); ++k) {
+        if (aerosols[k] == nullptr) continue;
+        const std::vector<double>& ln = aerosols[k]->ln_phase;
+        const auto at = [&, angle = angle, part = part](std::size_t wavelength) {
+            const std::size_t row = wavelength * tables_.phase_deg.size() + angle;
+            return ln[row] + part * (ln[row + 1] - ln[row]);
+        };
+        for (std::size_t bin = bins_.first; bin < bins_.last; ++bin) {
+            const auto [i, t] = place(tables_.phase_um, tables_.middle_um[bin]);
+            phase[k].push_back(fast_exp(at(i) + t * (at(i + 1) - at(i))));
+        }
+    }
+    constexpr double g = 0.9;  // of drops: Henyey and Greenstein's form
+    const double d = 1.0 + g * g - 2.0 * g * cosine;
+    phase[2].assign(bins_.size(), (1.0 - g * g) / (d * std::sqrt(d)));
+    return phase;
 }
 
 }  // namespace diurna

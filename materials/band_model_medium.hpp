@@ -26,6 +26,8 @@ struct Scatterers {
     std::vector<double> aerosol_extinction;  // (bin) [km⁻¹], rain included
     std::vector<double> aerosol_scattering;  // (bin) [km⁻¹]
     std::vector<double> asymmetry;           // (bin) of the aerosol
+    /// Scattering [km⁻¹] of the boundary layer's aerosol, the troposphere's, rain: (bin), or empty.
+    std::array<std::vector<double>, 3> part;
 };
 
 /// Refers to the model: use it while the model lives.
@@ -37,11 +39,16 @@ class Medium {
     Amounts none() const;
     /// Adds a segment; returns the temperature [K] of its middle.
     double add(double height_km, double length_km, Amounts& amounts) const;
+    /// The same with the extinction of aerosol and rain [km⁻¹], (bin), given.
+    double add(double height_km, double length_km, std::span<const double> aerosol,
+               Amounts& amounts) const;
     /// Transmittance of every bin for the amounts met.
     void transmittances(const Amounts& amounts, std::span<double> out) const;
     /// Transmittance of gases and continua alone: neither Rayleigh nor aerosol.
     void absorption_transmittances(const Amounts& amounts, std::span<double> out) const;
     Scatterers scatterers(double height_km) const;
+    /// Phase function of each part of the scatterers at an angle, (bin).
+    std::array<std::vector<double>, 3> phase(double cosine) const;
 
  private:
     using Tables = BandModelTables;
@@ -51,6 +58,7 @@ class Medium {
     std::array<double, zones> haze(double height_km) const;
     double rain(double height_km) const;
     void evaluate(const Amounts& amounts, bool scattering, std::span<double> out) const;
+    double add_gases(double height_km, double length_km, Amounts& amounts, AirSample& air) const;
     /// Adds strength · extinction relative to 0.55 µm to every bin.
     void add_aerosol(const Tables::Aerosol& aerosol, double ln_dryness, double strength,
                      std::span<double> depth) const;

@@ -134,6 +134,23 @@ void load_asymmetry(Tables& tables) {
     }
 }
 
+void load_phase(Tables& tables) {
+    const CsvTable csv = table("aerosol_phase.csv");
+    const std::size_t wavelength = csv.column("wavelength_um"), angle = csv.column("angle_deg");
+    for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+        const double um = csv.number(row, wavelength);
+        if (tables.phase_um.empty() || tables.phase_um.back() != um) tables.phase_um.push_back(um);
+        if (tables.phase_um.size() == 1) tables.phase_deg.push_back(csv.number(row, angle));
+        for (auto& [name, aerosol] : tables.aerosols) {
+            const double value = csv.number(row, csv.column(name));
+            aerosol.ln_phase.push_back(std::log(std::max(value, 1e-9)));
+        }
+    }
+    if (csv.rows.size() != tables.phase_um.size() * tables.phase_deg.size()) {
+        throw InputError(csv.path.string(), "every wavelength needs the same angles");
+    }
+}
+
 void load_haze(Tables& tables) {
     const CsvTable csv = table("haze_profiles.csv");
     const std::size_t model = csv.column("model"), visibility = csv.column("vis_km");
@@ -174,6 +191,7 @@ const BandModelTables& band_model_tables() {
         load_extinction(loaded, "aerosol_shettle_fenn.csv");
         load_extinction(loaded, "aerosol_desert.csv");
         load_asymmetry(loaded);
+        load_phase(loaded);
         load_haze(loaded);
         load_sun(loaded);
         return loaded;

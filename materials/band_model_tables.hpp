@@ -41,8 +41,10 @@ struct BandModelTables {
         };
         std::vector<Level> levels;      // dryness descending
         std::vector<double> asymmetry;  // (bin) mean cosine of scattering
+        std::vector<double> ln_phase;   // (phase wavelength, phase angle)
     };
     std::map<std::string, Aerosol> aerosols;
+    std::vector<double> phase_um, phase_deg;
 
     /// Extinction at 0.55 µm [km⁻¹] by height: boundary layer, troposphere, above.
     struct Haze {

@@ -34,4 +34,10 @@ struct MieMean {
 MieMean mie_mean(std::span<const SizeMode> modes, std::span<const std::complex<double>> index,
                  double wavelength_um);
 
+/// Phase function of unpolarised light at the given cosines of the scattering angle, mean 1 over
+/// the sphere, of the same mean.
+std::vector<double> mie_phase(std::span<const SizeMode> modes,
+                              std::span<const std::complex<double>> index, double wavelength_um,
+                              std::span<const double> cosine);
+
 }  // namespace diurna

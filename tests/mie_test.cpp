@@ -29,3 +29,19 @@ TEST_CASE("a sphere without absorption loses no light", "[materials][mie]") {
         CHECK(mie({1.4, 0.01}, x).scattering < mie({1.4, 0.01}, x).extinction);
     }
 }
+
+TEST_CASE("a phase function has mean one and the asymmetry of its series", "[materials][mie]") {
+    const std::vector<SizeMode> modes = {{1.0, 0.2, 0.2}, {0.1, 1.0, 0.0, 6.0, 1.0}};
+    const std::vector<std::complex<double>> index = {{1.5, 0.01}, {1.33, 0.0}};
+    std::vector<double> cosine;
+    constexpr int steps = 20000;
+    for (int i = 0; i < steps; ++i) cosine.push_back(-1.0 + 2.0 * (i + 0.5) / steps);
+    const std::vector<double> phase = mie_phase(modes, index, 0.55, cosine);
+    double mean = 0.0, asymmetry = 0.0;
+    for (int i = 0; i < steps; ++i) {
+        mean += phase[std::size_t(i)] / steps;
+        asymmetry += phase[std::size_t(i)] * cosine[std::size_t(i)] / steps;
+    }
+    CHECK(mean == Approx(1.0).epsilon(1e-3));
+    CHECK(asymmetry == Approx(mie_mean(modes, index, 0.55).asymmetry).epsilon(1e-3));
+}

@@ -1,0 +1,197 @@
+#include "thermal/passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "terrain/parallel.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Heat at a step's end that differs from facet to facet: sun, terrain longwave, internal.
+void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat) {
+    const ThermalSurface& surface = kind.column.surface;
+    const double measured = job.sky[i].albedo;
+    const double absorptance = std::isnan(measured)
+                                   ? kind.column.absorptance()
+                                   : std::max(0.0, 1.0 - measured - surface.solar_transmittance);
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        const std::size_t at = i * job.facets + block.facet[l];
+        heat[l] = absorptance * job.sunlight[at] + surface.internal_heat;
+        if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
+    }
+}
+
+void settle_block(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const std::size_t count = block.facet.size();
+    AirFilm mean = kind.forcing.front().air;
+    double sky = 0.0, sums[5] = {};
+    for (const StageForcing& forcing : kind.forcing) {
+        sky += forcing.sky_longwave;
+        sums[0] += forcing.air.air_temperature;
+        sums[1] += forcing.air.neutral;
+        sums[2] += forcing.air.instability;
+        sums[3] += forcing.air.vapour_pressure;
+    }
+    const double n = double(kind.forcing.size());
+    mean.air_temperature = sums[0] / n;
+    mean.neutral = sums[1] / n;
+    mean.instability = sums[2] / n;
+    mean.vapour_pressure = sums[3] / n;
+    double heat[lanes] = {}, at[lanes];
+    for (std::size_t i = 0; i < job.steps(); ++i) {
+        facet_heat(job, block, kind, i, at);
+        for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(job.steps());
+    }
+    for (std::size_t l = 0; l < count; ++l) {
+        heat[l] += kind.column.surface.emissivity * sky / n;
+    }
+    Batch batch;
+    batch.resize(kind.column.grid.size(), count);
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    settle(kind.column, mean, heat, batch);
+    block.start = batch.state;
+    for (std::size_t i = 0; i < job.instant.size(); ++i) {
+        for (std::size_t l = 0; l < count; ++l) {
+            job.kelvin[i * job.facets + block.facet[l]] = float(batch.temperature[l]);
+        }
+    }
+}
+
+/// Runs one block over the span; writes its temperatures, change and mean surface slopes.
+void run(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const int substeps = kind.column.substeps;
+    const std::size_t count = block.facet.size();
+    const double emissivity = kind.column.surface.emissivity;
+    Batch batch;
+    batch.resize(kind.column.grid.size(), count);
+    batch.state = block.start;
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    block.slope.assign(kind.forcing.size(), 0.0);
+    StepRecord record;
+
+    double before[lanes], after[lanes], heat[2][lanes];
+    facet_heat(job, block, kind, 0, before);
+    for (std::size_t l = 0; l < count; ++l) {
+        batch.temperature[l] = batch.state[l] + kind.column.reference;
+        job.kelvin[block.facet[l]] = float(batch.temperature[l]);
+    }
+    std::size_t stage = 0;
+    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
+        facet_heat(job, block, kind, i, after);
+        for (int s = 0; s < substeps; ++s, stage += 2) {
+            for (int k = 0; k < 2; ++k) {
+                const double share = (s + stage_share[k]) / substeps;
+                const double sky = emissivity * kind.forcing[stage + k].sky_longwave;
+                for (std::size_t l = 0; l < count; ++l) {
+                    heat[k][l] = before[l] + share * (after[l] - before[l]) + sky;
+                }
+            }
+            advance(kind.column, {kind.forcing[stage].air, kind.forcing[stage + 1].air},
+                    {heat[0], heat[1]}, batch, record);
+            block.slope[stage] = record.slope[0];
+            block.slope[stage + 1] = record.slope[1];
+        }
+        float* row = job.kelvin.data() + i * job.facets;
+        for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
+        std::swap(before, after);
+    }
+    block.record = record;
+    block.residual = block.heat_change = 0.0;
+    block.change.resize(batch.state.size());
+    for (std::size_t i = 0; i < kind.column.grid.size(); ++i) {
+        for (std::size_t l = 0; l < count; ++l) {
+            const std::size_t at = i * lanes + l;
+            block.change[at] = batch.state[at] - block.start[at];
+            block.residual = std::max(block.residual, std::abs(block.change[at]));
+        }
+    }
+}
+
+}  // namespace
+
+Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
+                 int most_substeps) {
+    const Weather& weather = job.input.weather;
+    const double step = job.step * double(stride);
+    Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
+    for_each_index(
+        materials.size(),
+        [&](std::size_t m) {
+            Kind& kind = level.kind[m];
+            kind.column =
+                material_column(job.input.materials[materials[m]].thermal,
+                                {.step = step,
+                                 .wind_height = weather.wind_height,
+                                 .air_height = weather.air_height,
+                                 .reference = weather.at(job.options.start).air.temperature,
+                                 .most_substeps = most_substeps,
+                                 .refinement = job.options.refinement,
+                                 .grid = {}});
+            const int substeps = kind.column.substeps;
+            for (std::size_t i = 0; i < job.steps(); i += stride) {
+                for (int s = 0; s < substeps; ++s) {
+                    for (const double share : stage_share) {
+                        const Instant when = later(job.instant[i], (s + share) / substeps * step);
+                        const Forcing forcing = weather.at(when);
+                        const SkyState sky = sky_state(job.input.site, job.input.elevation, when,
+                                                       forcing, job.input.clear_sky);
+                        kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
+                                                         forcing.air, forcing.wind_speed),
+                                                sky.longwave_down});
+                    }
+                }
+            }
+            kind.slope.assign(kind.forcing.size(), 0.0);
+        },
+        1);
+    for (const Block& block : job.block) level.kind[block.material].facets += block.facet.size();
+    return level;
+}
+
+void settle(Job& job, const Level& level) {
+    for_each_index(
+        job.block.size(), [&](std::size_t b) { settle_block(job, level, job.block[b]); }, 4);
+}
+
+void pass(Job& job, const Level& level, double progress_from, double progress_to) {
+    constexpr std::size_t slices = 8;
+    for (std::size_t slice = 0; slice < slices; ++slice) {
+        const std::size_t from = job.block.size() * slice / slices;
+        const std::size_t to = job.block.size() * (slice + 1) / slices;
+        for_each_index(
+            to - from,
+            [&](std::size_t b) {
+                Block& block = job.block[from + b];
+                block.rests = block.settled(job.options.tolerance);
+                if (!block.rests) run(job, level, block);
+            },
+            4);
+        if (job.options.progress) {
+            job.options.progress(progress_from +
+                                 (progress_to - progress_from) * double(slice + 1) / slices);
+        }
+    }
+}
+
+void fill_between(Job& job, std::size_t stride) {
+    for_each_index(
+        job.steps() / stride,
+        [&](std::size_t s) {
+            const auto a = job.row(job.kelvin, s * stride),
+                       b = job.row(job.kelvin, (s + 1) * stride);
+            for (std::size_t i = 1; i < stride; ++i) {
+                const float share = float(i) / float(stride);
+                const auto between = job.row(job.kelvin, s * stride + i);
+                for (std::size_t f = 0; f < job.facets; ++f) {
+                    between[f] = a[f] + share * (b[f] - a[f]);
+                }
+            }
+        },
+        1);
+}
+
+}  // namespace diurna

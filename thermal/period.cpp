@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+
+#include "terrain/parallel.hpp"
+#include "thermal/passes.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Factors I − M, M the derivative of the period map with the mean slopes of this material.
+void linearise(Kind& kind) {
+    const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
+    Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, n);
+    for (std::size_t stage = 0; stage < kind.slope.size(); stage += 2) {
+        linear_step(kind.column.grid, kind.column.stage, kind.slope[stage], kind.slope[stage + 1],
+                    map);
+    }
+    kind.period.emplace();
+    // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
+    kind.period->setThreshold(1e-9);
+    kind.period->compute(Eigen::MatrixXd::Identity(n, n) - map);
+}
+
+/// Moves a block's start by (I − M)⁻¹ times its change. The matrix
+/// belongs to the material's mean facet; Broyden's update by the move before fits it to each.
+/// `secant`: whether that move's effect is all that has changed since.
+void correct_block(const Kind& kind, Block& block, bool secant) {
+    const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
+    const auto count = static_cast<Eigen::Index>(block.facet.size());
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+    const Eigen::OuterStride<> stride{Eigen::Index(lanes)};
+    const bool update = secant && !block.move.empty();
+    block.move.resize(block.start.size());
+    block.planned.resize(block.start.size());
+    Strided start(block.start.data(), n, count, stride);
+    Strided done(block.move.data(), n, count, stride);
+    Strided planned(block.planned.data(), n, count, stride);
+    const Eigen::MatrixXd change = Strided(block.change.data(), n, count, stride);
+    const Eigen::MatrixXd plan = kind.period->solve(change);
+    Eigen::MatrixXd move = plan;
+    for (Eigen::Index l = 0; update && l < count; ++l) {
+        // Of the move `done` the matrix explains `explained`.
+        const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
+        const double along = done.col(l).dot(explained);
+        // Not `<`: a facet that has arrived did not move, and 0 < 0 would let 0 / 0 through.
+        if (!(along > 0.1 * done.col(l).squaredNorm())) continue;
+        move.col(l) += (done.col(l) - explained) * (done.col(l).dot(plan.col(l)) / along);
+    }
+    start += move;
+    done = move;
+    planned = plan;
+    block.largest_move = move.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+void renew_matrices(const Job& job, Level& level) {
+    for (Kind& kind : level.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+    for (const Block& block : job.block) {
+        Kind& kind = level.kind[block.material];
+        for (std::size_t i = 0; i < kind.slope.size(); ++i) {
+            kind.slope[i] += block.slope[i] / double(kind.facets);
+        }
+    }
+    for_each_index(
+        level.kind.size(), [&](std::size_t k) { linearise(level.kind[k]); }, 1);
+}
+
+void correct(Job& job, const Level& level, bool secant) {
+    for_each_index(
+        job.block.size(),
+        [&](std::size_t b) {
+            Block& block = job.block[b];
+            if (!block.rests) correct_block(level.kind[block.material], block, secant);
+        },
+        16);
+}
+
+}  // namespace diurna

@@ -9,10 +9,13 @@
 
 #include "materials/error.hpp"
 #include "materials/units.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace diurna;
 
 namespace {
+
+const PrivateTempFolder private_temp_folder;
 
 const Instant noon_free = parse_instant("2020-06-01T00:00:00Z");
 constexpr double day = 86400.0;

@@ -7,10 +7,13 @@
 
 #include "materials/error.hpp"
 #include "shared_data.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace diurna;
 
 namespace {
+
+const PrivateTempFolder private_temp_folder;
 
 const std::filesystem::path jacksboro = DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif";
 

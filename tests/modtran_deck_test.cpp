@@ -13,6 +13,7 @@
 #include "materials/error.hpp"
 #include "materials/files.hpp"
 #include "materials/modtran.hpp"
+#include "tests/scratch_folder.hpp"
 #include "tests/shared_data.hpp"
 
 using namespace diurna;
@@ -20,6 +21,8 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 
 namespace {
+
+const PrivateTempFolder private_temp_folder;
 
 std::vector<std::string> lines(const std::string& text) {
     std::istringstream in(text);

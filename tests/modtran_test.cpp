@@ -14,6 +14,7 @@
 #include "materials/files.hpp"
 #include "materials/planck.hpp"
 #include "materials/units.hpp"
+#include "tests/scratch_folder.hpp"
 #include "tests/shared_data.hpp"
 
 using namespace diurna;
@@ -21,6 +22,8 @@ namespace fs = std::filesystem;
 using Catch::Contains;
 
 namespace {
+
+const PrivateTempFolder private_temp_folder;
 
 fs::path scratch(const std::string& name) {
     return fs::temp_directory_path() / ("diurna_modtran_test_" + name);

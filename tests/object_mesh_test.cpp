@@ -8,10 +8,13 @@
 #include <numbers>
 
 #include "materials/error.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace diurna;
 
 namespace {
+
+const PrivateTempFolder private_temp_folder;
 
 const BoxSpec hangar{.base = {100.0, 200.0, 30.0},
                      .width = 40.0,

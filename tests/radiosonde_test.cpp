@@ -6,11 +6,14 @@
 
 #include "materials/error.hpp"
 #include "materials/files.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace diurna;
 namespace fs = std::filesystem;
 
 namespace {
+
+const PrivateTempFolder private_temp_folder;
 
 fs::path file_with(const std::string& text) {
     const fs::path file = fs::temp_directory_path() / "diurna_radiosonde_test.csv";

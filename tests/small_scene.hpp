@@ -1,27 +1,10 @@
 #pragma once
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-/// A folder of a test's own that goes when the test does.
-struct ScratchFolder {
-    std::filesystem::path path;
-    explicit ScratchFolder(const std::string& name)
-        : path(std::filesystem::temp_directory_path() /
-               ("diurna-" + name + "-" + std::to_string(::getpid()))) {
-        std::filesystem::remove_all(path);
-        std::filesystem::create_directories(path);
-    }
-    ~ScratchFolder() {
-        std::error_code code;
-        std::filesystem::remove_all(path, code);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-};
+#include "tests/scratch_folder.hpp"
 
 inline void write_text(const std::filesystem::path& file, const std::string& text) {
     std::ofstream(file) << text;

@@ -9,6 +9,7 @@
 #include "scenes/manifest.hpp"
 #include "scenes/report.hpp"
 #include "terrain/parallel.hpp"
+#include "terrain/relief_light.hpp"
 
 namespace diurna {
 
@@ -59,17 +60,23 @@ SolveOptions solve_options(const Scene& scene) {
     return options;
 }
 
-/// Shadows at every step; rays only while the sun is up.
+ReliefLight light_of(const Prepared& prepared) {
+    return {prepared.world.facets, prepared.rays, *prepared.world.relief,
+            prepared.world.ground_facets};
+}
+
+/// Shadows at every step; nothing is asked while the sun is down.
 SunExposure sun_exposure(const Prepared& prepared, Progress& progress) {
     const Scene& scene = prepared.scene;
     const std::size_t facets = prepared.world.facets.size();
+    const ReliefLight light = light_of(prepared);
     SunExposure exposure{.instant = step_instants(solve_options(scene)), .fraction = {}};
     exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
     for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
         const SunPosition sun = sun_position(prepared.world.site, exposure.instant[i]);
-        sun_fraction(prepared.world.facets, prepared.rays, sun_direction(sun),
-                     std::span(exposure.fraction).subspan(i * facets, facets),
-                     {.samples = scene.sun_samples, .seed = scene.seed});
+        light.sun_fraction(sun_direction(sun),
+                           std::span(exposure.fraction).subspan(i * facets, facets),
+                           {.samples = scene.sun_samples, .seed = scene.seed});
         progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
     }
     return exposure;
@@ -89,6 +96,11 @@ Prepared prepare(Scene scene) {
     Plan plan = make_plan(scene, world);
     return {std::move(scene),   std::move(world),     std::move(rays),
             std::move(weather), std::move(observers), std::move(plan)};
+}
+
+SkyView scene_sky_view(const Prepared& prepared) {
+    return light_of(prepared).sky_view(
+        {.rays = prepared.scene.sky_rays, .seed = prepared.scene.seed});
 }
 
 SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress) {
@@ -124,8 +136,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     write_manifest(options.out, checked, options.settings, key);
 
     progress.stage("sky view");
-    const SkyView view = sky_view(prepared.world.facets, prepared.rays,
-                                  {.rays = checked.sky_rays, .seed = checked.seed});
+    const SkyView view = scene_sky_view(prepared);
 
     JobReport report;
     report.plan = prepared.plan;

@@ -53,7 +53,10 @@ struct JobReport {
 /// of threads. A killed run leaves whole files only and can be resumed.
 JobReport run_job(Scene scene, const JobOptions& options);
 
-/// Sky view, shadows and heat balance: temperatures alone.
+/// What each facet sees: the ground's sky by the march over the raster, all else by rays.
+SkyView scene_sky_view(const Prepared& prepared);
+
+/// Shadows and heat balance: temperatures alone.
 SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress);
 
 }  // namespace diurna

@@ -126,6 +126,7 @@ World build_world(const Scene& scene, const Dem& dem) {
     world.posts = dem.height.size();
     append_ground(world, scene, dem);
     append_buildings(world, scene, dem);
+    world.relief.emplace(height_field(dem, world.site));
     return world;
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scenes/scene.hpp"
 #include "terrain/facets.hpp"
+#include "terrain/height_field.hpp"
 #include "terrain/triangulate.hpp"
 
 namespace diurna {
@@ -17,7 +19,8 @@ struct World {
     FacetSet facets;
     std::vector<std::string> objects;  // (ObjectId)
     std::size_t posts = 0;             // of the elevation raster
-    std::size_t ground_facets = 0;
+    std::size_t ground_facets = 0;     // the first ones; objects follow
+    std::optional<HeightField> relief;  // the raster, for sun and sky on the ground
     TinCheck ground_check;  // how far the mesh is from the raster's posts
 };
 

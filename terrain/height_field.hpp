@@ -31,6 +31,10 @@ class HeightField {
     /// for less than 2 × 2 posts and a plan that is not so.
     HeightField(int columns, int rows, std::span<const float> up,
                 const std::array<Eigen::Vector2d, 9>& plan);
+    /// The same plan with other heights.
+    HeightField with_heights(std::span<const float> up) const {
+        return {columns_, rows_, up, plan_};
+    }
     /// A grid of equal steps [m], first post in the north-west at the origin.
     HeightField(int columns, int rows, std::span<const float> up, double step);
 

@@ -206,8 +206,18 @@ SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOpt
 
 void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
                   std::span<float> fraction, const SunFractionOptions& options) {
-    assert(fraction.size() == facets.size() && options.samples > 0);
-    std::fill(fraction.begin(), fraction.end(), 0.0f);
+    const std::vector<std::uint8_t> all(facets.size(), 1);
+    sun_fraction(facets, scene, direction, all, fraction, options);
+}
+
+void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
+                  std::span<const std::uint8_t> chosen, std::span<float> fraction,
+                  const SunFractionOptions& options) {
+    assert(fraction.size() == facets.size() && chosen.size() == facets.size());
+    assert(options.samples > 0);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (chosen[f]) fraction[f] = 0.0f;
+    }
     if (direction.z() <= 0.0) return;
 
     const auto [east, north] = tangents(direction);
@@ -221,6 +231,7 @@ void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Ve
         rays.reserve(samples * (end - begin));
         owner.reserve(samples * (end - begin));
         for (std::size_t f = begin; f < end; ++f) {
+            if (!chosen[f]) continue;
             const FacetPoints points(facets, f);
             if (points.normal().dot(direction) <= 0.0) continue;
             Uniform random(options.seed, f);
@@ -242,7 +253,9 @@ void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Ve
         std::vector<std::uint8_t> blocked(rays.size());
         scene.occluded(rays, blocked, Coherence::coherent);
         for (std::size_t i = 0; i < rays.size(); ++i) fraction[owner[i]] += blocked[i] ? 0 : 1;
-        for (std::size_t f = begin; f < end; ++f) fraction[f] /= static_cast<float>(samples);
+        for (std::size_t f = begin; f < end; ++f) {
+            if (chosen[f]) fraction[f] /= static_cast<float>(samples);
+        }
     });
 }
 

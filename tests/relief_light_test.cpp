@@ -70,11 +70,11 @@ Difference difference(const Ground& ground, const std::function<double(std::size
 
 TEST_CASE("march and rays light the ground alike, beside a tall building too",
           "[terrain][relief_light][sun]") {
-    const Ground ground = jacksboro(4.0, true);
+    const Ground ground = jacksboro(2.0, true);
     const ReliefLight light = ground.light();
     const std::size_t n = ground.facets.size();
     std::vector<float> marched(n), cast(n), fine(n);
-    for (const double elevation_deg : {4.0, 12.0, 35.0, 70.0}) {
+    for (const double elevation_deg : {6.0, 35.0}) {
         const Eigen::Vector3d sun = direction(100.0 + elevation_deg, elevation_deg);
         const std::size_t by_rays = light.sun_fraction(sun, marched);
         sun_fraction(ground.facets, ground.rays, sun, cast);

@@ -6,6 +6,7 @@
 #include "render/exr.hpp"
 #include "render/quicklook.hpp"
 #include "render/tracer.hpp"
+#include "scenes/annotations.hpp"
 #include "terrain/parallel.hpp"
 
 namespace diurna {
@@ -120,6 +121,31 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         rendered += wanted.size();
     }
     return rendered;
+}
+
+void annotate_frames(const Prepared& prepared, const fs::path& out) {
+    const Scene& scene = prepared.scene;
+    std::vector<std::vector<ObjectMask>> masks;  // (observer)
+    for (const ObserverInput& observer : scene.observers) {
+        const Instant first = prepared.plan.frames.front();
+        masks.push_back(object_masks(
+            read_exr(out / (base_name(observer.name, observer.bands.front(), first) + ".exr"))));
+    }
+    std::vector<Annotated> images;
+    for (std::size_t o = 0; o < scene.observers.size(); ++o) {
+        const ObserverInput& observer = scene.observers[o];
+        for (const Instant instant : prepared.plan.frames) {
+            for (const std::string& band : observer.bands) {
+                images.push_back({.file = base_name(observer.name, band, instant) + ".exr",
+                                  .instant = instant,
+                                  .observer = observer.name,
+                                  .width = observer.width,
+                                  .height = observer.height,
+                                  .masks = &masks[o]});
+            }
+        }
+    }
+    write_annotations(out, images, prepared.world.objects);
 }
 
 }  // namespace diurna

@@ -24,4 +24,8 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                           const TemperatureField& field, const std::filesystem::path& out,
                           Progress& progress);
 
+/// Writes annotations.json (scenes/annotations.hpp) for all frames. Nothing moves, so one frame of
+/// an observer tells where the objects are in all of them.
+void annotate_frames(const Prepared& prepared, const std::filesystem::path& out);
+
 }  // namespace diurna

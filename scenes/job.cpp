@@ -162,6 +162,8 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (std::string& file : frame_files(prepared)) report.files.push_back(std::move(file));
 
     progress.stage("report");
+    annotate_frames(prepared, options.out);
+    report.files.push_back("annotations.json");
     const std::vector<DiurnalCurve> curves =
         diurnal_curves(field, prepared.world.facets, checked.materials);
     report.stages = progress.stages();

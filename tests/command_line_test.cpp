@@ -139,8 +139,8 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
     auto one = contents(folder.path / "one");
     auto two = contents(folder.path / "two");
     auto four = contents(folder.path / "four");
-    // 4 instants x 2 bands, EXR and PNG each; temperatures, report, manifest.
-    CHECK(one.size() == 16 + 3);
+    // 4 instants x 2 bands, EXR and PNG each; temperatures, annotations, report, manifest.
+    CHECK(one.size() == 16 + 4);
     for (const std::string timed : {"report.html", "manifest.json"}) {  // they tell seconds
         REQUIRE(one.count(timed) == 1);
         one.erase(timed);

@@ -43,7 +43,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"netcdf", {"temperature_field.cpp"}},
     {"tbb/", {"parallel.cpp"}},
     {"openssl/", {"digest.cpp"}},
-    {"nlohmann/", {"manifest.cpp", "modtran_other.cpp", "modtran_deck.cpp"}},
+    {"nlohmann/", {"annotations.cpp", "manifest.cpp", "modtran_other.cpp", "modtran_deck.cpp"}},
     {"CLI/", {"main.cpp"}},
 };
 

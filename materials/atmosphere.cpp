@@ -78,16 +78,62 @@ void check(const Atmosphere& atmosphere) {
     if (const auto* model = std::get_if<BandModel>(&atmosphere)) check(*model);
 }
 
+namespace {
+
+/// Heights of a line's two ends, from the middles of its segments.
+std::pair<double, double> ends_of(const SightLine& line) {
+    const std::vector<double>&z = line.height_km, &l = line.length_km;
+    const std::size_t n = line.size();
+    if (n == 1) return {z[0], z[0]};
+    const double start = (z[1] - z[0]) / (l[0] + l[1]),
+                 end = (z[n - 1] - z[n - 2]) / (l[n - 1] + l[n - 2]);
+    return {z[0] - start * l[0], z[n - 1] + end * l[n - 1]};
+}
+
+NodeSpectrum from_table(BinPath path) {
+    return {std::move(path.transmittance), std::move(path.radiance)};
+}
+
+}  // namespace
+
+double air_temperature_at(const Atmosphere& atmosphere, double height_km) {
+    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
+        return air_at(model->profile, height_km).temperature;
+    }
+    if (const auto* table = std::get_if<Tabulated>(&atmosphere)) {
+        return table_air_temperature(*table, height_km);
+    }
+    return std::get<Vacuum>(atmosphere).space_temperature;
+}
+
 NodeSpectrum path_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
                            std::span<const double> node_um) {
+    if (line.size() == 0 || node_um.empty()) return clear(node_um.size());
+    if (const auto* table = std::get_if<Tabulated>(&atmosphere)) {
+        const auto [from, to] = ends_of(line);
+        return from_table(table_path(*table, from, to, line.range_km(), node_um));
+    }
     const auto* model = std::get_if<BandModel>(&atmosphere);
-    if (model == nullptr || node_um.empty()) return clear(node_um.size());
+    if (model == nullptr) return clear(node_um.size());
     return along(*model, line, node_um, [](std::size_t, const NodeSpectrum&) {});
 }
 
 std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
                                          std::span<const double> node_um) {
     std::vector<NodeSpectrum> paths(line.size(), clear(node_um.size()));
+    if (const auto* table = std::get_if<Tabulated>(&atmosphere)) {
+        if (line.size() == 0) return paths;
+        const double from = ends_of(line).first;
+        double range = 0.0;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            range += line.length_km[i];
+            const double next = i + 1 < line.size()
+                                    ? 0.5 * (line.height_km[i] + line.height_km[i + 1])
+                                    : ends_of(line).second;
+            paths[i] = from_table(table_path(*table, from, next, range, node_um));
+        }
+        return paths;
+    }
     const auto* model = std::get_if<BandModel>(&atmosphere);
     if (model == nullptr || node_um.empty()) return paths;
     along(*model, line, node_um,
@@ -130,6 +176,14 @@ SightLine line_of(const BandModel& model, double height_km, double zenith_deg, d
 
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
                                  std::span<const double> node_um) {
+    if (const auto* table = std::get_if<Tabulated>(&atmosphere)) {
+        BinPath path = table_sky(*table, height_km, zenith_deg, node_um);
+        for (std::size_t i = 0; i < node_um.size(); ++i) {
+            path.radiance[i] +=
+                path.transmittance[i] * planck(node_um[i], table_space_temperature(*table));
+        }
+        return std::move(path.radiance);
+    }
     const auto* model = std::get_if<BandModel>(&atmosphere);
     if (model == nullptr) {
         std::vector<double> sky;
@@ -166,6 +220,15 @@ std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_k
                                    double zenith_deg, double distance_au,
                                    std::span<const double> node_um) {
     std::vector<double> irradiance(node_um.size(), 0.0);
+    if (const auto* table = std::get_if<Tabulated>(&atmosphere)) {
+        if (meets_ground(height_km, zenith_deg)) return irradiance;
+        const BinPath path = table_sky(*table, height_km, zenith_deg, node_um);
+        for (std::size_t i = 0; i < node_um.size(); ++i) {
+            irradiance[i] =
+                solar_above_air(node_um[i]) * path.transmittance[i] / (distance_au * distance_au);
+        }
+        return irradiance;
+    }
     const auto* model = std::get_if<BandModel>(&atmosphere);
     if (node_um.empty() || (model != nullptr ? ends_on_ground(*model, height_km, zenith_deg)
                                              : meets_ground(height_km, zenith_deg))) {

@@ -9,6 +9,7 @@
 #include "materials/band.hpp"
 #include "materials/band_model.hpp"
 #include "materials/sight_line.hpp"
+#include "materials/tabulated.hpp"
 
 namespace diurna {
 
@@ -17,10 +18,13 @@ struct Vacuum {
     double space_temperature = 2.725;  // [K]
 };
 
-using Atmosphere = std::variant<Vacuum, BandModel>;
+using Atmosphere = std::variant<Vacuum, BandModel, Tabulated>;
 
 /// Throws InputError if the atmosphere cannot be used.
 void check(const Atmosphere& atmosphere);
+
+/// Temperature of the air at a height [K]; of space in a vacuum.
+double air_temperature_at(const Atmosphere& atmosphere, double height_km);
 
 /// Transmittance and thermal radiance of a path at given wavelengths.
 ///

@@ -9,6 +9,8 @@
 #include "materials/error.hpp"
 #include "materials/files.hpp"
 #include "materials/library.hpp"
+#include "materials/radiosonde.hpp"
+#include "materials/scattering.hpp"
 #include "materials/units.hpp"
 #include "terrain/dem.hpp"
 #include "terrain/object_mesh.hpp"
@@ -36,7 +38,7 @@ double range_to_height(double from_km, double to_km, double zenith_deg) {
                                                    from_km, zenith_deg, to_km));
 }
 
-SightLine line_of(const PathArguments& a) {
+SightLine line_of(const PathArguments& a, const BandModel& model) {
     const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
     if (ends != 1) {
         throw InputError("path",
@@ -49,35 +51,51 @@ SightLine line_of(const PathArguments& a) {
         return sight_line(a.height_km, a.zenith_deg,
                           range_to_height(a.height_km, *a.to_height_km, a.zenith_deg));
     }
-    if (a.to_ground != meets_ground(a.height_km, a.zenith_deg)) {
+    if (a.to_ground != ends_on_ground(model, a.height_km, a.zenith_deg)) {
         throw InputError(
             a.to_ground ? "--to-ground" : "--to-space",
             fmt::format("a path from {:g} km under zenith angle {:g}° ends {}", a.height_km,
                         a.zenith_deg, a.to_ground ? "in space" : "on the ground"));
     }
-    return sight_line(a.height_km, a.zenith_deg);
+    return line_of(model, a.height_km, a.zenith_deg);
 }
 
 }  // namespace
 
 void path_command(const PathArguments& arguments) {
-    const BandModel model{.profile = afgl_profile(arguments.profile),
+    const BandModel model{.profile = named_profile(arguments.profile),
                           .aerosol = arguments.aerosol,
                           .visibility_km = arguments.visibility_km,
-                          .co2_ppm = arguments.co2_ppm};
+                          .co2_ppm = arguments.co2_ppm,
+                          .ground_km = arguments.ground_km,
+                          .rain_mm_h = arguments.rain_mm_h};
     const Atmosphere atmosphere = model;
     check(atmosphere);
-    const SightLine line = line_of(arguments);
+    const SightLine line = line_of(arguments, model);
     std::vector<Band> bands;
     for (const std::string& band : arguments.bands)
         bands.push_back(parse_band(band, bin_edges_um()));
 
-    std::string out = "band_um,transmittance,thermal_path_radiance_W_m2_sr\n";
+    std::string out = "band_um,transmittance,thermal_path_radiance_W_m2_sr";
+    out += arguments.sun_zenith_deg ? ",scattered_sun_W_m2_sr\n" : "\n";
     for (const Band& band : bands) {
         const NodeSpectrum path = path_at_nodes(atmosphere, line, band.node_um);
-        out += fmt::format("{:g}-{:g},{:.6f},{:.6g}\n", band.from_um(), band.to_um(),
+        out += fmt::format("{:g}-{:g},{:.6f},{:.6g}", band.from_um(), band.to_um(),
                            band_mean_nodes(band, path.transmittance),
                            band_sum_nodes(band, path.radiance));
+        if (arguments.sun_zenith_deg) {
+            const SunField field(
+                model,
+                {.zenith_deg = *arguments.sun_zenith_deg, .ground_albedo = arguments.ground_albedo},
+                band.node_um);
+            const std::vector<double> scattered =
+                arguments.to_space
+                    ? field.sky(arguments.height_km, arguments.zenith_deg,
+                                arguments.azimuth_from_sun_deg)
+                    : field.path(line, arguments.zenith_deg, arguments.azimuth_from_sun_deg);
+            out += fmt::format(",{:.6g}", band_sum_nodes(band, scattered));
+        }
+        out += '\n';
     }
     if (!arguments.csv.empty()) {
         const PathSpectrum spectrum = path_spectrum(atmosphere, line);

@@ -5,19 +5,26 @@
 #include <string>
 #include <vector>
 
+#include "materials/band_model.hpp"
+
 /// The verbs of the command line that need no scene. Each prints its result to stdout and throws
 /// InputError for values it cannot use.
 namespace diurna {
 
 struct PathArguments {
-    std::string profile = "US76";
+    std::string profile = "US76";  // or a radiosonde's CSV file
     std::string aerosol = "none";
     double visibility_km = 23.0;
-    double co2_ppm = 420.0;
+    double co2_ppm = todays_co2_ppm;
+    double ground_km = 0.0;  // where the haze begins
+    double rain_mm_h = 0.0;
     double height_km = 0.0;   // start of the path, above the sea
     double zenith_deg = 0.0;  // there
     std::optional<double> range_km, to_height_km;
     bool to_ground = false, to_space = false;
+    std::optional<double> sun_zenith_deg;  // named: scattered sunlight too
+    double azimuth_from_sun_deg = 0.0;     // of the path
+    double ground_albedo = 0.2;
     std::vector<std::string> bands;
     std::filesystem::path csv;  // whole spectrum, if named
 };

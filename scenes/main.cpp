@@ -145,16 +145,22 @@ void run_program(int argc, char** argv) {
 
     PathArguments path;
     verb = app.add_subcommand("path", "transmittance and radiance of one path through the air");
-    verb->add_option("--profile", path.profile, "TROP MLS MLW SAS SAW US76");
+    verb->add_option("--profile", path.profile,
+                     "TROP MLS MLW SAS SAW US76, or a radiosonde's .csv file");
     verb->add_option("--aerosol", path.aerosol, "none, rural, maritime, urban, ...");
     verb->add_option("--visibility-km", path.visibility_km);
     verb->add_option("--co2-ppm", path.co2_ppm);
+    verb->add_option("--ground-km", path.ground_km, "where the haze begins");
+    verb->add_option("--rain-mm-h", path.rain_mm_h);
     verb->add_option("--height-km", path.height_km, "start of the path above the sea");
     verb->add_option("--zenith-deg", path.zenith_deg, "at the start of the path");
     verb->add_option("--range-km", path.range_km);
     verb->add_option("--to-height-km", path.to_height_km);
     verb->add_flag("--to-ground", path.to_ground);
     verb->add_flag("--to-space", path.to_space);
+    verb->add_option("--sun-zenith-deg", path.sun_zenith_deg, "adds scattered sunlight");
+    verb->add_option("--azimuth-from-sun-deg", path.azimuth_from_sun_deg, "of the path");
+    verb->add_option("--ground-albedo", path.ground_albedo);
     verb->add_option("--band", path.bands, "FROM:TO in micrometres; may be given again")
         ->required();
     verb->add_option("--csv", path.csv, "file for the whole spectrum");

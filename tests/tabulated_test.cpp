@@ -1,0 +1,196 @@
+#include "materials/tabulated.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "materials/atmosphere.hpp"
+#include "materials/error.hpp"
+#include "materials/files.hpp"
+#include "materials/planck.hpp"
+#include "materials/units.hpp"
+#include "tests/scratch_folder.hpp"
+
+using namespace diurna;
+
+namespace {
+
+const PrivateTempFolder private_temp_folder;
+
+BandModel hazy() { return {.profile = afgl_profile("MLS"), .aerosol = "rural"}; }
+Band band(double from, double to) { return flat_band("", from, to, bin_edges_um()); }
+
+double seen(const Band& in, const NodeSpectrum& path, double kelvins) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < in.node_um.size(); ++i) {
+        sum += in.weight[i] *
+               (path.radiance[i] + path.transmittance[i] * planck(in.node_um[i], kelvins));
+    }
+    return sum;
+}
+
+/// A chord as renderers cut it.
+SightLine chord(double from, double to, double range) {
+    SightLine line;
+    const double sag = range * range / (2.0 * earth_radius_km), rise = to - from - sag;
+    constexpr int cuts = 60;
+    for (int i = 0; i < cuts; ++i) {
+        const double a = double(i * i) / (cuts * cuts),
+                     b = double((i + 1) * (i + 1)) / (cuts * cuts);
+        const double m = 0.5 * (a + b);
+        line.height_km.push_back(from + m * (rise + m * sag));
+        line.length_km.push_back((b - a) * range);
+    }
+    return line;
+}
+
+}  // namespace
+
+TEST_CASE("a table is within its stated error of the direct sum: 0.1 % and 5 mK",
+          "[materials][tabulated]") {
+    const BandModel air = hazy();
+    const std::vector<Band> bands = {band(3, 5), band(8, 12)};
+    const TableExtent extent{.least_from_km = 0.4,
+                             .most_from_km = 0.6,
+                             .least_to_km = 0.3,
+                             .most_to_km = 0.8,
+                             .least_range_km = 0.05,
+                             .most_range_km = 15.0};
+    const Tabulated table = tabulate(path_source(air), air.profile, extent, bands);
+    const TableError& error = table_error(table);
+    fmt::print("  table of {} paths: {:.4f} %, {:.2f} mK at its own probes\n", error.paths,
+               100.0 * error.relative, 1e3 * error.kelvin);
+    CHECK(error.reached);
+    CHECK(error.relative <= 1e-3);
+    CHECK(error.kelvin <= 5e-3);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    double relative = 0.0, kelvin = 0.0;
+    for (int i = 0; i < 300; ++i) {
+        const double from = 0.4 + 0.2 * unit(random), to = 0.3 + 0.5 * unit(random);
+        const double least = std::max(0.05, std::abs(from - to));
+        const double range = least + (15.0 - least) * std::pow(unit(random), 2);
+        const SightLine line = chord(from, to, range);
+        for (const Band& in : bands) {
+            const double a = seen(in, path_at_nodes(table, line, in.node_um), 300.0);
+            const double b = seen(in, path_at_nodes(air, line, in.node_um), 300.0);
+            relative = std::max(relative, std::abs(a / b - 1.0));
+            kelvin = std::max(kelvin, std::abs(a - b) / band_radiance_derivative(in, 300.0));
+        }
+    }
+    fmt::print("  300 random lines: worst {:.4f} %, {:.2f} mK\n", 100.0 * relative, 1e3 * kelvin);
+    CHECK(relative <= 1e-3);
+    CHECK(kelvin <= 5e-3);
+    // Sky and sun through the same variant.
+    double sky = 0.0;
+    for (const double zenith : {0.0, 33.0, 61.0, 77.0, 85.5}) {
+        for (const Band& in : bands) {
+            const double a = band_sum_nodes(in, sky_at_nodes(table, 0.47, zenith, in.node_um));
+            const double b = band_sum_nodes(in, sky_at_nodes(air, 0.47, zenith, in.node_um));
+            sky = std::max(sky, std::abs(a / b - 1.0));
+        }
+        const Band& in = bands[0];
+        CHECK(band_sum_nodes(in, solar_at_nodes(table, 0.47, zenith, 1.0, in.node_um)) ==
+              Approx(band_sum_nodes(in, solar_at_nodes(air, 0.47, zenith, 1.0, in.node_um)))
+                  .epsilon(3e-3));
+    }
+    fmt::print("  sky: worst {:.4f} %\n", 100.0 * sky);
+    CHECK(sky < 1e-3);
+    CHECK(air_temperature_at(table, 0.5) == air_temperature_at(air, 0.5));
+    const auto cut = paths_at_nodes(table, chord(0.5, 0.5, 4.0), bands[0].node_um);
+    CHECK(cut.back().transmittance ==
+          path_at_nodes(table, chord(0.5, 0.5, 4.0), bands[0].node_um).transmittance);
+}
+
+TEST_CASE("a table of isothermal air keeps an enclosure black", "[materials][tabulated][furnace]") {
+    BandModel air = hazy();
+    air.profile = isothermal(air.profile, 300.0);
+    const std::vector<Band> bands = {band(8, 12)};
+    const Tabulated table =
+        tabulate(path_source(air), air.profile, {.least_to_km = 0.0, .most_to_km = 0.5}, bands, {},
+                 300.0, 300.0);
+    for (const double range : {0.7, 2.0, 9.0}) {
+        CHECK(seen(bands[0], path_at_nodes(table, chord(0.0, 0.3, range), bands[0].node_um),
+                   300.0) == Approx(band_radiance(bands[0], 300.0)).epsilon(1e-6));
+    }
+    CHECK(band_sum_nodes(bands[0], sky_at_nodes(table, 0.0, 42.0, bands[0].node_um)) ==
+          Approx(band_radiance(bands[0], 300.0)).epsilon(1e-6));
+}
+
+TEST_CASE("a tighter tolerance makes a larger table, a limit is told of",
+          "[materials][tabulated]") {
+    const BandModel air = hazy();
+    const std::vector<Band> bands = {band(3, 5)};
+    const TableExtent extent{.most_to_km = 0.5};
+    const auto paths = [&](const TableTolerance& tolerance) {
+        return table_error(tabulate(path_source(air), air.profile, extent, bands, tolerance));
+    };
+    const TableError coarse = paths({.relative = 0.05, .kelvin = 1.0});
+    const TableError fine = paths({.relative = 5e-4, .kelvin = 2e-3});
+    CHECK(coarse.paths < fine.paths);
+    CHECK(fine.relative < 5e-4);
+    const TableError cut = paths({.relative = 1e-9, .kelvin = 1e-9, .most_paths = 200});
+    CHECK_FALSE(cut.reached);
+    CHECK(cut.relative > 1e-9);
+}
+
+TEST_CASE("what a table does not hold is refused", "[materials][tabulated]") {
+    const BandModel air = hazy();
+    const std::vector<Band> bands = {band(8, 12)};
+    const Tabulated table = tabulate(path_source(air), air.profile, {.most_range_km = 5.0}, bands,
+                                     {.relative = 0.1, .kelvin = 10.0});
+    const std::vector<double> node = {10.0}, other = {4.0};
+    CHECK_NOTHROW(table_path(table, 0, 0, 5.0, node));
+    CHECK_THROWS_AS(table_path(table, 0, 0, 9.0, node), InputError);
+    CHECK_THROWS_AS(table_path(table, 2.0, 0, 3.0, node), InputError);
+    CHECK_THROWS_AS(table_path(table, 0, 0, 3.0, other), InputError);
+}
+
+TEST_CASE("a table is filled from MODTRAN, here a stub of it", "[materials][tabulated][run]") {
+    // An air of 0.1 per km, 0.2 at 300 K to space, whatever the wavelength: the stub reads ranges
+    // from the cards and prints a tape7 of two columns' worth of truth.
+    const auto script = std::filesystem::temp_directory_path() / "diurna_tabulated_stub.sh";
+    write_whole_file(script, R"(#!/bin/sh
+awk '
+function head() {
+  print "T F 6    1    1    0    6    6    6    6    6    6    1    0    0   0.000   0.00"
+  print "    1    1    1    0    0    0  23.00000   0.00000   0.00000   0.00000   0.00000"
+  print " -99.000 -99.000 -99.000"; print " -99.00000"; print "   36STUB"
+  printf "%10.5f%10.5f%10.5f%10.5f\n", 0, 0, 0, r
+  print "  -99"; print " -99.0"; printf "%10.1f%10.1f%10.1f%10.1f\n", v1, v2, 5, 10; print "    0"
+  print "    FREQ  TOT_TRANS  PTH_THRML  THRML_SCT  SURF_EMIS   SOL_SCAT  SING_SCAT  GRND_RFLT  DRCT_RFLT  TOTAL_RAD  REF_SOL  SOL@OBS   DEPTH DIR_EM    TOA_SUN BBODY_T[K]"
+}
+FNR % 6 == 1 { type = substr($0, 6, 5) + 0 }
+FNR % 6 == 4 { r = substr($0, 31, 10) + 0; if (type == 3) r = 2 / 1 }
+FNR % 6 == 5 { v1 = substr($0, 1, 10) + 0; v2 = substr($0, 11, 10) + 0 }
+FNR % 6 == 0 {
+  head(); tau = exp(-0.1 * r)
+  for (nu = v1; nu <= v2; nu += 5) {
+    b = 1.191042972e-12 * nu * nu * nu / (exp(1.438776877 * nu / 300) - 1)
+    printf "%8.2f%11.8f %10.4E %10.4E %10.4E %21s %10.4E %10s %10.4E %17s %7.3f%7.4f %10s %10.3f\n", nu, tau, (1 - tau) * b, 0, 0, "", 0, "", (1 - tau) * b, "", 0.1 * r, 1, "", 300
+  }
+  print " -9999."
+}' tape5 > tape7
+)");
+    ::chmod(script.c_str(), 0755);
+    const ModtranRunner runner{.executable = script, .data = {}};
+    const std::vector<Band> bands = {band(10.0, 10.5)};
+    const TableExtent extent{.least_range_km = 0.5, .most_range_km = 8.0};
+    const Tabulated table =
+        tabulate(path_source(runner, ModtranDeck{}), isothermal(afgl_profile("US76"), 300.0),
+                 extent, bands, {.relative = 1e-3, .kelvin = 0.01});
+    CHECK(table_error(table).reached);
+    const Band& in = bands[0];
+    for (const double range : {0.5, 1.7, 6.3}) {
+        const NodeSpectrum path = path_at_nodes(table, SightLine{{0.0}, {range}}, in.node_um);
+        CHECK(band_mean_nodes(in, path.transmittance) ==
+              Approx(std::exp(-0.1 * range)).epsilon(1e-4));
+        CHECK(seen(in, path, 300.0) == Approx(band_radiance(in, 300.0)).epsilon(1e-3));
+    }
+    CHECK(band_mean_nodes(in, table_sky(table, 0.0, 50.0, in.node_um).transmittance) ==
+          Approx(std::exp(-0.2)).epsilon(1e-4));
+}

@@ -8,6 +8,7 @@
 #include "scenes/frames.hpp"
 #include "scenes/manifest.hpp"
 #include "scenes/report.hpp"
+#include "terrain/exchange.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/relief_light.hpp"
 
@@ -99,8 +100,10 @@ Prepared prepare(Scene scene) {
 }
 
 SkyView scene_sky_view(const Prepared& prepared) {
-    return light_of(prepared).sky_view(
+    SkyView view = light_of(prepared).sky_view(
         {.rays = prepared.scene.sky_rays, .seed = prepared.scene.seed});
+    make_reciprocal(prepared.world.facets, view);
+    return view;
 }
 
 SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress) {

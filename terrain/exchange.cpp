@@ -1,0 +1,142 @@
+#include "terrain/exchange.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "terrain/parallel.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Rows of (partner, value), partners rising.
+struct Rows {
+    std::vector<std::uint32_t> first;  // size + 1
+    std::vector<std::uint32_t> partner;
+    std::vector<float> value;
+
+    std::size_t size() const { return first.size() - 1; }
+};
+
+Rows transposed(const Exchange& exchange) {
+    const std::size_t n = exchange.row.size() - 1;
+    Rows rows;
+    rows.first.assign(n + 1, 0);
+    rows.partner.resize(exchange.facet.size());
+    rows.value.resize(exchange.facet.size());
+    for (const FacetId f : exchange.facet) ++rows.first[index(f) + 1];
+    for (std::size_t f = 0; f < n; ++f) rows.first[f + 1] += rows.first[f];
+    std::vector<std::uint32_t> next(rows.first.begin(), rows.first.end() - 1);
+    for (std::size_t f = 0; f < n; ++f) {
+        for (auto k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
+            const std::uint32_t at = next[index(exchange.facet[k])]++;
+            rows.partner[at] = static_cast<std::uint32_t>(f);
+            rows.value[at] = exchange.factor[k];
+        }
+    }
+    return rows;
+}
+
+/// Exchange areas of all pairs that either facet has seen [m²].
+Rows exchange_areas(const FacetSet& facets, const Exchange& seen, double cut_off,
+                    ReciprocityReport& report) {
+    const Rows seen_by = transposed(seen);
+    Rows areas;
+    areas.first.push_back(0);
+    areas.partner.reserve(2 * seen.facet.size());
+    areas.value.reserve(2 * seen.facet.size());
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        auto a = seen.row[f];
+        auto b = seen_by.first[f];
+        while (a < seen.row[f + 1] || b < seen_by.first[f + 1]) {
+            const auto none = static_cast<std::uint32_t>(facets.size());
+            const std::uint32_t from_a =
+                a < seen.row[f + 1] ? static_cast<std::uint32_t>(index(seen.facet[a])) : none;
+            const std::uint32_t from_b = b < seen_by.first[f + 1] ? seen_by.partner[b] : none;
+            const std::uint32_t partner = std::min(from_a, from_b);
+            double both_ways = 0.0;
+            if (from_a == partner) both_ways += seen.factor[a++];
+            if (from_b == partner) both_ways += seen_by.value[b++];
+            if (partner == f) continue;
+            const double mine = facets.area[f], theirs = facets.area[partner];
+            const double area = both_ways / (1.0 / mine + 1.0 / theirs);
+            if (area < cut_off * std::min(mine, theirs)) {
+                report.left_out += partner > f;
+                continue;
+            }
+            report.pairs += partner > f;
+            areas.partner.push_back(partner);
+            areas.value.push_back(static_cast<float>(area));
+        }
+        areas.first.push_back(static_cast<std::uint32_t>(areas.partner.size()));
+    }
+    return areas;
+}
+
+}  // namespace
+
+ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
+                                  const ReciprocityOptions& options) {
+    assert(view.exchange.row.size() == facets.size() + 1);
+    ReciprocityReport report;
+    const std::size_t n = facets.size();
+    const Rows areas = exchange_areas(facets, view.exchange, options.cut_off, report);
+    std::vector<double> wanted(n), scale(n, 1.0), sum(n);
+    for (std::size_t f = 0; f < n; ++f) {
+        const double rest = 1.0 - double{view.sky_view[f]} - view.below[f];
+        wanted[f] = std::max(0.0, rest) * facets.area[f];
+    }
+    const auto add_up = [&] {
+        for_each_index(n, [&](std::size_t f) {
+            double row = 0.0;
+            for (auto k = areas.first[f]; k < areas.first[f + 1]; ++k) {
+                row += double{areas.value[k]} * scale[areas.partner[k]];
+            }
+            sum[f] = row * scale[f];
+        });
+    };
+    for (add_up(); report.passes < options.passes; ++report.passes) {
+        double worst = 0.0;
+        for (std::size_t f = 0; f < n; ++f) {
+            if (areas.first[f] == areas.first[f + 1]) continue;
+            worst = std::max(worst, std::abs(sum[f] - wanted[f]) / facets.area[f]);
+        }
+        if (worst <= options.closure) break;
+        for (std::size_t f = 0; f < n; ++f) {
+            if (sum[f] > 0.0) scale[f] *= std::sqrt(wanted[f] / sum[f]);
+        }
+        add_up();
+    }
+    // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`.
+    std::vector<double> shrink(n, 1.0);
+    for (std::size_t f = 0; f < n; ++f) {
+        if (sum[f] > wanted[f]) shrink[f] = wanted[f] / sum[f];
+    }
+
+    Exchange& exchange = view.exchange;
+    exchange.row = areas.first;
+    exchange.facet.resize(areas.partner.size());
+    exchange.factor.resize(areas.partner.size());
+    for_each_index(n, [&](std::size_t f) {
+        double row = 0.0;
+        for (auto k = areas.first[f]; k < areas.first[f + 1]; ++k) {
+            const std::uint32_t partner = areas.partner[k];
+            const double area =
+                areas.value[k] * (scale[f] * scale[partner]) * std::min(shrink[f], shrink[partner]);
+            exchange.facet[k] = FacetId{partner};
+            exchange.factor[k] = static_cast<float>(area / facets.area[f]);
+            row += exchange.factor[k];
+        }
+        sum[f] = row;
+    });
+    for (std::size_t f = 0; f < n; ++f) {
+        const double whole = sum[f] + view.sky_view[f] + view.below[f];
+        report.worst_closure = std::max(report.worst_closure, std::abs(1.0 - whole));
+        view.below[f] = std::max(0.0f, static_cast<float>(1.0 - sum[f] - view.sky_view[f]));
+    }
+    return report;
+}
+
+}  // namespace diurna

@@ -134,6 +134,12 @@ void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double 
     const double* const from = aerosol.levels[low].ln_extinction.data() + bins_.first;
     const double* const to = aerosol.levels[high].ln_extinction.data() + bins_.first;
     const std::size_t count = bins_.size();
+    if (low == high) {  // drier or damper than the table, or fog
+        const double* const extinction = aerosol.levels[low].extinction.data() + bins_.first;
+#pragma omp simd
+        for (std::size_t i = 0; i < count; ++i) depth[i] += strength * extinction[i];
+        return;
+    }
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
         depth[i] += strength * fast_exp(from[i] + t * (to[i] - from[i]));

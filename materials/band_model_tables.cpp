@@ -112,10 +112,14 @@ void load_extinction(Tables& tables, const char* file) {
     }
     for (const auto& [name, levels] : curves) {
         for (const auto& [percent, curve] : levels) {
-            std::vector<double> ln = at_bins(tables, curve.first);
-            for (double& value : ln) value = std::log(std::max(value, 1e-9));
-            tables.aerosols[name].levels.push_back(
-                {std::log(100.0 - percent), std::move(ln), at_bins(tables, curve.second)});
+            std::vector<double> values = at_bins(tables, curve.first), ln;
+            for (double& value : values) {
+                value = std::max(value, 1e-9);
+                ln.push_back(std::log(value));
+            }
+            tables.aerosols[name].levels.push_back({std::log(100.0 - percent), std::move(ln),
+                                                    std::move(values),
+                                                    at_bins(tables, curve.second)});
         }
     }
 }

@@ -37,7 +37,7 @@ struct BandModelTables {
     struct Aerosol {
         struct Level {
             double ln_dryness;
-            std::vector<double> ln_extinction, absorption;  // (bin)
+            std::vector<double> ln_extinction, extinction, absorption;  // (bin)
         };
         std::vector<Level> levels;      // dryness descending
         std::vector<double> asymmetry;  // (bin) mean cosine of scattering

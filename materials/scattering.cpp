@@ -296,10 +296,11 @@ std::vector<double> SunField::State::path(const SightLine& line, double zenith_d
                 const double rayleigh = air.whole.rayleigh[b];
                 // Transmittances fall exponentially within a segment, nearly.
                 const auto mean = [](double before, double after) {
-                    const double ratio = after / std::max(before, 1e-300);
-                    if (ratio > 0.98 && ratio < 1.02) return 0.5 * (before + after);
-                    return before > 0.0 && after > 0.0 ? (before - after) / std::log(before / after)
-                                                       : 0.5 * (before + after);
+                    before = std::max(before, 1e-200);
+                    after = std::max(after, 1e-200);
+                    const double ratio = after / before;
+                    return ratio > 0.98 && ratio < 1.02 ? 0.5 * (before + after)
+                                                        : (before - after) / -std::log(ratio);
                 };
                 double aerosol = 0.0;
                 for (std::size_t k = 0; k < phase.size(); ++k) {

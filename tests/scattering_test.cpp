@@ -156,6 +156,39 @@ TEST_CASE("an overcast hides the sun and spreads some of it", "[materials][scatt
     CHECK(std::numbers::pi * zenith_sky == Approx(band_sum_nodes(in, covered.down)).epsilon(0.25));
 }
 
+TEST_CASE("scattered light is never negative or NaN", "[materials][scattering][stress]") {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    const std::vector<std::string> kinds = aerosol_names();
+    const std::vector<double> node = {0.36, 0.55, 0.94, 1.38, 2.7, 4.26};
+    for (int i = 0; i < 60; ++i) {
+        BandModel air = model(afgl_profile_names()[std::size_t(i) % 6],
+                              kinds[std::size_t(i) % kinds.size()], 0.3 + 60.0 * unit(random));
+        air.ground_km = i % 5 == 0 ? 1.5 : 0.0;
+        air.rain_mm_h = i % 7 == 0 ? 20.0 : 0.0;
+        if (i % 3 == 0) air.cloud = {.fraction = unit(random), .base_km = 4.0 * unit(random)};
+        const SunField field(air, {.zenith_deg = 100.0 * unit(random)}, node);
+        for (int k = 0; k < 10; ++k) {
+            const double height = 12.0 * std::pow(unit(random), 3), zenith = 180.0 * unit(random);
+            const double azimuth = 360.0 * unit(random);
+            const auto sky = field.sky(height, zenith, azimuth);
+            const auto path =
+                field.path(sight_line(height, zenith, 30.0 * unit(random)), zenith, azimuth);
+            const SunFlux flux = field.flux(height);
+            for (std::size_t n = 0; n < node.size(); ++n) {
+                const bool sound = sky[n] >= 0.0 && path[n] >= 0.0 && flux.down[n] >= 0.0 &&
+                                   flux.up[n] >= 0.0 && flux.direct[n] >= 0.0 && sky[n] < 1e6 &&
+                                   path[n] < 1e6;
+                if (!sound) {
+                    FAIL("case " << i << " height " << height << " zenith " << zenith << " node "
+                                 << node[n] << ": " << sky[n] << ' ' << path[n] << ' '
+                                 << flux.down[n] << ' ' << flux.up[n]);
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("some nodes alone are the same as all, in any thread", "[materials][scattering]") {
     const BandModel air = model("MLS", "maritime");
     const Band few = band(0.55, 0.6);

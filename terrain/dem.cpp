@@ -133,6 +133,11 @@ OGRSpatialReference reference_of(const std::string& wkt) {
     return reference;
 }
 
+bool same_reference(const Dem& a, const Dem& b) {
+    const OGRSpatialReference first = reference_of(a.crs_wkt), second = reference_of(b.crs_wkt);
+    return a.crs_wkt == b.crs_wkt || first.IsSame(&second);
+}
+
 /// CRS of a raster to WGS84 longitude, latitude and back; made once per CRS and thread.
 struct Projection {
     std::string wkt;
@@ -201,6 +206,44 @@ void check_corners(const Dem& dem) {
     }
 }
 
+/// Says how far the raster's datum lies from WGS84, if PROJ does not know the way: it then takes
+/// latitude and longitude as they are.
+void note_datum(Dem& dem) {
+    const OGRSpatialReference reference = reference_of(dem.crs_wkt);
+    std::unique_ptr<OGRSpatialReference> own(reference.CloneGeogCS());
+    if (!own) return;
+    own->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const char* name = own->GetAttrValue("DATUM");
+    const std::string datum = name ? name : "unknown datum";
+    for (const char* near : {"WGS", "World Geodetic", "North_American_Datum_1983",
+                             "North American "
+                             "Datum 1983",
+                             "ETRS", "European Terrestrial", "NZGD2000", "GDA", "SWEREF",
+                             "Greek Geodetic Reference System 1987"}) {
+        if (datum.find(near) != std::string::npos) return;
+    }
+    OGRSpatialReference wgs84;
+    wgs84.SetWellKnownGeogCS("WGS84");
+    wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const QuietGdal gdal;
+    const std::unique_ptr<OGRCoordinateTransformation> shift(
+        OGRCreateCoordinateTransformation(own.get(), &wgs84));
+    const Geodetic centre =
+        geodetic_places(dem, std::vector<Eigen::Vector2d>{{0.0, 0.0}}, std::vector<float>{0.0f})
+            .front();
+    double x = centre.longitude_deg, y = centre.latitude_deg;
+    if (!shift || !shift->Transform(1, &x, &y)) return;
+    const Site here{centre.latitude_deg, centre.longitude_deg, 0.0};
+    const double metres = to_local(here, Geodetic{y, x, 0.0}).head<2>().norm();
+    dem.notes.push_back(
+        metres < 0.01
+            ? fmt::format("{}: no shift from {} to WGS84 is known, its latitudes and longitudes "
+                          "are taken as they are: places may be off by 200 m",
+                          dem.source, datum)
+            : fmt::format("{}: {} is brought to WGS84 by a shift of {:.0f} m, good to a few metres",
+                          dem.source, datum, metres));
+}
+
 struct Window {
     int column, row, columns, rows;
 };
@@ -263,7 +306,6 @@ void read_heights(GDALDataset& raster, const Window& window, const DemOptions& o
                              height == -9999.0f || scale * height + offset < lowest;
         if (is_void) {
             height = std::numeric_limits<float>::quiet_NaN();
-            ++dem.voids;
         } else {
             height = static_cast<float>(scale * height + offset);
             if (height > highest) {
@@ -293,8 +335,15 @@ void put_north_first(Dem& dem) {
 }
 
 void apply_void_policy(Dem& dem, VoidPolicy policy) {
+    dem.voids = static_cast<std::size_t>(
+        std::count_if(dem.height.begin(), dem.height.end(), [](float h) { return std::isnan(h); }));
     if (dem.voids == dem.height.size()) {
         throw InputError(dem.source, "has no elevation at all: every post is void");
+    }
+    if (dem.voids > 0) {
+        dem.is_void.resize(dem.height.size());
+        std::transform(dem.height.begin(), dem.height.end(), dem.is_void.begin(),
+                       [](float h) { return std::uint8_t{std::isnan(h)}; });
     }
     if (dem.voids == 0 || policy == VoidPolicy::leave) return;
     if (policy == VoidPolicy::refuse) {
@@ -306,9 +355,8 @@ void apply_void_policy(Dem& dem, VoidPolicy policy) {
     fill_voids(dem.columns, dem.rows, dem.height);
 }
 
-}  // namespace
-
-Dem read_dem(const std::filesystem::path& file, const DemOptions& options) {
+/// The heights of a file, its window alone, voids as NaN.
+Dem read_tile(const std::filesystem::path& file, const DemOptions& options, bool whole) {
     const QuietGdal gdal;
     const auto raster = open_raster(file, gdal);
     check_size(*raster, file);
@@ -323,7 +371,7 @@ Dem read_dem(const std::filesystem::path& file, const DemOptions& options) {
         check_ascii_grid(file, std::size_t(dem.columns) * dem.rows);
     }
 
-    const Window window = window_of(dem, options);
+    const Window window = whole ? Window{0, 0, dem.columns, dem.rows} : window_of(dem, options);
     auto& t = dem.transform;
     t[0] += t[1] * window.column + t[2] * window.row;
     t[3] += t[4] * window.column + t[5] * window.row;
@@ -331,8 +379,168 @@ Dem read_dem(const std::filesystem::path& file, const DemOptions& options) {
     dem.rows = window.rows;
     read_heights(*raster, window, options, dem, gdal);
     put_north_first(dem);
-    apply_void_policy(dem, options.voids);
+    note_datum(dem);
     return dem;
+}
+
+void crop(Dem& dem, const Window& window) {
+    std::vector<float> kept;
+    kept.reserve(std::size_t(window.columns) * window.rows);
+    for (int row = 0; row < window.rows; ++row) {
+        const auto from =
+            dem.height.begin() + window.column + std::ptrdiff_t(row + window.row) * dem.columns;
+        kept.insert(kept.end(), from, from + window.columns);
+    }
+    auto& t = dem.transform;
+    t[0] += t[1] * window.column + t[2] * window.row;
+    t[3] += t[4] * window.column + t[5] * window.row;
+    dem.columns = window.columns;
+    dem.rows = window.rows;
+    dem.height = std::move(kept);
+}
+
+/// Where a tile's first post lies on the lattice of another.
+std::array<int, 2> lattice_place(const Dem& tile, const Dem& first) {
+    const auto &a = first.transform, &b = tile.transform;
+    const double cell = std::sqrt(std::abs(a[1] * a[5] - a[2] * a[4]));
+    bool same = same_reference(tile, first);
+    for (const int k : {1, 2, 4, 5}) same = same && std::abs(a[k] - b[k]) < 1e-5 * cell;
+    if (!same) {
+        throw InputError(tile.source, fmt::format("has another grid than {}", first.source),
+                         "bring tiles to one CRS and spacing, for example by gdalwarp");
+    }
+    double dx = b[0] - a[0];
+    const double dy = b[3] - a[3], whole = a[1] * a[5] - a[2] * a[4];
+    if (projection_of(first).geographic) dx -= 360.0 * std::round(dx / 360.0);
+    const double column = (a[5] * dx - a[2] * dy) / whole, row = (a[1] * dy - a[4] * dx) / whole;
+    if (!(std::abs(column) < 1e6 && std::abs(row) < 1e6) ||
+        std::abs(column - std::round(column)) > 0.01 || std::abs(row - std::round(row)) > 0.01) {
+        throw InputError(tile.source,
+                         fmt::format("its posts lie between those of {}", first.source));
+    }
+    return {static_cast<int>(std::round(column)), static_cast<int>(std::round(row))};
+}
+
+Dem joined(std::vector<Dem> tiles) {
+    std::vector<std::array<int, 2>> place;
+    std::array<int, 2> low{0, 0}, high{0, 0};
+    for (const Dem& tile : tiles) {
+        place.push_back(lattice_place(tile, tiles.front()));
+        const int last[] = {place.back()[0] + tile.columns, place.back()[1] + tile.rows};
+        for (std::size_t k = 0; k < 2; ++k) {
+            low[k] = std::min(low[k], place.back()[k]);
+            high[k] = std::max(high[k], last[k]);
+        }
+    }
+    Dem dem;
+    dem.source = tiles.front().source;
+    dem.crs_wkt = tiles.front().crs_wkt;
+    dem.transform = tiles.front().transform;
+    auto& t = dem.transform;
+    t[0] += t[1] * low[0] + t[2] * low[1];
+    t[3] += t[4] * low[0] + t[5] * low[1];
+    dem.columns = high[0] - low[0];
+    dem.rows = high[1] - low[1];
+    if (double(dem.columns) * dem.rows > most_posts) {
+        throw InputError(dem.source, fmt::format("its tiles span {} x {} posts; at most {:.0f} "
+                                                 "million are held",
+                                                 dem.columns, dem.rows, most_posts / 1e6));
+    }
+    dem.height.assign(std::size_t(dem.columns) * dem.rows, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        Dem& tile = tiles[i];
+        std::size_t differing = 0;
+        float worst = 0.0f;
+        for (int row = 0; row < tile.rows; ++row) {
+            float* to = dem.height.data() + std::size_t(row + place[i][1] - low[1]) * dem.columns +
+                        std::size_t(place[i][0] - low[0]);
+            for (int column = 0; column < tile.columns; ++column) {
+                const float h = tile.at(row, column);
+                if (std::isnan(to[column])) {
+                    to[column] = h;
+                } else if (std::abs(h - to[column]) > 1.0f) {
+                    ++differing;
+                    worst = std::max(worst, std::abs(h - to[column]));
+                }
+            }
+        }
+        dem.notes.insert(dem.notes.end(), tile.notes.begin(), tile.notes.end());
+        if (differing > 0) {
+            dem.notes.push_back(
+                fmt::format("{}: {} posts shared with other tiles differ, by up to "
+                            "{:.1f} m; the first tile's are taken",
+                            tile.source, differing, worst));
+        }
+        tile.height = {};
+    }
+    return dem;
+}
+
+/// EGM96 added at a lattice of posts about 1 km apart, bilinear between.
+void add_geoid(Dem& dem) {
+    const Eigen::Vector2d spacing = post_spacing(dem);
+    const int step = std::clamp(static_cast<int>(1000.0 / spacing.minCoeff()), 1, 64);
+    const int columns = (dem.columns - 1) / step + 2, rows = (dem.rows - 1) / step + 2;
+    std::vector<Eigen::Vector2d> node;
+    for (int y = 0; y < rows; ++y) {
+        for (int x = 0; x < columns; ++x) node.emplace_back(x * step, y * step);
+    }
+    const std::vector<float> level(node.size(), 0.0f);
+    const std::vector<double> geoid = geoid_heights(geodetic_places(dem, node, level));
+    for (int row = 0; row < dem.rows; ++row) {
+        for (int column = 0; column < dem.columns; ++column) {
+            const double u = double(column % step) / step, v = double(row % step) / step;
+            const double* a = geoid.data() + std::size_t(row / step) * columns + column / step;
+            const double* b = a + columns;
+            dem.height[std::size_t(row) * dem.columns + column] += static_cast<float>(
+                (1 - v) * ((1 - u) * a[0] + u * a[1]) + v * ((1 - u) * b[0] + u * b[1]));
+        }
+    }
+}
+
+Dem finished(Dem dem, const DemOptions& options) {
+    apply_void_policy(dem, options.voids);
+    if (options.geoid) add_geoid(dem);
+    return dem;
+}
+
+}  // namespace
+
+Dem read_dem(const std::filesystem::path& file, const DemOptions& options) {
+    return finished(read_tile(file, options, false), options);
+}
+
+Dem read_dem(std::span<const std::filesystem::path> files, const DemOptions& options) {
+    if (files.empty()) throw InputError("elevation", "names no file");
+    if (files.size() == 1) return read_dem(files.front(), options);
+    std::vector<Dem> tiles;
+    for (const auto& file : files) tiles.push_back(read_tile(file, options, true));
+    Dem dem = joined(std::move(tiles));
+    crop(dem, window_of(dem, options));
+    return finished(std::move(dem), options);
+}
+
+std::vector<double> geoid_heights(std::span<const Geodetic> places) {
+    const QuietGdal gdal;
+    OGRSpatialReference above_sea = reference_of("EPSG:4326+5773");
+    OGRSpatialReference above_ellipsoid = reference_of("EPSG:4979");
+    const std::unique_ptr<OGRCoordinateTransformation> shift(
+        OGRCreateCoordinateTransformation(&above_sea, &above_ellipsoid));
+    if (!shift) throw InputError("EGM96", "PROJ knows no way from it to the ellipsoid");
+    std::vector<double> x, y, z(places.size(), 0.0);
+    for (const Geodetic& place : places) {
+        x.push_back(place.longitude_deg);
+        y.push_back(place.latitude_deg);
+    }
+    std::vector<int> good(places.size(), 1);
+    shift->Transform(static_cast<int>(places.size()), x.data(), y.data(), z.data(), good.data());
+    // Without the grid PROJ would leave every height as it is.
+    if (!places.empty() && (std::find(good.begin(), good.end(), 0) != good.end() ||
+                            std::all_of(z.begin(), z.end(), [](double h) { return h == 0.0; }))) {
+        throw InputError("EGM96", "PROJ has not got the grid egm96_15 for these places",
+                         "apt install proj-data");
+    }
+    return z;
 }
 
 std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vector2d> place,

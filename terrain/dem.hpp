@@ -16,8 +16,8 @@ namespace diurna {
 
 /// An elevation raster: heights at posts (pixel centres), row 0 in the north (a file stored south
 /// first is turned over), so that columns and rows turn clockwise seen from above. Heights are in
-/// metres above the geoid or ellipsoid as the file has them; the difference is a constant over a
-/// scene and left out.
+/// metres above the geoid or ellipsoid as the file has them, unless `geoid` asks for the ellipsoid;
+/// within a scene the difference is nearly a constant.
 struct Dem {
     std::string source;  // file it came from
     int columns = 0, rows = 0;
@@ -26,7 +26,9 @@ struct Dem {
     std::string crs_wkt;                // or a name such as EPSG:32611
 
     float at(int row, int column) const { return height[std::size_t(row) * columns + column]; }
-    std::size_t voids = 0;  // posts without elevation in the file
+    std::size_t voids = 0;              // posts without elevation in the file
+    std::vector<std::uint8_t> is_void;  // (row, column) 1 there; empty where there is none
+    std::vector<std::string> notes;     // what a reader should know: doubtful datum, seams
 };
 
 /// What becomes of voids: the file is refused, they stay as holes in the mesh, or they are filled
@@ -41,6 +43,8 @@ struct DemOptions {
     double radius = 0.0;
     /// Metres per unit of the file's heights; none: as the file says, metres if it says nothing.
     std::optional<double> unit = std::nullopt;
+    /// Adds EGM96's geoid, so that heights above the sea become heights above the ellipsoid.
+    bool geoid = false;
 };
 
 /// Reads any elevation raster of the allow-listed GDAL drivers (GeoTIFF, DTED, SRTM HGT also
@@ -50,6 +54,16 @@ struct DemOptions {
 /// no valid post, less than 2 × 2 posts, no or a singular georeference, no CRS, or heights that are
 /// not metres.
 Dem read_dem(const std::filesystem::path& file, const DemOptions& options = {});
+
+/// Several tiles as one raster, posts of shared seams once. All lie on one lattice of one CRS; a
+/// post takes the first tile that knows it, and tiles that disagree by more than a metre on the
+/// posts they share are told in the notes. Posts that no tile has are voids. Tiles either side of
+/// the date line join.
+Dem read_dem(std::span<const std::filesystem::path> tiles, const DemOptions& options = {});
+
+/// EGM96's geoid above the WGS84 ellipsoid [m], bilinear on its 15′ grid (PROJ's egm96_15).
+/// Throws InputError if PROJ has not got the grid.
+std::vector<double> geoid_heights(std::span<const Geodetic> places);
 
 /// Geodetic places of fractional posts (column, row) with their heights, by PROJ through the
 /// raster's CRS.

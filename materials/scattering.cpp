@@ -296,6 +296,7 @@ std::vector<double> SunField::State::path(const SightLine& line, double zenith_d
                 const double rayleigh = air.whole.rayleigh[b];
                 // Transmittances fall exponentially within a segment, nearly.
                 const auto mean = [](double before, double after) {
+                    if (before + after < 1e-200) return 0.0;
                     before = std::max(before, 1e-200);
                     after = std::max(after, 1e-200);
                     const double ratio = after / before;

@@ -42,6 +42,17 @@ struct BoxSpec {
 };
 ObjectMesh box(const BoxSpec& spec);
 
+/// A building on a plan of any simple ring (east, north; either sense of turning): upright walls
+/// from `bottom` to `top` [m], divided into triangles with edges of about `largest_edge`, and a
+/// flat roof. Throws InputError for less than three corners and a ring that crosses itself.
+struct PrismSpec {
+    std::vector<Eigen::Vector2d> ring;
+    double bottom = 0.0, top = 5.0;
+    double largest_edge = 3.0;
+    MaterialId wall{}, roof{};
+};
+ObjectMesh prism(const PrismSpec& spec);
+
 /// Triangles as PLY (binary little endian), vertices as given.
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3d> vertex,
                std::span<const std::array<std::uint32_t, 3>> triangle);

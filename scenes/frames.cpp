@@ -6,6 +6,7 @@
 #include "render/exr.hpp"
 #include "render/quicklook.hpp"
 #include "render/tracer.hpp"
+#include "scenes/air.hpp"
 #include "scenes/annotations.hpp"
 #include "terrain/parallel.hpp"
 
@@ -40,18 +41,6 @@ void write_frame(const fs::path& out, const Frame& frame, const std::vector<std:
 }
 
 }  // namespace
-
-Atmosphere atmosphere_at(const Prepared& prepared, Instant instant) {
-    const AirInput& air = prepared.scene.air;
-    if (air.vacuum) return Vacuum{};
-    const AirState ground = prepared.weather.at(instant).air;
-    return BandModel{
-        .profile = with_surface(afgl_profile(air.profile), prepared.world.sea_level_height / 1000.0,
-                                ground.temperature, ground.vapour_pressure / 100.0),
-        .aerosol = air.aerosol,
-        .visibility_km = air.visibility_km,
-        .co2_ppm = air.co2_ppm};
-}
 
 std::vector<std::string> frame_files(const Prepared& prepared) {
     std::vector<std::string> files;
@@ -100,7 +89,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                              {.samples = scene.sun_samples, .seed = scene.seed});
             }
             const std::vector<float> temperature = field.interpolate(instant);
-            const Atmosphere atmosphere = atmosphere_at(prepared, instant);
+            const Atmosphere atmosphere = atmosphere_at(scene, world, prepared.weather, instant);
             const Frame frame = render(view, observer, bands,
                                        {.facets = world.facets,
                                         .sky_view = sky_view,

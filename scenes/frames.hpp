@@ -4,15 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "materials/atmosphere.hpp"
 #include "scenes/job.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
-
-/// The air between surface and eye at an instant: the scene's profile, made to have the weather's
-/// temperature and humidity at the ground.
-Atmosphere atmosphere_at(const Prepared& prepared, Instant instant);
 
 /// Files of all frames, relative to the run's folder: for each observer, frame and band an EXR,
 /// and a PNG beside it.

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "scenes/air.hpp"
 #include "scenes/frames.hpp"
 #include "scenes/manifest.hpp"
 #include "scenes/report.hpp"
@@ -17,20 +18,6 @@ namespace diurna {
 namespace fs = std::filesystem;
 
 namespace {
-
-Stamp stamp_of(const std::string& interval) {
-    return interval == "start" ? Stamp::start : interval == "end" ? Stamp::end : Stamp::instant;
-}
-
-Weather weather_of(const Scene& scene, const World& world) {
-    Weather weather =
-        read_weather(scene.weather.file, {.interval = stamp_of(scene.weather.interval),
-                                          .wind_height = scene.weather.wind_height,
-                                          .air_height = scene.weather.air_height,
-                                          .elevation = world.sea_level_height});
-    infer_cloud(weather, world.site, world.sea_level_height);
-    return weather;
-}
 
 Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
                 const RayScene& rays, const Scene& scene) {
@@ -86,10 +73,12 @@ SunExposure sun_exposure(const Prepared& prepared, Progress& progress) {
 }  // namespace
 
 Prepared prepare(Scene scene) {
-    const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    std::vector<fs::path> tiles{scene.terrain.elevation};
+    tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
+    const Dem dem = read_dem(tiles, scene.terrain.reading);
     World world = build_world(scene, dem);
     RayScene rays(world.facets);
-    Weather weather = weather_of(scene, world);
+    Weather weather = scene_weather(scene, world);
     std::vector<Observer> observers;
     for (const ObserverInput& observer : scene.observers) {
         observers.push_back(placed(observer, dem, world, rays, scene));
@@ -100,8 +89,8 @@ Prepared prepare(Scene scene) {
 }
 
 SkyView scene_sky_view(const Prepared& prepared) {
-    SkyView view = light_of(prepared).sky_view(
-        {.rays = prepared.scene.sky_rays, .seed = prepared.scene.seed});
+    SkyView view =
+        light_of(prepared).sky_view({.rays = prepared.scene.sky_rays, .seed = prepared.scene.seed});
     make_reciprocal(prepared.world.facets, view);
     return view;
 }

@@ -9,6 +9,7 @@
 
 #include "materials/atmosphere.hpp"
 #include "materials/library.hpp"
+#include "scenes/land.hpp"
 #include "terrain/dem.hpp"
 #include "terrain/instant.hpp"
 #include "terrain/site.hpp"
@@ -41,12 +42,15 @@ struct Building {
 
 struct TerrainInput {
     std::filesystem::path elevation;
+    std::vector<std::filesystem::path> tiles;  // more of it, on the same lattice
     DemOptions reading;
     double tolerance = 1.0;  // vertical [m]
     std::string default_material;
     std::vector<GroundRule> rules;  // the first that fits wins
     std::vector<GroundPolygon> polygons;
     std::vector<Building> buildings;
+    std::optional<LandCoverInput> land_cover;
+    std::vector<ShapesInput> shapes;
 };
 
 struct WeatherInput {
@@ -62,7 +66,9 @@ struct AirInput {
     std::string profile = "MLS";
     std::string aerosol = "rural";
     double visibility_km = 23.0;
-    double co2_ppm = 420.0;
+    double co2_ppm = todays_co2_ppm;
+    double cloud_base_km = 2.0;  // above the ground
+    bool drives_heat = false;    // the heat balance takes its sun and sky from this air
 };
 
 struct TimeInput {

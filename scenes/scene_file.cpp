@@ -144,6 +144,19 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     for (const Section& building : root.sections("building")) {
         terrain.buildings.push_back(read_building(building, reading));
     }
+    for (const std::string& tile : section.texts_or("more_tiles", {})) {
+        terrain.tiles.push_back(reading.folder / tile);
+        if (!fs::is_regular_file(terrain.tiles.back())) {
+            section.mistake("more_tiles", fmt::format("no such file: {}", tile));
+        }
+    }
+    if (section.has("land_cover")) {
+        terrain.land_cover =
+            read_land_cover(section.section("land_cover"), reading.folder, reading.materials);
+    }
+    for (const Section& shapes : root.sections("shapes")) {
+        terrain.shapes.push_back(read_shapes_input(shapes, reading.folder, reading.materials));
+    }
     return terrain;
 }
 
@@ -161,8 +174,14 @@ AirInput read_air(const Section& section) {
     air.profile = section.word_or("profile", air.profile, profiles);
     air.vacuum = air.profile == "vacuum";
     air.aerosol = section.word_or("aerosol", air.aerosol, aerosol_names());
-    air.visibility_km = section.number_or("visibility_km", air.visibility_km, 0.5, 300);
+    air.visibility_km = section.number_or("visibility_km", air.visibility_km, 0.05, 300);
     air.co2_ppm = section.number_or("co2_ppm", air.co2_ppm, 0, 10000);
+    air.cloud_base_km = section.number_or("cloud_base_km", air.cloud_base_km, 0.05, 15);
+    air.drives_heat = section.flag_or("drives_heat", air.drives_heat);
+    if (air.vacuum && air.drives_heat) {
+        section.mistake("drives_heat",
+                        "a vacuum has neither sky nor air to drive the heat balance");
+    }
     return air;
 }
 

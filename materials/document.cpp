@@ -26,6 +26,7 @@ struct Document::State {
     std::vector<Placed> mistakes;
 
     std::string place(const toml::source_region& source, const std::string& path) const {
+        if (source.begin.line == 0) return "--set " + path;  // it is not from the file
         return fmt::format("{}:{}:{}: {}", file, source.begin.line, source.begin.column, path);
     }
     void note(const toml::source_region& source, const std::string& path,

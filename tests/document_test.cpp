@@ -72,6 +72,9 @@ TEST_CASE("a setting takes the place of what the file says", "[materials][docume
     document.set("scene.name=ridge");
     CHECK(document.root().section("time").number("step_s") == 300.0);
     CHECK(document.root().section("scene").text("name") == "ridge");
+    document.set("time.frames=many");
+    document.root().section("time").number_or("frames", 1.0);
+    CHECK_THROWS_WITH(document.finish(), Catch::Contains("--set time.frames: found \"many\""));
     CHECK_THROWS_AS(document.set("time"), InputError);
     CHECK_THROWS_AS(document.set("time.step_s.x=1"), InputError);
 }

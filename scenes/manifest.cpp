@@ -16,6 +16,9 @@ namespace {
 
 std::vector<fs::path> input_files(const Scene& scene) {
     std::vector<fs::path> files{scene.file, scene.terrain.elevation, scene.weather.file};
+    files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
+    if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
+    for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     std::vector<fs::path> data;
     for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
         const std::string extension = entry.path().extension();

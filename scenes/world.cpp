@@ -5,9 +5,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "materials/units.hpp"
 #include "terrain/ground_mesh.hpp"
+#include "terrain/land_cover.hpp"
 
 namespace diurna {
 
@@ -40,28 +42,90 @@ MaterialId material_by_rules(const Scene& scene, double slope_deg, double height
     return scene.materials.find(scene.terrain.default_material);
 }
 
-/// Ground of the raster, one object per polygon.
+/// The land cover's material at each triangle's middle; none where it has no class or no table
+/// entry.
+std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& dem,
+                                               const GroundMesh& mesh) {
+    std::vector<std::optional<MaterialId>> found(mesh.triangle.size());
+    if (!scene.terrain.land_cover) return found;
+    std::vector<Eigen::Vector2d> middle;
+    std::vector<float> height;
+    for (const auto& [a, b, c] : mesh.triangle) {
+        middle.push_back((mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0);
+        height.push_back(mesh.height[a]);
+    }
+    const ClassRaster raster = read_class_raster(scene.terrain.land_cover->file);
+    const auto classes = classes_at(raster, geodetic_places(dem, middle, height));
+    for (std::size_t t = 0; t < found.size(); ++t) {
+        const auto entry = scene.terrain.land_cover->material.find(classes[t]);
+        if (entry != scene.terrain.land_cover->material.end()) {
+            found[t] = scene.materials.find(entry->second);
+        }
+    }
+    return found;
+}
+
+/// Posts without elevation in the file under or beside a triangle.
+bool over_void(const Dem& dem, const GroundMesh& mesh, const std::array<std::uint32_t, 3>& corner) {
+    if (dem.is_void.empty()) return false;
+    Eigen::Vector2d low = mesh.place[corner[0]], high = low;
+    for (const std::uint32_t k : corner) {
+        low = low.cwiseMin(mesh.place[k]);
+        high = high.cwiseMax(mesh.place[k]);
+    }
+    for (int row = int(std::floor(low.y())); row <= int(std::ceil(high.y())); ++row) {
+        for (int column = int(std::floor(low.x())); column <= int(std::ceil(high.x())); ++column) {
+            if (row >= 0 && column >= 0 && row < dem.rows && column < dem.columns &&
+                dem.is_void[std::size_t(row) * dem.columns + column]) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
+/// count as ground.
 void append_ground(World& world, const Scene& scene, const Dem& dem) {
     const auto& polygons = scene.terrain.polygons;
+    const auto shapes = ground_shapes(scene.terrain.shapes, dem, world.site);
     std::vector<Footprint> footprints;
-    for (const GroundPolygon& polygon : polygons) {
-        footprints.push_back({raster_places(dem, world.site, polygon.ring), polygon.largest_edge});
+    std::vector<std::string> material;  // (footprint) "": by land cover and rules
+    std::vector<int> object;            // (footprint)
+    for (const GroundShape& shape : shapes) {
+        footprints.push_back(shape.footprint);
+        material.push_back(shape.material);
+        object.push_back(0);
+    }
+    for (std::size_t i = 0; i < polygons.size(); ++i) {
+        footprints.push_back(
+            {raster_places(dem, world.site, polygons[i].ring), polygons[i].largest_edge});
+        material.push_back(polygons[i].material);
+        object.push_back(polygons[i].material.empty() ? 0 : static_cast<int>(i) + 1);
     }
     const GroundMesh mesh = ground_mesh(dem, scene.terrain.tolerance, footprints);
     world.ground_check = check_ground_mesh(dem, mesh);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);
+    const auto cover = covered(scene, dem, mesh);
+    std::size_t filled = 0;
 
     // One batch of triangles per object: the ground first, then each polygon.
-    for (int footprint = -1; footprint < static_cast<int>(polygons.size()); ++footprint) {
+    for (int batch = 0; batch <= static_cast<int>(polygons.size()); ++batch) {
         std::vector<std::array<std::uint32_t, 3>> triangles;
         std::vector<MaterialId> materials;
         for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-            if (mesh.footprint[t] != footprint) continue;
+            const std::int32_t f = mesh.footprint[t];
+            if ((f < 0 ? 0 : object[std::size_t(f)]) != batch) continue;
             const auto& [a, b, c] = mesh.triangle[t];
             triangles.push_back(mesh.triangle[t]);
-            if (footprint >= 0 && !polygons[footprint].material.empty()) {
-                materials.push_back(scene.materials.find(polygons[footprint].material));
+            filled += over_void(dem, mesh, mesh.triangle[t]);
+            if (f >= 0 && !material[std::size_t(f)].empty()) {
+                materials.push_back(scene.materials.find(material[std::size_t(f)]));
+                continue;
+            }
+            if (cover[t]) {
+                materials.push_back(*cover[t]);
                 continue;
             }
             const Eigen::Vector3d across = (vertex[b] - vertex[a]).cross(vertex[c] - vertex[a]);
@@ -69,11 +133,28 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
             const double height = (mesh.height[a] + mesh.height[b] + mesh.height[c]) / 3.0;
             materials.push_back(material_by_rules(scene, slope, height));
         }
-        const bool ground = footprint < 0 || polygons[footprint].material.empty();
         append_facets(world.facets, vertex, triangles, materials,
-                      ObjectId{static_cast<std::uint16_t>(ground ? 0 : footprint + 1)});
+                      ObjectId{static_cast<std::uint16_t>(batch)});
     }
     world.ground_facets = world.facets.size();
+    world.filled_facets = filled;
+}
+
+/// Footprints of files, one object per file.
+void append_shape_buildings(World& world, const Scene& scene, const Dem& dem) {
+    const auto& inputs = scene.terrain.shapes;
+    std::vector<std::uint16_t> object(inputs.size(), 0);
+    for (ShapeBuilding& building :
+         shape_buildings(inputs, dem, world.site, scene.terrain.tolerance)) {
+        const ShapesInput& input = inputs[building.input];
+        if (object[building.input] == 0) {
+            object[building.input] = static_cast<std::uint16_t>(world.objects.size());
+            world.objects.push_back(input.name);
+        }
+        building.prism.wall = scene.materials.find(input.wall);
+        building.prism.roof = scene.materials.find(input.roof);
+        append_facets(world.facets, prism(building.prism), ObjectId{object[building.input]});
+    }
 }
 
 void append_buildings(World& world, const Scene& scene, const Dem& dem) {
@@ -126,6 +207,7 @@ World build_world(const Scene& scene, const Dem& dem) {
     world.posts = dem.height.size();
     append_ground(world, scene, dem);
     append_buildings(world, scene, dem);
+    append_shape_buildings(world, scene, dem);
     world.relief.emplace(height_field(dem, world.site));
     return world;
 }

@@ -17,11 +17,12 @@ struct World {
     Site site;
     double sea_level_height = 0.0;  // of the frame's origin above the sea [m]
     FacetSet facets;
-    std::vector<std::string> objects;  // (ObjectId)
-    std::size_t posts = 0;             // of the elevation raster
-    std::size_t ground_facets = 0;     // the first ones; objects follow
+    std::vector<std::string> objects;   // (ObjectId)
+    std::size_t posts = 0;              // of the elevation raster
+    std::size_t ground_facets = 0;      // the first ones; objects follow
     std::optional<HeightField> relief;  // the raster, for sun and sky on the ground
-    TinCheck ground_check;  // how far the mesh is from the raster's posts
+    TinCheck ground_check;              // how far the mesh is from the raster's posts
+    std::size_t filled_facets = 0;      // ground facets that touch posts void in the file
 };
 
 /// Triangulates the elevation along the polygons' borders, gives every facet its material and

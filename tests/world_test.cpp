@@ -88,3 +88,57 @@ TEST_CASE("the plan counts what will be done", "[scenes][plan]") {
     CHECK(plan.view_rays == 64 * 48 * 16);
     CHECK(describe(plan).find("asphalt") != std::string::npos);  // dry: no evaporation
 }
+
+TEST_CASE("roads, ponds and footprints come from files of their own", "[scenes][world]") {
+    const ScratchFolder folder("shapes");
+    // A square of half a kilometre with a hole, a road across it, a house with a height beside it.
+    write_text(folder.path / "land.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"use":"water"},"geometry":{"type":"Polygon","coordinates":
+[[[-84.190,36.320],[-84.184,36.320],[-84.184,36.325],[-84.190,36.325],[-84.190,36.320]],
+ [[-84.188,36.322],[-84.186,36.322],[-84.186,36.323],[-84.188,36.323],[-84.188,36.322]]]}},
+{"type":"Feature","properties":{"use":"road"},"geometry":{"type":"LineString","coordinates":
+[[-84.192,36.3225],[-84.182,36.3225]]}},
+{"type":"Feature","properties":{"use":"unknown"},"geometry":{"type":"Polygon","coordinates":
+[[[-84.2,36.31],[-84.199,36.31],[-84.199,36.311],[-84.2,36.31]]]}}]})");
+    write_text(folder.path / "houses.geojson", R"({"type":"FeatureCollection","features":[
+{"type":"Feature","properties":{"storeys_m":9.0},"geometry":{"type":"Polygon","coordinates":
+[[[-84.1800,36.3200],[-84.1798,36.3200],[-84.1798,36.3202],[-84.1800,36.3202],[-84.1800,36.3200]]]}},
+{"type":"Feature","properties":{"storeys_m":7.0},"geometry":{"type":"Polygon","coordinates":
+[[[0.0,1.0],[0.1,1.0],[0.1,1.1],[0.0,1.0]]]}}]})");
+    write_text(folder.path / "scene.toml", small_scene() + R"(
+[[shapes]]
+file = "land.geojson"
+field = "use"
+line_width_m = 20.0
+[shapes.kinds]
+water = "water"
+road = "asphalt"
+[[shapes]]
+name = "houses"
+file = "houses.geojson"
+height_field = "storeys_m"
+wall = "concrete_wall"
+)");
+    const Scene scene = read_scene(folder.path / "scene.toml");
+    const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    const World world = build_world(scene, dem);
+    REQUIRE(world.objects.back() == "houses");
+    const MaterialId water = scene.materials.find("water");
+    double pond = 0.0, house = 0.0;
+    for (std::size_t f = 0; f < world.facets.size(); ++f) {
+        const double plan = double{world.facets.area[f]} * world.facets.normal[f].z();
+        const Eigen::Vector3f& c = world.facets.centroid[f];
+        if (world.facets.material[f] == water && c.x() > 1000.0f) pond += plan;
+        if (static_cast<std::size_t>(world.facets.object[f]) + 1 == world.objects.size()) {
+            house += plan;
+        }
+    }
+    // Metres per degree at 36.32° N: 89 825 east, 110 968 north (WGS84). The road is 20 m wide and
+    // runs through the hole for 180 of its 539 m.
+    const double east = 89825.0, north = 110968.0;
+    CHECK(pond == Approx(0.006 * east * 0.005 * north - 0.002 * east * 0.001 * north -
+                         (0.006 - 0.002) * east * 20.0)
+                      .epsilon(2e-3));
+    CHECK(house == Approx(0.0002 * east * 0.0002 * north).epsilon(2e-3));
+    CHECK(world.ground_check.worst_error <= scene.terrain.tolerance + 1e-3);
+}

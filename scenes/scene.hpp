@@ -45,6 +45,7 @@ struct TerrainInput {
     std::vector<std::filesystem::path> tiles;  // more of it, on the same lattice
     DemOptions reading;
     double tolerance = 1.0;  // vertical [m]
+    double coarsest = 0.0;   // of the tolerance where no observer looks closely; 0: the same [m]
     std::string default_material;
     std::vector<GroundRule> rules;  // the first that fits wins
     std::vector<GroundPolygon> polygons;

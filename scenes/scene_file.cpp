@@ -122,6 +122,7 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     TerrainInput terrain;
     terrain.elevation = reading.file(section, "elevation");
     terrain.tolerance = section.number_or("tolerance_m", 1.0, 0.0, 1000.0);
+    if (section.has("coarsest_m")) terrain.coarsest = section.number("coarsest_m", 0.0, 1000.0);
     terrain.default_material = reading.material(section, "material");
     const std::string voids = section.word_or("voids", "refuse", {"refuse", "fill"});
     terrain.reading.voids = voids == "fill" ? VoidPolicy::fill : VoidPolicy::refuse;

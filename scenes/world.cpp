@@ -84,6 +84,25 @@ bool over_void(const Dem& dem, const GroundMesh& mesh, const std::array<std::uin
     return false;
 }
 
+/// A pixel of each observer, and a hundredth of the distance from each building and polygon.
+std::vector<float> slack_of(const Scene& scene, const Dem& dem, const Site& site) {
+    if (!(scene.terrain.coarsest > scene.terrain.tolerance)) return {};
+    std::vector<Viewpoint> viewpoints;
+    const auto add = [&](const Eigen::Vector2d& place, double height, double angle) {
+        viewpoints.push_back({raster_places(dem, site, {&place, 1}).front(), height, angle});
+    };
+    for (const ObserverInput& observer : scene.observers) {
+        add(observer.place, observer.height_above_ground,
+            radians(observer.horizontal_fov_deg) / observer.width);
+    }
+    for (const Building& building : scene.terrain.buildings) add(building.place, 0.0, 0.01);
+    for (const GroundPolygon& polygon : scene.terrain.polygons) {
+        for (const Eigen::Vector2d& corner : polygon.ring) add(corner, 0.0, 0.01);
+    }
+    return level_of_detail(dem, viewpoints, std::max(scene.terrain.tolerance, 1e-3),
+                           scene.terrain.coarsest);
+}
+
 /// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
 /// count as ground.
 void append_ground(World& world, const Scene& scene, const Dem& dem) {
@@ -103,7 +122,8 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
         material.push_back(polygons[i].material);
         object.push_back(polygons[i].material.empty() ? 0 : static_cast<int>(i) + 1);
     }
-    const GroundMesh mesh = ground_mesh(dem, scene.terrain.tolerance, footprints);
+    const GroundMesh mesh =
+        ground_mesh(dem, scene.terrain.tolerance, footprints, slack_of(scene, dem, world.site));
     world.ground_check = check_ground_mesh(dem, mesh);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);

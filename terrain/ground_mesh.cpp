@@ -73,15 +73,18 @@ class Cutting {
     /// Puts back the posts that the cuts have left further than the tolerance from the mesh. Each
     /// is put back at most once: on slivers the plane of a triangle misses even its own corners by
     /// rounding.
-    void restore(double tolerance) {
+    void restore(double tolerance, std::span<const float> weight) {
         for (bool changed = true; changed;) {
             changed = false;
             give_heights_to_crossings();
             std::vector<std::pair<WorstPost, Constrained::Vertex_handle>> missing;
             for (const auto face : mesh_.finite_face_handles()) {
                 if (!is_ground(face)) continue;
-                const WorstPost worst = worst_post(
-                    dem_, {place(face->vertex(0)), place(face->vertex(1)), place(face->vertex(2))});
+                const std::array<Eigen::Vector3d, 3> corner{
+                    place(face->vertex(0)), place(face->vertex(1)), place(face->vertex(2))};
+                const WorstPost worst = weight.empty()
+                                            ? worst_post(dem_, corner)
+                                            : worst_post<true>(dem_, corner, weight.data());
                 if (worst.error > std::max(tolerance, 1e-9)) {
                     missing.emplace_back(worst, face->vertex(0));
                 }
@@ -218,13 +221,36 @@ GroundMesh without_footprints(const Dem& dem, const Tin& tin) {
 
 }  // namespace
 
-GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footprint> footprints) {
-    const Tin tin = triangulate(dem, tolerance);
+GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footprint> footprints,
+                       std::span<const float> slack) {
+    const Tin tin =
+        slack.empty() ? triangulate(dem, tolerance) : triangulate(dem, tolerance, slack);
     if (footprints.empty()) return without_footprints(dem, tin);
+    std::vector<float> weight(slack.size());
+    std::transform(slack.begin(), slack.end(), weight.begin(), [](float s) { return 1.0f / s; });
     Cutting cutting(dem, tin);
     for (std::size_t i = 0; i < footprints.size(); ++i) cutting.cut(footprints[i], i);
-    cutting.restore(tolerance);
+    cutting.restore(tolerance, weight);
     return cutting.result();
+}
+
+std::vector<float> level_of_detail(const Dem& dem, std::span<const Viewpoint> viewpoints,
+                                   double tolerance, double coarsest) {
+    const Eigen::Vector2d spacing = post_spacing(dem);
+    std::vector<float> slack(dem.height.size());
+    for (int row = 0; row < dem.rows; ++row) {
+        for (int column = 0; column < dem.columns; ++column) {
+            double seen = coarsest;
+            for (const Viewpoint& v : viewpoints) {
+                const Eigen::Vector2d across =
+                    (Eigen::Vector2d(column, row) - v.place).cwiseProduct(spacing);
+                seen = std::min(seen, v.angle * std::hypot(across.norm(), v.height));
+            }
+            slack[std::size_t(row) * dem.columns + column] =
+                static_cast<float>(std::max(1.0, seen / tolerance));
+        }
+    }
+    return slack;
 }
 
 }  // namespace diurna

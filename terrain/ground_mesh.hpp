@@ -35,6 +35,8 @@ struct GroundMesh {
 /// footprints overlap, the later one has the triangle. After cutting, posts are put back until
 /// none is further than `tolerance` from the mesh, so the guarantee is that of `triangulate`.
 ///
+/// `slack` (row, column), if given, multiplies the tolerance of each post (level_of_detail).
+///
 /// A ring is cut off at the raster's edge and left out where it crosses voids. Throws InputError
 /// for a ring of less than three corners, with a corner that is not finite, or wholly outside.
 ///
@@ -47,8 +49,21 @@ struct GroundMesh {
 ///     const auto vertex = local_vertices(dem, site, mesh.place, mesh.height);
 ///     material[t] = mesh.footprint[t] >= 0 ? polygon material : by slope and height;
 ///     append_facets(facets, vertex, mesh.triangle, material, ObjectId{0});
-GroundMesh ground_mesh(const Dem& dem, double tolerance,
-                       std::span<const Footprint> footprints = {});
+GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footprint> footprints = {},
+                       std::span<const float> slack = {});
+
+/// Someone who looks at the ground, or something on it that is looked at.
+struct Viewpoint {
+    Eigen::Vector2d place;  // (column, row)
+    double height = 0.0;    // above the ground there [m]
+    double angle = 1e-3;    // that one pixel sees [rad]
+};
+
+/// Slack (row, column) for `ground_mesh`: at each post what a pixel of the nearest viewpoint sees,
+/// angle × distance, over `tolerance`; at least 1 and at most `coarsest` / `tolerance`. So the mesh
+/// errs by a pixel at most where someone looks, and far relief keeps what its shadows need.
+std::vector<float> level_of_detail(const Dem& dem, std::span<const Viewpoint> viewpoints,
+                                   double tolerance, double coarsest);
 
 /// Checks a mesh by rasterising each triangle anew, as for a network of posts.
 TinCheck check_ground_mesh(const Dem& dem, const GroundMesh& mesh);

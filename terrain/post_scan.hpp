@@ -18,7 +18,10 @@ struct WorstPost {
 
 /// Scans the posts under a triangle of (column, row, height) corners, border included. Posts
 /// without height must not lie under it. Where several are equally far, the first row by row.
-inline WorstPost worst_post(const Dem& dem, std::array<Eigen::Vector3d, 3> corner) {
+/// `weight` (row, column), if given, multiplies the error of each post.
+template <bool weighted = false>
+WorstPost worst_post(const Dem& dem, std::array<Eigen::Vector3d, 3> corner,
+                     const float* weight = nullptr) {
     std::sort(corner.begin(), corner.end(),
               [](const auto& a, const auto& b) { return a.y() < b.y(); });
     const auto& [top, middle, bottom] = corner;
@@ -48,16 +51,23 @@ inline WorstPost worst_post(const Dem& dem, std::array<Eigen::Vector3d, 3> corne
         const float* height = dem.height.data() + std::size_t(row) * dem.columns;
         const double start = top.z() + per_row * (row - top.y()) - per_column * top.x();
 
+        const float* weights = weighted ? weight + std::size_t(row) * dem.columns : nullptr;
+        const auto error_at = [&](int column) {
+            const double error = std::abs(start + per_column * column - height[column]);
+            if constexpr (weighted) return error * weights[column];
+            return error;
+        };
+
         double row_error = -1.0;
 #pragma omp simd reduction(max : row_error)
         for (int column = first; column <= last; ++column) {
-            const double error = std::abs(start + per_column * column - height[column]);
+            const double error = error_at(column);
             row_error = error > row_error ? error : row_error;
         }
         if (row_error <= worst.error) continue;
         worst = {row_error, first, row};
         for (int column = first; column <= last; ++column) {
-            if (std::abs(start + per_column * column - height[column]) >= row_error) {
+            if (error_at(column) >= row_error) {
                 worst.column = column;
                 break;
             }

@@ -40,11 +40,16 @@ struct Candidate {
 /// Adds the post with the largest error again and again (Garland & Heckbert 1995).
 class GreedyInsertion {
  public:
-    GreedyInsertion(const Dem& dem, double tolerance)
+    GreedyInsertion(const Dem& dem, double tolerance, std::span<const float> slack)
         : dem_(dem),
           tolerance_(std::max(tolerance, 1e-9)),  // below a nanometre lies only rounding
           has_voids_(std::any_of(dem.height.begin(), dem.height.end(),
-                                 [](float h) { return std::isnan(h); })) {}
+                                 [](float h) { return std::isnan(h); })) {
+        for (const float s : slack) weight_.push_back(1.0f / s);
+    }
+
+    explicit GreedyInsertion(const Dem& dem, double tolerance)
+        : GreedyInsertion(dem, tolerance, {}) {}
 
     Tin run(std::span<const std::array<std::int32_t, 2>> keep) {
         start(keep);
@@ -116,8 +121,10 @@ class GreedyInsertion {
         FaceNote& note = face->info();
         note.stamp = ++stamp_;
         if (mesh_.is_infinite(face) || !is_ground(face)) return;
-        note.worst = worst_post(
-            dem_, {place(face->vertex(0)), place(face->vertex(1)), place(face->vertex(2))});
+        const std::array<Eigen::Vector3d, 3> corner{place(face->vertex(0)), place(face->vertex(1)),
+                                                    place(face->vertex(2))};
+        note.worst = weight_.empty() ? worst_post(dem_, corner)
+                                     : worst_post<true>(dem_, corner, weight_.data());
         if (note.worst.error > tolerance_) queue_.push({note.worst.error, note.stamp, face});
     }
 
@@ -141,6 +148,7 @@ class GreedyInsertion {
 
     const Dem& dem_;
     double tolerance_;
+    std::vector<float> weight_;  // (post) 1 / slack
     bool has_voids_;
     Delaunay mesh_;
     std::priority_queue<Candidate> queue_;
@@ -152,6 +160,10 @@ class GreedyInsertion {
 Tin triangulate(const Dem& dem, double tolerance,
                 std::span<const std::array<std::int32_t, 2>> keep) {
     return GreedyInsertion(dem, tolerance).run(keep);
+}
+
+Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack) {
+    return GreedyInsertion(dem, tolerance, slack).run({});
 }
 
 }  // namespace diurna

@@ -24,6 +24,10 @@ struct Tin {
 Tin triangulate(const Dem& dem, double tolerance,
                 std::span<const std::array<std::int32_t, 2>> keep = {});
 
+/// The same with a tolerance that differs from post to post: `tolerance` times `slack`
+/// (row, column), more than 0. One network without cracks; finer where the slack is small.
+Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack);
+
 /// Checks a network by rasterising each triangle anew, independent of how it was made.
 struct TinCheck {
     double worst_error = 0.0;         // [m] vertical

@@ -1,5 +1,7 @@
 #include "terrain/triangulate.hpp"
 
+#include <Eigen/LU>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <cmath>
@@ -271,4 +273,43 @@ TEST_CASE("any elevation file becomes facets in a local frame", "[terrain][sampl
     for (const auto& normal : facets.normal) CHECK(normal.z() > 0.0f);
     const MeshCheck check = check_mesh(facets.vertex, facets.corner);
     CHECK(check.rejected_triangles == 0);
+}
+
+TEST_CASE("detail follows the viewpoint, without cracks and within each post's tolerance",
+          "[terrain][triangulate][lod]") {
+    const Dem dem = read_dem(DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif");
+    const Viewpoint eye{.place = {200.0, 170.0}, .height = 100.0, .angle = 1e-3};
+    const auto slack = level_of_detail(dem, {&eye, 1}, 1.0, 20.0);
+    CHECK(*std::min_element(slack.begin(), slack.end()) == 1.0f);
+    CHECK(slack.front() > 10.0f);
+    const Footprint field{.ring = {{190, 160}, {210, 160}, {210, 180}, {190, 180}},
+                          .largest_edge = 200.0};
+    const GroundMesh mesh = ground_mesh(dem, 1.0, {&field, 1}, slack);
+    const GroundMesh even = ground_mesh(dem, 1.0, {&field, 1});
+    CHECK(mesh.triangle.size() < even.triangle.size() / 3);
+    const TinCheck found = check_ground_mesh(dem, mesh);
+    CHECK(found.uncovered_posts == 0);
+    CHECK(found.flipped_triangles == 0);
+    CHECK(found.worst_error <= 20.0);
+    // Within a kilometre of the eye nothing has changed.
+    double worst_near = 0.0;
+    for (const auto& [a, b, c] : mesh.triangle) {
+        const Eigen::Vector2d low = mesh.place[a].cwiseMin(mesh.place[b]).cwiseMin(mesh.place[c]);
+        const Eigen::Vector2d high = mesh.place[a].cwiseMax(mesh.place[b]).cwiseMax(mesh.place[c]);
+        for (int row = int(std::ceil(low.y())); row <= high.y(); ++row) {
+            for (int column = int(std::ceil(low.x())); column <= high.x(); ++column) {
+                if ((Eigen::Vector2d(column, row) - eye.place).norm() > 10.0) continue;
+                Eigen::Matrix2d edges;
+                edges << mesh.place[b] - mesh.place[a], mesh.place[c] - mesh.place[a];
+                const Eigen::Vector2d w =
+                    edges.inverse() * (Eigen::Vector2d(column, row) - mesh.place[a]);
+                if (w.minCoeff() < -1e-9 || w.sum() > 1.0 + 1e-9) continue;
+                const double height = mesh.height[a] + w.x() * (mesh.height[b] - mesh.height[a]) +
+                                      w.y() * (mesh.height[c] - mesh.height[a]);
+                worst_near = std::max(worst_near, std::abs(height - dem.at(row, column)));
+            }
+        }
+    }
+    CHECK(worst_near > 0.1);  // there were posts to look at
+    CHECK(worst_near <= 1.0 + 1e-3);
 }

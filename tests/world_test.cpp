@@ -89,6 +89,18 @@ TEST_CASE("the plan counts what will be done", "[scenes][plan]") {
     CHECK(describe(plan).find("asphalt") != std::string::npos);  // dry: no evaporation
 }
 
+TEST_CASE("detail where somebody looks, less elsewhere", "[scenes][world]") {
+    const std::string fine = with(small_scene(), "tolerance_m = 10.0", "tolerance_m = 2.0");
+    const Built even = built(fine);
+    const Built seen =
+        built(with(fine, "tolerance_m = 2.0", "tolerance_m = 2.0\ncoarsest_m = 40.0"));
+    CHECK(seen.world.ground_facets < 0.7 * double(even.world.ground_facets));
+    CHECK(seen.world.ground_check.uncovered_posts == 0);
+    CHECK(seen.world.ground_check.flipped_triangles == 0);
+    CHECK(seen.world.ground_check.worst_error <= 40.0);
+    CHECK(even.world.ground_check.worst_error <= 2.0 + 1e-3);
+}
+
 TEST_CASE("roads, ponds and footprints come from files of their own", "[scenes][world]") {
     const ScratchFolder folder("shapes");
     // A square of half a kilometre with a hole, a road across it, a house with a height beside it.

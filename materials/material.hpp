@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,12 +13,37 @@ namespace diurna {
 
 enum class MaterialId : std::uint16_t {};
 
+/// c(T) = Σ coefficient[i] Tⁱ [J kg⁻¹ K⁻¹].
+using HeatPolynomial = std::array<double, 5>;
+
+/// A layer's laws beyond constants. The point tool (thermal/column_tool) follows them; the facet
+/// solver takes the layer's constants.
+struct Constant {};
+/// Conductivity (1 + cubic T³) and a polynomial heat capacity: regolith in a vacuum.
+struct Radiating {
+    double cubic;  // [K⁻³]
+    HeatPolynomial heat;
+};
+/// Water that freezes at 273.15 K; the layer's own constants hold thawed.
+struct Freezing {
+    double water;                 // [kg m⁻³] that freezes
+    double frozen_conductivity;   // [W m⁻¹ K⁻¹]
+    double frozen_heat_capacity;  // [J kg⁻¹ K⁻¹]
+};
+/// Snow: stays at or below 273.15 K. Meltwater beyond `held` (kg per kg of snow) runs off, and the
+/// pack stays as it is.
+struct Melting {
+    double held = 0.05;
+};
+using ThermalLaw = std::variant<Constant, Radiating, Freezing, Melting>;
+
 /// A homogeneous layer of a column, counted from the surface downward.
 struct Layer {
     double thickness;      // [m]            1e-5 to 100
     double conductivity;   // [W m⁻¹ K⁻¹]    0.005 to 500
     double density;        // [kg m⁻³]
     double heat_capacity;  // [J kg⁻¹ K⁻¹]
+    ThermalLaw law = Constant{};
 };
 
 /// What lies under the last layer.
@@ -27,16 +53,21 @@ struct FixedTemperature {
 struct FixedFlux {
     double flux;
 };  // [W m⁻²] upward, into the column
+/// A heated room: its air and the film to it. The point tool follows `schedule`, the air through
+/// the day by local mean solar time, straight between its entries and around midnight.
 struct Interior {
-    double air_temperature;
-    double film;
-};  // [K], [W m⁻² K⁻¹]: a heated room
+    double air_temperature;                            // [K]
+    double film;                                       // [W m⁻² K⁻¹]
+    std::vector<std::array<double, 2>> schedule = {};  // (hour, K), hours ascending, 0 to 24
+};
 using Bottom = std::variant<FixedTemperature, FixedFlux, Interior>;
 
 /// How the surface exchanges heat with the air.
-struct Louis {};   // bulk Monin-Obukhov, Louis 1979: ground
-struct Tarp {};    // natural + forced by plate orientation: walls, roofs
-struct Mowitt {};  // DOE-2 / MoWiTT: smooth surfaces, glass, metal
+struct Louis {
+    double least_film = 0.0;  // [W m⁻² K⁻¹] added: what calm, stable air over snow still exchanges
+};                            // bulk Monin-Obukhov, Louis 1979: ground
+struct Tarp {};               // natural + forced by plate orientation: walls, roofs
+struct Mowitt {};             // DOE-2 / MoWiTT: smooth surfaces, glass, metal
 struct ConstantFilm {
     double film;
 };  // [W m⁻² K⁻¹]
@@ -47,6 +78,27 @@ struct Evaporation {
     double minimum_resistance = 0.0;  // [s m⁻¹]
     double wetness = 0.0;
 };
+
+/// Water standing on a surface, as on leaves, stones and roofs: filled by rain and dew, emptied by
+/// evaporation; what is more runs off. The wet share, content over capacity, evaporates without the
+/// surface's own resistance. Followed by the point tool.
+struct WaterStore {
+    double capacity_mm = 0.0;  // none: neither filled nor emptied
+    double wet_albedo = -1.0;  // of the surface where it is wet; negative: as dry
+};
+
+/// A big leaf over the ground: a skin without heat of its own, joined to the top node.
+struct BigLeaf {
+    double skin_conductance;  // [W m⁻² K⁻¹]
+};
+/// Leaves and the ground between them apart, side by side in sun and sky (Norman et al. 1995):
+/// the leaves cover 1 − exp(−0.5 leaf area) and evaporate, the ground exchanges what reaches it.
+struct TwoSource {
+    double leaf_area;        // [m² m⁻²]
+    double leaf_resistance;  // [s m⁻¹] of the whole canopy to transpiration
+};
+/// Followed by the point tool; the facet solver takes the layers as the surface.
+using Canopy = std::variant<std::monostate, BigLeaf, TwoSource>;
 
 /// The open back of a thin plate: air, and surroundings at the air's temperature, behind the last
 /// layer, which then has no other bottom.
@@ -65,6 +117,8 @@ struct ThermalSurface {
     double heat_roughness_length = 0.001;  // heat [m]
     Convection convection = Louis{};
     Evaporation evaporation;
+    WaterStore store{};
+    Canopy canopy{};
     double internal_heat = 0.0;  // [W m⁻²] released at the surface
     std::vector<Layer> layers;
     Bottom bottom = FixedFlux{0.0};

@@ -4,6 +4,7 @@
 
 #include "materials/error.hpp"
 #include "materials/library.hpp"
+#include "materials/soil.hpp"
 
 namespace diurna {
 
@@ -134,6 +135,42 @@ void read_optics(const Section& section, const std::filesystem::path& folder, bo
     thermal.emissivity = emissivity;
 }
 
+/// { thickness_m, soil = "loam", saturation, ... }
+Layer read_soil(const Section& layer) {
+    const std::string name = layer.word_or("soil", "loam", soil_names());
+    Soil soil = soil_named(name);
+    soil.saturation = layer.number("saturation", 0.0, 1.0);
+    soil.porosity = layer.number_or("porosity", soil.porosity, 0.0, 0.95);
+    soil.grain_conductivity =
+        layer.number_or("grain_conductivity_W_mK", soil.grain_conductivity, 0.05, 10.0);
+    soil.grain_density = layer.number_or("grain_density_kg_m3", soil.grain_density, 100.0, 8000.0);
+    soil.grain_heat_capacity =
+        layer.number_or("grain_heat_capacity_J_kgK", soil.grain_heat_capacity, 100.0, 5000.0);
+    Layer result = soil_layer(soil, layer.number("thickness_m", 1e-5, 100.0));
+    if (!layer.flag_or("freezes", true)) result.law = Constant{};
+    return result;
+}
+
+/// What a layer of given constants does beyond them.
+ThermalLaw read_law(const Section& layer) {
+    if (layer.has("freezing_water_kg_m3")) {
+        return Freezing{
+            .water = layer.number("freezing_water_kg_m3", 0.0, 1000.0),
+            .frozen_conductivity = layer.number("frozen_conductivity_W_mK", 0.005, 500.0),
+            .frozen_heat_capacity = layer.number("frozen_heat_capacity_J_kgK", 50.0, 2e4)};
+    }
+    if (layer.has("melts") && layer.flag_or("melts", false)) {
+        return Melting{.held = layer.number_or("held_water", 0.05, 0.0, 1.0)};
+    }
+    if (layer.has("cubic_K3")) {
+        Radiating law{.cubic = layer.number("cubic_K3", 0.0, 1e-3), .heat = {}};
+        const std::vector<double> heat = layer.numbers("heat_capacity_polynomial", 5);
+        if (heat.size() == 5) std::copy(heat.begin(), heat.end(), law.heat.begin());
+        return law;
+    }
+    return Constant{};
+}
+
 void read_layers(const Section& section, bool fresh, ThermalSurface& thermal) {
     if (!section.has("layers")) {
         if (fresh) {
@@ -145,10 +182,21 @@ void read_layers(const Section& section, bool fresh, ThermalSurface& thermal) {
     }
     thermal.layers.clear();
     for (const Section& layer : section.sections("layers")) {
+        if (layer.has("soil")) {
+            thermal.layers.push_back(read_soil(layer));
+            continue;
+        }
+        if (layer.has("regolith") && layer.flag_or("regolith", false)) {
+            for (const Layer& part : lunar_regolith(layer.number("thickness_m", 1e-3, 10.0))) {
+                thermal.layers.push_back(part);
+            }
+            continue;
+        }
         thermal.layers.push_back({.thickness = layer.number("thickness_m", 1e-5, 100.0),
                                   .conductivity = layer.number("conductivity_W_mK", 0.005, 500.0),
                                   .density = layer.number("density_kg_m3", 0.1, 25000.0),
-                                  .heat_capacity = layer.number("heat_capacity_J_kgK", 50.0, 2e4)});
+                                  .heat_capacity = layer.number("heat_capacity_J_kgK", 50.0, 2e4),
+                                  .law = read_law(layer)});
     }
     if (thermal.layers.empty()) section.mistake("layers", "no layer, expected one or more");
 }
@@ -166,8 +214,21 @@ Bottom read_bottom(const Section& section) {
     const std::string kind = read_kind(section, "flux", {"flux", "temperature", "interior"});
     if (kind == "temperature") return FixedTemperature{section.number("value_K", 1.0, 3000.0)};
     if (kind == "interior") {
-        return Interior{.air_temperature = section.number("air_temperature_K", 150.0, 1500.0),
-                        .film = section.number("film_W_m2K", 0.0, 1e4)};
+        Interior room{.air_temperature = section.number("air_temperature_K", 150.0, 1500.0),
+                      .film = section.number("film_W_m2K", 0.0, 1e4)};
+        if (!section.has("schedule")) return room;
+        for (const std::vector<double>& entry : section.rows("schedule", 2)) {
+            const bool ascends = room.schedule.empty() || entry[0] > room.schedule.back()[0];
+            if (entry[0] < 0.0 || entry[0] > 24.0 || entry[1] < 150.0 || entry[1] > 1500.0 ||
+                !ascends) {
+                section.mistake("schedule",
+                                "expected [hour, temperature_K] with ascending hours of 0 to 24 "
+                                "and 150 to 1500 K");
+                break;
+            }
+            room.schedule.push_back({entry[0], entry[1]});
+        }
+        return room;
     }
     return FixedFlux{section.number_or("value_W_m2", 0.0, -1e5, 1e5)};
 }
@@ -177,7 +238,7 @@ Convection read_convection(const Section& section) {
     if (kind == "constant") return ConstantFilm{section.number("value_W_m2K", 0.0, 1e4)};
     if (kind == "tarp") return Tarp{};
     if (kind == "mowitt") return Mowitt{};
-    return Louis{};
+    return Louis{.least_film = section.number_or("least_W_m2K", 0.0, 0.0, 100.0)};
 }
 
 Evaporation read_evaporation(const Section& section) {
@@ -185,6 +246,23 @@ Evaporation read_evaporation(const Section& section) {
     if (kind == "none") return {};
     return {.minimum_resistance = section.number("minimum_s_m", 0.0, 1e5),
             .wetness = section.number_or("wetness", 1.0, 0.0, 1.0)};
+}
+
+WaterStore read_store(const Section& section) {
+    return {.capacity_mm = section.number("capacity_mm", 0.0, 1000.0),
+            .wet_albedo = section.number_or("wet_albedo", -1.0, 0.0, 1.0)};
+}
+
+Canopy read_canopy(const Section& section) {
+    const std::string kind = read_kind(section, "none", {"none", "big_leaf", "two_source"});
+    if (kind == "big_leaf") {
+        return BigLeaf{.skin_conductance = section.number("skin_conductance_W_m2K", 0.01, 1e4)};
+    }
+    if (kind == "two_source") {
+        return TwoSource{.leaf_area = section.number("leaf_area", 0.0, 12.0),
+                         .leaf_resistance = section.number("leaf_resistance_s_m", 0.0, 1e5)};
+    }
+    return std::monostate{};
 }
 
 std::optional<ExposedBack> read_back(const Section& section) {
@@ -237,6 +315,8 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     if (section.has("evaporation")) {
         thermal.evaporation = read_evaporation(section.section("evaporation"));
     }
+    if (section.has("store")) thermal.store = read_store(section.section("store"));
+    if (section.has("canopy")) thermal.canopy = read_canopy(section.section("canopy"));
     if (section.has("back")) thermal.back = read_back(section.section("back"));
     thermal.internal_heat =
         section.number_or("internal_heat_W_m2", thermal.internal_heat, -1e5, 1e6);

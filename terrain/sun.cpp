@@ -86,7 +86,10 @@ SunPosition sun_position(const Site& site, Instant instant) {
 
 SunPosition sun_position(const Site& site, Instant instant, double pressure_hPa,
                          double temperature_C) {
-    SunPosition sun = sun_position(site, instant);
+    return refracted(sun_position(site, instant), pressure_hPa, temperature_C);
+}
+
+SunPosition refracted(SunPosition sun, double pressure_hPa, double temperature_C) {
     const double upper_limb_at_horizon_deg = -0.26667 - 0.5667;
     if (sun.elevation_deg >= upper_limb_at_horizon_deg) {
         const double e = sun.elevation_deg;

@@ -15,6 +15,16 @@ Stamp stamp_of(const std::string& word) {
     return word == "end" ? Stamp::end : Stamp::instant;
 }
 
+const std::vector<std::string> longwave_names{"dilley-obrien", "brutsaert", "prata",
+                                              "brunt",         "idso",      "swinbank"};
+
+LongwaveFormula longwave_of(const std::string& word) {
+    for (std::size_t i = 0; i < longwave_names.size(); ++i) {
+        if (word == longwave_names[i]) return static_cast<LongwaveFormula>(i);
+    }
+    return LongwaveFormula::dilley_obrien;
+}
+
 SpinUp spin_up_of(const std::string& word) {
     if (word == "none") return SpinUp::none;
     return word == "periodic" ? SpinUp::periodic : SpinUp::first_day;
@@ -38,6 +48,8 @@ ColumnJob read_column_job(const std::filesystem::path& file) {
     job.sky_view =
         facet.number_or("sky_view", 0.5 * (1.0 + std::cos(radians(job.slope_deg))), 0.0, 1.0);
 
+    job.airspeed = facet.number_or("airspeed_m_s", 0.0, 0.0, 3000.0);
+
     const Section material = root.section("material", true);
     job.surface =
         read_material(material, default_material_library(), file.parent_path(), "column").thermal;
@@ -48,6 +60,11 @@ ColumnJob read_column_job(const std::filesystem::path& file) {
     job.clear_sky.aerosol_500nm =
         sky.number_or("aerosol_500nm", job.clear_sky.aerosol_500nm, 0.0, 5.0);
     job.clear_sky.ozone_cm = sky.number_or("ozone_cm", job.clear_sky.ozone_cm, 0.0, 1.0);
+    job.clear_sky.longwave = longwave_of(sky.word_or("longwave", "dilley-obrien", longwave_names));
+    job.clear_sky.longwave_by_direction = sky.flag_or("longwave_by_direction", true);
+    if (sky.word_or("sun", "bird", {"bird", "ineichen"}) == "ineichen") {
+        job.clear_sky.linke_turbidity = sky.number_or("linke_turbidity", 3.0, 1.0, 12.0);
+    }
     if (sky.has("precipitable_water_cm")) {
         job.clear_sky.precipitable_water_cm = sky.number("precipitable_water_cm", 0.0, 10.0);
     }
@@ -65,9 +82,21 @@ ColumnJob read_column_job(const std::filesystem::path& file) {
     job.spin_up =
         spin_up_of(time.word_or("spin_up", "first-day", {"none", "first-day", "periodic"}));
     job.step = time.number_or("step_s", 1800.0, 0.1, 86400.0);
-    job.longest_step = time.number_or("longest_step_s", 60.0, 0.1, 86400.0);
+    job.longest_step = time.number_or("longest_step_s", 600.0, 0.1, 86400.0);
     if (time.has("initial_temperature_K")) {
         job.initial_temperature = time.number("initial_temperature_K", 1.0, 3000.0);
+    }
+    job.tolerance = time.number_or("tolerance_K", job.tolerance, 1e-7, 1.0);
+    if (time.has("initial_profile")) {
+        for (const std::vector<double>& point : time.rows("initial_profile", 2)) {
+            if (point[0] < 0.0 || point[1] < 1.0 || point[1] > 3000.0 ||
+                (!job.initial_profile.empty() && point[0] <= job.initial_profile.back().depth)) {
+                time.mistake("initial_profile",
+                             "expected [depth_m, temperature_K] with ascending depths");
+                break;
+            }
+            job.initial_profile.push_back({point[0], point[1]});
+        }
     }
     if (!start.empty()) job.start = parse_instant(start, time.where("start"));
     if (!end.empty()) job.end = parse_instant(end, time.where("end"));

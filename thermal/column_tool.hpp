@@ -14,6 +14,12 @@ namespace diurna {
 
 enum class SpinUp { none, first_day, periodic };
 
+/// A temperature in the ground.
+struct SoilPoint {
+    double depth;        // [m]
+    double temperature;  // [K]
+};
+
 /// One facet under a series of weather: what column.toml says.
 struct ColumnJob {
     Site site;
@@ -21,14 +27,18 @@ struct ColumnJob {
     double slope_deg = 0.0;   // 0 to 180
     double aspect_deg = 180;  // the way it faces, clockwise from north
     double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself, at its temperature
+    double airspeed = 0.0;    // [m s⁻¹] of a moving surface: its wind, and the air's recovery
     ThermalSurface surface;
     Weather weather;
     ClearSky clear_sky;
     Instant start{}, end{};
     SpinUp spin_up = SpinUp::first_day;
     double step = 1800.0;                       // output cadence [s]
-    double longest_step = 60.0;                 // of the integration [s]
+    double longest_step = 600.0;                // of the integration [s]
+    double tolerance = 0.002;                   // [K] per step, from step doubling
     double initial_temperature = not_measured;  // [K] uniform, for SpinUp::none
+    /// Ground at the start, for SpinUp::none: straight between ascending depths, constant beyond.
+    std::vector<SoilPoint> initial_profile;
 };
 
 /// One row of the result; fluxes are positive towards the surface [W m⁻²] and sum, with the
@@ -37,16 +47,26 @@ struct ColumnRow {
     Instant instant;
     double surface_temperature;  // [K]
     double absorbed_solar, longwave_in, longwave_out, sensible, latent, conducted;
-    double back_temperature;  // [K]
+    double back_temperature;    // [K]
+    double ground_temperature;  // [K] under a canopy; else the surface
+    double leaf_temperature;    // [K] of a canopy
+    double water_mm, frost_mm;  // standing on the surface
+    double melt;  // heat that melts snow or frost, mean since the row before [W m⁻²]
 };
 
 struct ColumnResult {
     std::vector<ColumnRow> row;  // at start, start + step, ... end
-    bool has_back = false;
-    std::string note;                // what was modelled for want of measurements
-    int passes = 0;                  // of the spin-up
-    double periodic_residual = 0.0;  // [K]
-    double worst_energy_closure = 0.0;
+    bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
+    std::string note;                   // what was modelled for want of measurements
+    int passes = 0;                     // of the spin-up
+    double periodic_residual = 0.0;     // [K]
+    double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, of any step
+    long long steps = 0, rejected = 0;
+    /// Steps that had to be taken otherwise than asked: backward Euler at the shortest step,
+    /// because the equations were not solved or the error stayed too large. Zero in normal use.
+    int limited = 0;
+    std::vector<double> depth, final_profile;  // (node) [m], [K]
+    double final_molten = 0.0;                 // heat of melting held by the column [J m⁻²]
 };
 
 /// Reads a column file (TOML; see the README, "The point tool") and its weather. Throws InputError

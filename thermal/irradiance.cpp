@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "materials/air.hpp"
 #include "materials/units.hpp"
@@ -55,14 +56,78 @@ ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pre
     return {direct, std::max(0.0, global - direct * cosine)};
 }
 
+ClearSun ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+                            double elevation, double linke_turbidity) {
+    if (sun_elevation_deg <= 0.0) return {0.0, 0.0};
+    const double zenith_deg = 90.0 - sun_elevation_deg;
+    const double cosine = std::sin(radians(sun_elevation_deg));
+    const double top = solar_constant / (distance_au * distance_au);
+    // Kasten & Young 1989, at the pressure of the place.
+    const double mass =
+        pressure / 101325.0 / (cosine + 0.50572 * std::pow(96.07995 - zenith_deg, -1.6364));
+    const double low = std::exp(-elevation / 8000.0), high = std::exp(-elevation / 1250.0);
+    const double haze = linke_turbidity - 1.0;
+    const double global = (5.09e-5 * elevation + 0.868) * top * cosine *
+                          std::exp(-(3.92e-5 * elevation + 0.0387) * mass * (low + high * haze));
+    const double beam = top * (0.664 + 0.163 / low) * std::exp(-0.09 * mass * haze);
+    const double most =
+        global / cosine *
+        std::max(0.0, 1.0 - (0.1 - 0.2 * std::exp(-linke_turbidity)) / (0.1 + 0.882 / low));
+    const double direct = std::min(beam, most);
+    return {direct, std::max(0.0, global - direct * cosine)};
+}
+
+double clear_longwave(const AirState& air, LongwaveFormula formula) {
+    const double t = air.temperature, e = air.vapour_pressure / 100.0;
+    const double black = stefan_boltzmann * power4(t);
+    switch (formula) {
+        case LongwaveFormula::brutsaert:
+            return 1.24 * std::pow(e / t, 1.0 / 7.0) * black;
+        case LongwaveFormula::prata: {
+            const double w = 46.5 * e / t;
+            return (1.0 - (1.0 + w) * std::exp(-std::sqrt(1.2 + 3.0 * w))) * black;
+        }
+        case LongwaveFormula::brunt:
+            return (0.52 + 0.065 * std::sqrt(e)) * black;
+        case LongwaveFormula::idso:
+            return (0.70 + 5.95e-5 * e * std::exp(1500.0 / t)) * black;
+        case LongwaveFormula::swinbank:
+            return 5.31e-13 * std::pow(t, 6);
+        case LongwaveFormula::dilley_obrien:
+            break;
+    }
+    return clear_longwave(air);
+}
+
+double tilted_sky_excess(double slope) {
+    // ∫ (ln sec z − ½) cos(incidence) dω / π over the sky in view; midpoints in sin² z, where a
+    // level facet's weight is even.
+    constexpr int rings = 400, azimuths = 180;
+    constexpr double b = 0.09;
+    const double up = std::cos(slope), across = std::sin(slope);
+    double sum = 0.0;
+    for (int i = 0; i < rings; ++i) {
+        const double square = (i + 0.5) / rings;  // sin² z
+        const double sine = std::sqrt(square), cosine = std::sqrt(1.0 - square);
+        double seen = 0.0;
+        for (int j = 0; j < azimuths; ++j) {
+            const double azimuth = std::numbers::pi * (j + 0.5) / azimuths;
+            seen += std::max(0.0, up * cosine + across * sine * std::cos(azimuth));
+        }
+        // dω = dφ d(sin² z) / (2 cos z)
+        sum += (-std::log(cosine) - 0.5) * seen / azimuths / cosine / rings;
+    }
+    return b * sum;
+}
+
 double clear_longwave(const AirState& air) {
     const double t = air.temperature / 273.16;
     return 59.38 + 113.7 * std::pow(t, 6) + 96.96 * std::sqrt(water_path_cm(air) / 2.5);
 }
 
-double cloudy_longwave(const AirState& air, double cloud_fraction) {
+double cloudy_longwave(const AirState& air, double cloud_fraction, LongwaveFormula formula) {
     const double black = stefan_boltzmann * power4(air.temperature);
-    return cloud_fraction * black + (1.0 - cloud_fraction) * clear_longwave(air);
+    return cloud_fraction * black + (1.0 - cloud_fraction) * clear_longwave(air, formula);
 }
 
 double erbs_diffuse_share(double clearness) {
@@ -78,10 +143,15 @@ double SkyState::global_horizontal() const {
 
 SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
                    const ClearSky& clear) {
+    return sky_state(sun_position(site, instant), elevation, forcing, clear);
+}
+
+SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
+                   const ClearSky& clear) {
     const AirState& air = forcing.air;
     const double pressure = air.pressure > 0.0 ? air.pressure : standard_pressure(elevation);
     SkyState sky;
-    sky.sun = sun_position(site, instant, pressure / 100.0, celsius(air.temperature));
+    sky.sun = refracted(geometric, pressure / 100.0, celsius(air.temperature));
     sky.to_sun = sun_direction(sky.sun);
     const double sine = sky.to_sun.z();
     const double top = solar_constant / (sky.sun.distance_au * sky.sun.distance_au);
@@ -118,7 +188,10 @@ SkyState sky_state(const Site& site, double elevation, Instant instant, const Fo
         const double water = std::isnan(clear.precipitable_water_cm) ? water_path_cm(air)
                                                                      : clear.precipitable_water_cm;
         const ClearSun sun =
-            bird_clear_sky(sky.sun.elevation_deg, sky.sun.distance_au, pressure, water, clear);
+            std::isnan(clear.linke_turbidity)
+                ? bird_clear_sky(sky.sun.elevation_deg, sky.sun.distance_au, pressure, water, clear)
+                : ineichen_clear_sky(sky.sun.elevation_deg, sky.sun.distance_au, pressure,
+                                     elevation, clear.linke_turbidity);
         const double cloud = std::isnan(forcing.cloud_fraction) ? 0.0 : forcing.cloud_fraction;
         const double clear_global = sun.direct_normal * sine + sun.diffuse_horizontal;
         const double under_cloud = clear_global * (1.0 - 0.75 * std::pow(cloud, 3.4));
@@ -134,9 +207,10 @@ SkyState sky_state(const Site& site, double elevation, Instant instant, const Fo
         sky.longwave_down = forcing.longwave_down;
     } else {
         sky.longwave_down = std::isnan(forcing.cloud_fraction)
-                                ? clear_longwave(air)
-                                : cloudy_longwave(air, forcing.cloud_fraction);
+                                ? clear_longwave(air, clear.longwave)
+                                : cloudy_longwave(air, forcing.cloud_fraction, clear.longwave);
     }
+    if (!std::isnan(forcing.cloud_fraction)) sky.clear_share = 1.0 - forcing.cloud_fraction;
     // Below 5 W/m² two pyranometers' offsets are larger than the albedo they would give.
     if (has_global && global > 5.0 && !std::isnan(forcing.shortwave_up)) {
         sky.albedo = std::clamp(forcing.shortwave_up / global, 0.0, 1.0);

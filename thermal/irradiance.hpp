@@ -9,13 +9,21 @@
 
 namespace diurna {
 
-/// What a cloudless sky does to sunlight (Bird & Hulstrom 1981).
+/// Longwave of the clear sky from air temperature and vapour pressure near the ground, by name.
+enum class LongwaveFormula { dilley_obrien, brutsaert, prata, brunt, idso, swinbank };
+
+/// What a cloudless sky does to sunlight (Bird & Hulstrom 1981; Ineichen & Perez 2002 where a
+/// turbidity is given) and which formula stands for its longwave.
 struct ClearSky {
     double aerosol_380nm = 0.15;                  // optical depth
     double aerosol_500nm = 0.10;                  // optical depth
     double ozone_cm = 0.3;                        // [atm cm]
     double precipitable_water_cm = not_measured;  // NaN: from the vapour pressure, 46.5 e/T
     double ground_albedo = 0.2;                   // of the surroundings, for the back-scattered sky
+    double linke_turbidity = not_measured;        // at air mass 2; a number chooses Ineichen
+    LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
+    /// Tilted facets see the sky brighter towards the horizon (tilted_sky_excess).
+    bool longwave_by_direction = true;
 };
 
 struct ClearSun {
@@ -31,12 +39,26 @@ struct ClearSun {
 ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                         double water_cm, const ClearSky& sky = {});
 
+/// Clear-sky sunlight after Ineichen & Perez 2002 from Linke's turbidity: where only the climate of
+/// a place is known. 20 W m⁻² in global and direct with the turbidity known to 0.2.
+ClearSun ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+                            double elevation, double linke_turbidity);
+
 /// Longwave radiation of a clear sky on the horizontal [W m⁻²], Dilley & O'Brien 1998:
 /// 59.38 + 113.7 (T/273.16)⁶ + 96.96 √(w/2.5), w = 4.65 e/T [cm, e in Pa over 10].
 /// 7 to 15 W m⁻² rms at six stations from desert to snow.
 double clear_longwave(const AirState& air);
+/// The same by another formula: Brutsaert 1975, Prata 1996, Brunt 1932 (0.52 + 0.065 √e), Idso
+/// 1981, Swinbank 1963. 10 to 35 W m⁻² rms at the same stations.
+double clear_longwave(const AirState& air, LongwaveFormula formula);
 /// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear.
-double cloudy_longwave(const AirState& air, double cloud_fraction);
+double cloudy_longwave(const AirState& air, double cloud_fraction,
+                       LongwaveFormula formula = LongwaveFormula::dilley_obrien);
+/// What a facet tilted by `slope` [rad] receives from the clear sky it sees beyond its sky view
+/// times the horizontal's flux, per σT⁴ of the air: the sky's emissivity grows towards the horizon
+/// as ε(z) = ε + b (ln sec z − ½), b = 0.09 (Unsworth & Monteith 1975). Zero for a level facet,
+/// 0.05 for a wall.
+double tilted_sky_excess(double slope);
 
 /// Diffuse share of global sunlight from the clearness index kt, Erbs et al. 1982.
 double erbs_diffuse_share(double clearness);
@@ -49,6 +71,7 @@ struct SkyState {
     double diffuse_horizontal = 0;         // [W m⁻²]
     double anisotropy = 0.0;               // Hay & Davies: direct over extraterrestrial, 0 to 1
     double longwave_down = 0.0;            // on the horizontal [W m⁻²]
+    double clear_share = 1.0;              // of the sky, for its longwave
     double albedo = not_measured;          // measured up over down, replaces the material's
     double plane_of_array = not_measured;  // measured on the facet, replaces the transposition
 
@@ -59,6 +82,9 @@ struct SkyState {
 /// alone is split by the clearness index; global, direct and diffuse together are made consistent
 /// with the global. Cloud without measured sun takes Kasten & Czeplak's 1 − 0.75 c³·⁴.
 SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
+                   const ClearSky& clear = {});
+/// The same for a sun whose place, without refraction, is known.
+SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
                    const ClearSky& clear = {});
 
 /// Fills the cloud fraction, where it is absent, from measured over clear-sky global sun

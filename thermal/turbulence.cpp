@@ -116,6 +116,7 @@ AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const Ai
         film.neutral =
             capacity * von_karman * von_karman * wind / (louis.log_momentum * louis.log_heat);
         film.instability = gravity * louis.wind_height / (air.temperature * wind * wind);
+        film.least = std::get<Louis>(surface.convection).least_film;
         film.a = louis.a;
         film.c = louis.c;
         film.s = louis.s;

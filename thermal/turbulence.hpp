@@ -54,6 +54,7 @@ struct AirFilm {
     double neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant or forced film
     double instability;      // [K⁻¹] x per kelvin of surface excess; 0 for plates and constants
     double a, c, s;          // of LouisForm; 0 for plates and constants
+    double least;            // [W m⁻² K⁻¹] added to ground's film
     double heat_capacity;    // [J m⁻³ K⁻¹] ρ cp of the air
     double vapour_pressure;  // [Pa] of the air
     double latent;           // [J m⁻³ Pa⁻¹] ρ L_v 0.622 / p
@@ -101,7 +102,7 @@ inline Film ground_film(const AirFilm& air, double temperature) {
     const double steepness = unstable ? air.a * inverse * inverse * (1.0 + 0.5 * air.c * root)
                                       : air.s * (1.0 - 45.0 * x) * inverse * inverse * root;
     const double slope = air.neutral * steepness * air.instability;
-    return {air.neutral * f, air.neutral * steepness * x, slope};
+    return {air.neutral * f + air.least, air.neutral * steepness * x, slope};
 }
 
 /// A plate under natural and forced convection: their sum (TARP) or their root sum of squares

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "materials/material.hpp"
+#include "thermal/heat_balance.hpp"
+#include "thermal/nonlinear_column.hpp"
+#include "thermal/turbulence.hpp"
+
+namespace diurna {
+
+/// What stands above one facet's ground at one instant: the point tool's surface, with all it may
+/// carry (water, frost, leaves).
+struct SurfaceConditions {
+    AirFilm air{};
+    NaturalFilm natural{};
+    double wind_speed = 0.0;      // [m s⁻¹] for the ground under leaves
+    double wind_height = 10.0;    // [m]
+    double absorbed_solar = 0.0;  // [W m⁻²]
+    double longwave_in = 0.0;     // [W m⁻²] irradiance from the sky
+    double own_view = 0.0;        // of ground as warm as the facet itself, 0 to 1
+    double emissivity = 1.0;
+    double internal = 0.0;           // [W m⁻²]
+    double wet_share = 0.0;          // covered by standing water, evaporating freely
+    bool stores = false;             // dew collects even on what does not evaporate by itself
+    double frost_conductance = 0.0;  // [W m⁻² K⁻¹] by which lying frost melts above 273.15 K
+    Canopy canopy;
+};
+
+/// The terms at a ground temperature, positive towards the surface [W m⁻²].
+struct SurfaceTerms {
+    HeatBalance balance;       // `conducted` stays zero
+    double wet_evaporation;    // latent heat of the wet share alone, per unit wet share
+    double frost_melt;         // heat taken by melting frost
+    double radiometric;        // [K] what a radiometer sees
+    double leaf;               // [K] leaves or skin; the ground itself without them
+    double into_ground;        // all of it
+    double into_ground_slope;  // d/dT of the ground [W m⁻² K⁻¹]
+};
+SurfaceTerms surface_terms(const SurfaceConditions& conditions, double ground_temperature);
+
+/// Latent heat towards the surface [W m⁻²] and its slope: as `latent_heat` (thermal/turbulence),
+/// but over ice below 273.15 K: Murray's (1967) pressure over ice, and the heat of sublimation,
+/// blended within 0.5 K of melting.
+LatentHeat latent_heat_or_frost(const AirFilm& air, const Film& film, double wetness,
+                                double resistance, double temperature);
+
+/// Air as warm as a surface that moves through it would find it (recovery temperature):
+/// T (1 + r (γ − 1)/2 M²) with r = 0.89, turbulent, and γ = 1.4.
+double recovery_temperature(double air_temperature, double speed);
+
+}  // namespace diurna

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -202,36 +203,42 @@ bool SurfaceTable::transparent(MaterialId material) const {
     return optics_[static_cast<std::size_t>(material)].transparent;
 }
 
-TemperatureScale::TemperatureScale(const Band& band, double low, double high, std::size_t cells)
-    : band_(band) {
-    if (!(low > 0.0 && high >= low)) return;
-    const double from = std::log(low), to = std::log(high);
-    step_ = std::max(1e-9, (to - from) / double(cells));
-    low_ = from;
-    value_.resize(cells + 1);
-    slope_.resize(cells + 1);
+TemperatureScale::TemperatureScale(const Band& band, float low, float high) : band_(band) {
+    if (!(low > 0.0f && high >= low)) return;
+    // 64 cells an octave, or fewer where the radiances span many.
+    const auto from = std::bit_cast<std::uint32_t>(low), to = std::bit_cast<std::uint32_t>(high);
+    shift_ = 17;
+    while ((to >> shift_) - (from >> shift_) > 512) ++shift_;
+    first_ = from >> shift_;
+    const std::size_t cells = (to >> shift_) - first_ + 1;
+    std::vector<double> value(cells + 1), slope(cells + 1), radiance(cells + 1);
     for_each_index(
         cells + 1,
         [&](std::size_t k) {
-            const double radiance = std::exp(low_ + step_ * double(k));
-            const double temperature = brightness_temperature(band_, radiance);
-            // d(1/T) / d ln L = −L / (T² dL/dT).
-            value_[k] = 1.0 / temperature;
-            slope_[k] = -step_ * radiance /
-                        (temperature * temperature * band_radiance_derivative(band_, temperature));
+            radiance[k] = std::bit_cast<float>((first_ + static_cast<std::uint32_t>(k)) << shift_);
+            value[k] = brightness_temperature(band_, radiance[k]);
+            slope[k] = 1.0 / band_radiance_derivative(band_, value[k]);
         },
         4);
+    cubic_.resize(cells);
+    for (std::size_t k = 0; k < cells; ++k) {
+        const double width = radiance[k + 1] - radiance[k];
+        const auto power = hermite(value[k], slope[k] * width, value[k + 1], slope[k + 1] * width);
+        std::copy(power.begin(), power.end(), cubic_[k].begin());
+    }
 }
 
 double TemperatureScale::operator()(double radiance) const {
     if (!(radiance > 0.0)) return 0.0;
-    const double u = value_.empty() ? -1.0 : (std::log(radiance) - low_) / step_;
-    const double last = double(value_.size()) - 1.0;
-    if (!(u >= -0.01 && u <= last + 0.01)) return brightness_temperature(band_, radiance);
-    const auto k = static_cast<std::size_t>(std::clamp(u, 0.0, last - 1.0));
-    const auto [a, b, c, d] = hermite(value_[k], slope_[k], value_[k + 1], slope_[k + 1]);
-    const double t = u - double(k);
-    return 1.0 / (a + t * (b + t * (c + t * d)));
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(radiance));
+    const std::uint32_t cell = (bits >> shift_) - first_;
+    if (cell >= cubic_.size()) return brightness_temperature(band_, radiance);
+    const auto at = [&](std::uint32_t k) {
+        return double{std::bit_cast<float>((first_ + k) << shift_)};
+    };
+    const double from = at(cell), t = (radiance - from) / (at(cell + 1) - from);
+    const auto& [a, b, c, d] = cubic_[cell];
+    return a + t * (b + t * (c + t * d));
 }
 
 }  // namespace diurna

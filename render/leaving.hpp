@@ -2,64 +2,102 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
-#include "render/band_table.hpp"
+#include "render/mode_table.hpp"
 #include "render/radiance.hpp"
 
 namespace diurna {
 
-/// The facets a picture depends on, those seen and those that shine on them, with what shading
-/// needs of each.
+/// The facets a picture depends on (those seen, those that shine on them, and those that shine on
+/// these in turn) and who shines on whom: all that stays the same while nothing moves.
 struct LitFacets {
-    struct State {
-        MaterialId material{};
-        float temperature = 0.0f;  // [K]
-        float sunlight = 0.0f;     // f cosθ / π
-        float sky_view = 0.0f;
-        std::array<float, 3> height_weight{};  // of the three heights light is known at
-    };
     static constexpr std::uint32_t absent = 0xFFFFFFFFu;
-    std::vector<FacetId> facet;            // ascending
-    std::vector<State> state;              // of each
-    std::vector<std::uint32_t> place;      // (facet of the scene) index above, or absent
-    std::vector<bool> material_used;       // (material)
-    std::array<double, 3> height_km{};     // least, middle, most of them
-    float coldest = 0.0f, hottest = 0.0f;  // [K]
+    std::vector<FacetId> facet;         // ascending
+    std::vector<std::uint32_t> place;   // (facet of the scene) index above, or absent
+    std::vector<std::uint32_t> row;     // (lit + 1) light received: [row[i], row[i + 1])
+    std::vector<std::uint32_t> source;  // index of a lit facet
+    std::vector<float> factor;          // of each source; a row adds up to 1 − sky view
+    std::vector<std::uint8_t> shining;  // (lit) shines on a facet that is seen
+    std::vector<float> height;          // (lit) −1 to 1 from the lowest to the highest
+    std::array<double, 3> height_km{};  // least, middle, most of them
+    std::vector<bool> material_used;    // (material)
 };
-/// Throws InputError if a temperature among them is not finite or outside 1 to 5000 K.
 LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen);
 
-/// Reflected light of one band: reflectance × light per material, height and channel.
+/// Range of the temperatures of the facets lit [K].
+struct TemperatureExtent {
+    float coldest = 300.0f, hottest = 300.0f;
+};
+/// Throws InputError if one is not finite or outside 1 to 5000 K.
+TemperatureExtent temperature_extent(const RadianceInput& input, const LitFacets& lit);
+
+/// Reflected light of one band: reflectance × light per material and height.
 struct ReflectedLight {
     std::vector<std::array<std::vector<float>, 3>> sun, sky;  // (material)(height)(channel)
 };
 ReflectedLight reflected_light(const Band& band, const Channels& channels,
                                const MaterialLibrary& materials, const std::vector<bool>& used,
                                std::span<const Light, 3> light);
+ReflectedLight in_modes(const ReflectedLight& light, const ModeBasis& basis);
 
-/// leaving_radiance() in channels and from tables, for many facets at a time.
-class Leaving {
+/// Floats without a value yet, from memory that earlier frames have used and given back: what the
+/// system would have to hand out and clear anew costs more than to fill it.
+class Scratch {
  public:
-    Leaving(const RadianceInput& input, const LitFacets& lit, const SurfaceTable& table,
-            const ReflectedLight& light);
-
-    /// Σ weight × radiance leaving each of `seen` [W m⁻² sr⁻¹], (facet, channel) padded: the sum
-    /// of all terms, or one of them.
-    void total(std::span<const FacetId> seen, std::vector<float>& out) const;
-    void term(Term term, std::span<const FacetId> seen, std::vector<float>& out) const;
+    explicit Scratch(std::size_t size);
+    ~Scratch();
+    Scratch(const Scratch&) = delete;
+    Scratch& operator=(const Scratch&) = delete;
+    float& operator[](std::size_t i) { return memory_[i]; }
+    const float& operator[](std::size_t i) const { return memory_[i]; }
 
  private:
-    void around(FacetId facet, float* out, float* black) const;
-    template <class Combine>
-    void each(std::span<const FacetId> seen, std::vector<float>& out, const Combine& combine) const;
+    std::unique_ptr<float[]> memory_;
+    std::size_t size_;
+};
+
+/// How much of the reflected light of surroundings is followed.
+struct BounceOptions {
+    int bounces = 2;  // 1: what surroundings reflect of each other counts as black
+    /// [K] of apparent temperature at the scene's cold end. A neighbour's second bounce is left out
+    /// where it changes no facet seen by more, as told by the temperatures around it and by
+    /// `sunlight`; what all neighbours of a facet leave out together is no more than this.
+    float tolerance = 3e-4f;
+    float sunlight = 0.0f;     // [K] of a white surface in the sun, over the slope at the cold end
+    float most_change = 1e3f;  // [K] no neighbour differs by more, sunlight included
+};
+
+/// leaving_radiance() in modes, for many facets at a time.
+///
+/// With two bounces, what a neighbour reflects of its own neighbours is followed; those neighbours'
+/// neighbours count as black at their temperature. `left` bounds the rest.
+class Leaving {
+ public:
+    Leaving(const RadianceInput& input, const LitFacets& lit, const ModeTable& table,
+            const ReflectedLight& light, std::span<const float> reflectance,
+            const BounceOptions& options);
+
+    /// Coefficients of what leaves a facet that is seen: the sum of all terms.
+    void total(FacetId facet, float* out) const;
+    /// The terms one by one, (term, mode) padded.
+    void terms(FacetId facet, float* out) const;
+    std::size_t padded() const { return table_.padded(); }
+    std::size_t followed() const { return second_.size(); }  // facets with a second bounce
+
+ private:
+    void first(std::size_t i, float* sum) const;
+    void around(std::size_t i, float* out) const;
 
     const RadianceInput& input_;
     const LitFacets& lit_;
-    const SurfaceTable& table_;
+    const ModeTable& table_;
     const ReflectedLight& light_;
-    std::vector<float> sent_;  // (lit facet, channel) J of radiance.hpp
+    std::vector<float> sent_;             // (lit, mode) what each lit facet sends
+    std::vector<std::uint8_t> followed_;  // (lit) `sent_` holds its second bounce
+    std::vector<std::uint32_t> second_;   // lit facets whose second bounce is followed, ascending
 };
 
 }  // namespace diurna

@@ -46,6 +46,13 @@ Stencil stencil(double x, std::size_t nodes) {
                        t * a * b * (1.0f / 6.0f)}};
 }
 
+std::array<float, 4> stencil_slopes(double x, const Stencil& s) {
+    const auto t = static_cast<float>(x - double(s.start));
+    const float a = t - 1.0f, b = t - 2.0f, c = t - 3.0f;
+    return {(a * b + a * c + b * c) * (-1.0f / 6.0f), (t * b + t * c + b * c) * 0.5f,
+            (t * a + t * c + a * c) * -0.5f, (t * a + t * b + a * b) * (1.0f / 6.0f)};
+}
+
 PathTable::PathTable(const Atmosphere& atmosphere, const PathExtent& extent,
                      std::span<const Band> bands, std::span<const Channels> channels,
                      std::span<const std::vector<std::vector<float>>> probe, double tolerance)
@@ -201,10 +208,40 @@ Stencil PathTable::range_stencil(float range) const {
     return stencil((u - u_low_) / (u_high_ - u_low_) * double(ranges_ - 1), ranges_);
 }
 
-std::array<float, 5> PathTable::height_weights(float height_km) const {
-    const double y = (height_km - extent_.least_height_km) /
-                     (extent_.most_height_km - extent_.least_height_km) * double(heights_ - 1);
-    return lagrange<5>(y, heights_);
+void PathTable::height_weights(float height_km, std::array<float, 5>& weight,
+                               std::array<float, 5>& slope) const {
+    const double per_km = double(heights_ - 1) / (extent_.most_height_km - extent_.least_height_km);
+    const auto y = static_cast<float>((double{height_km} - extent_.least_height_km) * per_km);
+    const auto scale = static_cast<float>(per_km);
+    // Products of the distances to the nodes before and after each, with derivatives.
+    const auto count = static_cast<int>(heights_);
+    std::array<float, 6> before{1.0f}, before_slope{}, after{}, after_slope{};
+    for (int j = 0; j < count; ++j) {
+        const auto k = static_cast<std::size_t>(j);
+        const float d = y - static_cast<float>(j);
+        before[k + 1] = before[k] * d;
+        before_slope[k + 1] = before_slope[k] * d + before[k];
+    }
+    after[heights_] = 1.0f;
+    for (int j = count - 1; j > 0; --j) {
+        const auto k = static_cast<std::size_t>(j);
+        const float d = y - static_cast<float>(j);
+        after[k] = after[k + 1] * d;
+        after_slope[k] = after_slope[k + 1] * d + after[k + 1];
+    }
+    static constexpr std::array<std::array<float, 5>, 6> norms = {
+        {{},
+         {},
+         {-1.0f, 1.0f},
+         {0.5f, -1.0f, 0.5f},
+         {},
+         {1.0f / 24, -1.0f / 6, 0.25f, -1.0f / 6, 1.0f / 24}}};
+    weight = slope = {};
+    for (std::size_t j = 0; j < heights_; ++j) {
+        const float norm = norms[heights_][j];
+        weight[j] = norm * before[j] * after[j + 1];
+        slope[j] = scale * norm * (before_slope[j] * after[j + 1] + before[j] * after_slope[j + 1]);
+    }
 }
 
 const float* PathTable::transmittance(std::size_t band, std::size_t range,

@@ -18,6 +18,8 @@ struct Stencil {
     std::array<float, 4> weight{};
 };
 Stencil stencil(double x, std::size_t nodes);
+/// Derivatives of those weights by x.
+std::array<float, 4> stencil_slopes(double x, const Stencil& s);
 
 /// Range and height of what an observer sees.
 struct PathExtent {
@@ -47,7 +49,12 @@ class PathTable {
     std::size_t heights() const { return heights_; }
     /// Nodes and weights for a range [m] and a height [km above the sea].
     Stencil range_stencil(float range) const;
-    std::array<float, 5> height_weights(float height_km) const;
+    /// Place of a range [km, its cube root] on the grid, and places per unit of it.
+    double place(double range_root) const { return (range_root - u_low_) * places_per_root(); }
+    double places_per_root() const { return double(ranges_ - 1) / (u_high_ - u_low_); }
+    /// Weights of the heights (two, three or five of them) and their derivatives [1/km].
+    void height_weights(float height_km, std::array<float, 5>& weight,
+                        std::array<float, 5>& slope) const;
 
     /// Transmittance to a node in the channels of a band (padded), and radiance of the air.
     const float* transmittance(std::size_t band, std::size_t range, std::size_t height) const;

@@ -178,6 +178,16 @@ std::vector<std::byte> encode_png(const Canvas& canvas) {
 
 }  // namespace
 
+ColourScale colour_scale(const Frame& frame, const std::string& plane) {
+    const Plane* solid = frame.find("temperature");
+    if (!solid) return colour_scale(frame[plane]);
+    Plane seen = frame[plane];
+    for (std::size_t p = 0; p < seen.pixel.size(); ++p) {
+        if (!std::isfinite(solid->pixel[p])) seen.pixel[p] = std::nanf("");
+    }
+    return colour_scale(seen);
+}
+
 ColourScale colour_scale(const Plane& plane) {
     std::vector<float> value;
     for (const float v : plane.pixel) {
@@ -196,7 +206,7 @@ ColourScale colour_scale(const Plane& plane) {
 void write_quicklook(const std::filesystem::path& path, const Frame& frame,
                      const std::string& plane_name, const QuicklookOptions& options) {
     const Plane& plane = frame[plane_name];
-    ColourScale scale = colour_scale(plane);
+    ColourScale scale = colour_scale(frame, plane_name);
     if (options.low_C) scale.low_C = *options.low_C;
     if (options.high_C) scale.high_C = *options.high_C;
     if (!(scale.high_C > scale.low_C)) {

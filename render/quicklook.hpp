@@ -27,6 +27,9 @@ struct ColourScale {
     double low_C, high_C;
 };
 ColourScale colour_scale(const Plane& plane);
+/// The same over the pixels that see a facet, if the frame has the plane `temperature` to tell
+/// them by: a cold sky shall not take up the colours.
+ColourScale colour_scale(const Frame& frame, const std::string& plane);
 
 /// The bare picture, each side divided by `shrink` (temperatures averaged), as PNG in memory: for
 /// contact sheets.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "materials/planck.hpp"
@@ -148,51 +149,78 @@ SightLine chord(double from_height_km, double to_height_km, double range_km, int
     return line;
 }
 
-std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
-                                                             FacetId facet,
-                                                             std::span<const double> node_um) {
+namespace {
+
+/// The light at heights 4 m apart, worked out once, and linear between them (2e-6 off, as optical
+/// depths change over a kilometre).
+struct LightMemo {
+    const RadianceInput& input;
+    std::span<const double> node_um;
+    std::map<long, Light> known;
+
+    const Light& step(long k) {
+        const auto [place, is_new] = known.try_emplace(k);
+        if (is_new) place->second = light_at(input, 4e-3 * double(k), node_um);
+        return place->second;
+    }
+    Light at(double height_km) {
+        const double u = height_km / 4e-3, below = std::floor(u), t = u - below;
+        const Light &low = step(std::lround(below)), &high = step(std::lround(below) + 1);
+        Light light = low;
+        for (std::size_t n = 0; n < node_um.size(); ++n) {
+            light.sun[n] += t * (high.sun[n] - low.sun[n]);
+            light.sky[n] += t * (high.sky[n] - low.sky[n]);
+        }
+        return light;
+    }
+};
+
+std::array<std::vector<double>, term_count> leaving_terms(const RadianceInput& input, FacetId facet,
+                                                          std::span<const double> node_um,
+                                                          int bounces, LightMemo& memo) {
     std::array<std::vector<double>, term_count> leaving;
     for (auto& term : leaving) term.assign(node_um.size(), 0.0);
     const auto of = [&](Term term) -> std::vector<double>& {
         return leaving[static_cast<std::size_t>(term)];
     };
-
+    const Surface own = surface_of(input, facet);
     const Exchange& exchange = input.sky_view.exchange;
     const std::size_t f = index(facet);
-    const double rest = 1.0 - double{input.sky_view.sky_view[f]};
+    const double rest = 1.0 - own.sky_view;
     double total = 0.0;
     for (std::uint32_t k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
         total += double{exchange.factor[k]};
     }
     std::vector<double> around(node_um.size(), 0.0);
-    for (std::uint32_t k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
-        const Surface seen = surface_of(input, exchange.facet[k]);
-        const Light light = light_at(input, seen.height_km, node_um);
+    for (std::uint32_t k = exchange.row[f]; bounces > 0 && k < exchange.row[f + 1]; ++k) {
+        const auto sent = leaving_terms(input, exchange.facet[k], node_um, bounces - 1, memo);
         const double factor = rest * double{exchange.factor[k]} / total;
-        for (std::size_t n = 0; n < node_um.size(); ++n) {
-            const auto [emissivity, reflectance, transmittance] =
-                optics(*seen.material, node_um[n]);
-            const double black = planck(node_um[n], seen.temperature);
-            around[n] +=
-                factor *
-                (emissivity * black + transmittance * planck(node_um[n], seen.behind) +
-                 reflectance * (seen.sunlight * light.sun[n] + seen.sky_view * light.sky[n] +
-                                (1.0 - seen.sky_view) * black));
+        for (const auto& term : sent) {
+            for (std::size_t n = 0; n < around.size(); ++n) around[n] += factor * term[n];
         }
     }
-
-    const Surface own = surface_of(input, facet);
-    const Light light = light_at(input, own.height_km, node_um);
+    const bool closed = bounces == 0 || total == 0.0;
+    const Light light = memo.at(own.height_km);
     for (std::size_t n = 0; n < node_um.size(); ++n) {
         const auto [emissivity, reflectance, transmittance] = optics(*own.material, node_um[n]);
         const double black = planck(node_um[n], own.temperature);
         of(Term::emitted)[n] = emissivity * black;
         of(Term::sun)[n] = reflectance * own.sunlight * light.sun[n];
         of(Term::sky)[n] = reflectance * own.sky_view * light.sky[n];
-        of(Term::surroundings)[n] = reflectance * (total > 0.0 ? around[n] : rest * black);
+        of(Term::surroundings)[n] = reflectance * (closed ? rest * black : around[n]);
         of(Term::behind)[n] = transmittance * planck(node_um[n], own.behind);
     }
     return leaving;
+}
+
+}  // namespace
+
+std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
+                                                             FacetId facet,
+                                                             std::span<const double> node_um,
+                                                             int bounces) {
+    LightMemo memo{.input = input, .node_um = node_um, .known = {}};
+    return leaving_terms(input, facet, node_um, bounces, memo);
 }
 
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,

@@ -75,15 +75,16 @@ int chord_segments(double height_change_km);
 ///
 /// V is the sky view, F the exchange row, scaled to 1 − V (so that ground beyond the scene's edge
 /// looks like the surroundings that are there; like the facet itself if there are none). J_j is
-/// the same sum for facet j, whose own surroundings count as black at its own temperature: one
-/// bounce in full, the rest closed so that an isothermal enclosure is exactly black; what is
-/// neglected is ρ ρ_j (1 − V)(1 − V_j) times the difference of the two. `behind` is black at the
-/// temperature of the room behind (Interior), else of the facet.
+/// the same sum for facet j, and so on; after `bounces` the surroundings count as black at the
+/// facet's own temperature, so that an isothermal enclosure is exactly black. With two, what is
+/// neglected is ρ ρ_j ρ_k (1 − V)(1 − V_j)(1 − V_k) times the difference of two black bodies.
+/// `behind` is black at the temperature of the room behind (Interior), else of the facet.
 ///
 /// returns  (term, node) [W m⁻² sr⁻¹ µm⁻¹]; Term::path is zero
 std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
                                                              FacetId facet,
-                                                             std::span<const double> node_um);
+                                                             std::span<const double> node_um,
+                                                             int bounces = 2);
 
 /// Band radiance [W m⁻² sr⁻¹] at the eye of a facet seen from `observer_height` [m] over a range,
 /// term by term and node by node; heights [m] above the origin's level surface.

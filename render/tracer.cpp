@@ -7,10 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "materials/error.hpp"
+#include "materials/planck.hpp"
 #include "render/band_table.hpp"
 #include "render/leaving.hpp"
+#include "render/mode_table.hpp"
 #include "render/path_table.hpp"
 #include "terrain/parallel.hpp"
 
@@ -42,11 +45,11 @@ PathExtent extent_of(const View& view, double ground_height_km) {
     extent.observer_height_km = ground_height_km + 1e-3 * view.observer_height;
     if (view.sighting.empty()) return extent;
     float near = 1e30f, far = 0.0f, low = 1e30f, high = -1e30f;
-    for (const Sighting& s : view.sighting) {
-        near = std::min(near, s.range);
-        far = std::max(far, s.range);
-        low = std::min(low, s.height);
-        high = std::max(high, s.height);
+    for (std::size_t t = 0; t < view.facet.size(); ++t) {
+        near = std::min(near, view.range[t]);
+        far = std::max(far, view.range[t]);
+        low = std::min(low, view.target_height[t]);
+        high = std::max(high, view.target_height[t]);
     }
     extent.least_range_km = 1e-3 * double(near);
     extent.most_range_km = 1e-3 * double(far);
@@ -55,72 +58,145 @@ PathExtent extent_of(const View& view, double ground_height_km) {
     return extent;
 }
 
-/// The range nodes each target needs, so that its radiance at the eye is formed there only.
-struct Reach {
-    std::vector<std::uint32_t> first;   // (target) first range node
-    std::vector<std::uint32_t> offset;  // (target + 1) into (target, its range nodes)
+/// A band's PathTable in modes, nodes side by side: (range, height, mode).
+struct EyeTable {
+    std::size_t padded, heights;
+    std::vector<float> transmittance;
+    std::vector<float> radiance;  // (range, height)
+
+    EyeTable(const PathTable& path, std::size_t band, const ModeBasis& basis)
+        : padded(basis.padded()), heights(path.heights()) {
+        const std::size_t nodes = path.ranges() * heights;
+        transmittance.resize(nodes * padded);
+        radiance.resize(nodes);
+        for (std::size_t k = 0; k < nodes; ++k) {
+            basis.project(path.transmittance(band, k / heights, k % heights),
+                          &transmittance[k * padded]);
+            radiance[k] = path.radiance(band, k / heights, k % heights);
+        }
+    }
 };
 
-Reach reach_of(const View& view, const PathTable& path) {
-    std::vector<float> near(view.facet.size(), std::numeric_limits<float>::max());
-    std::vector<float> far(view.facet.size(), 0.0f);
-    for (const Sighting& s : view.sighting) {
-        near[s.target] = std::min(near[s.target], s.range);
-        far[s.target] = std::max(far[s.target], s.range);
-    }
-    Reach reach;
-    reach.first.resize(near.size());
-    reach.offset.assign(near.size() + 1, 0);
-    for (std::size_t k = 0; k < near.size(); ++k) {
-        const std::size_t first = path.range_stencil(near[k]).start;
-        const std::size_t last = path.range_stencil(far[k]).start + 3;
-        reach.first[k] = static_cast<std::uint32_t>(first);
-        reach.offset[k + 1] = reach.offset[k] + static_cast<std::uint32_t>(last - first + 1);
-    }
-    return reach;
-}
-
-float dot(const float* a, const float* b, std::size_t n) {
-    float sum = 0.0f;
-#pragma omp simd reduction(+ : sum)
-    for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-/// Radiance at the eye of every target at its grid nodes, (target, range node, height, column).
+/// Radiance at the eye of a target, and how it changes with range [1/m] and height [1/m].
 struct AtEye {
-    std::size_t columns = 0;
-    std::vector<float> value;
+    float value, by_range, by_height;
 };
 
-/// Carries leaving radiance (target, channel) through the air into one column.
-void carry(const std::vector<float>& leaving, std::size_t padded, const PathTable& path,
-           std::size_t band, const Reach& reach, std::size_t column, AtEye& eye) {
-    const std::size_t heights = path.heights();
-    for_each_index(reach.first.size(), [&](std::size_t k) {
-        const float* from = &leaving[k * padded];
-        for (std::uint32_t slot = reach.offset[k]; slot < reach.offset[k + 1]; ++slot) {
-            const std::size_t range = reach.first[k] + (slot - reach.offset[k]);
-            for (std::size_t h = 0; h < heights; ++h) {
-                eye.value[(slot * heights + h) * eye.columns + column] +=
-                    dot(path.transmittance(band, range, h), from, padded);
-            }
-        }
-    });
-}
+/// Where a target lies on the grid, with slopes by range [1/m] and height [1/m].
+struct GridPlace {
+    std::size_t start;
+    std::array<float, 4> range, range_slope;
+    std::array<float, 5> height, height_slope;
 
-void add_path(const PathTable& path, std::size_t band, const Reach& reach, std::size_t column,
-              AtEye& eye) {
-    const std::size_t heights = path.heights();
-    for_each_index(reach.first.size(), [&](std::size_t k) {
-        for (std::uint32_t slot = reach.offset[k]; slot < reach.offset[k + 1]; ++slot) {
-            const std::size_t range = reach.first[k] + (slot - reach.offset[k]);
-            for (std::size_t h = 0; h < heights; ++h) {
-                eye.value[(slot * heights + h) * eye.columns + column] +=
-                    path.radiance(band, range, h);
+    GridPlace(const PathTable& path, float range_m, float height_m, double ground_height_km) {
+        const double root = double{std::cbrt(1e-3f * range_m)};
+        const double x = path.place(root);
+        const Stencil s = stencil(x, path.ranges());
+        start = s.start;
+        range = s.weight;
+        range_slope = stencil_slopes(x, s);
+        const auto scale =
+            static_cast<float>(path.places_per_root() * root / (3.0 * double{range_m}));
+        for (float& w : range_slope) w *= scale;
+        path.height_weights(static_cast<float>(ground_height_km + 1e-3 * double{height_m}), height,
+                            height_slope);
+        for (float& w : height_slope) w *= 1e-3f;
+    }
+};
+
+/// Transmittance (mode) to a place with its slopes, and radiance of the air.
+struct Air {
+    std::array<std::vector<float>, 3> transmittance;  // value, by range, by height
+    AtEye path{};
+
+    explicit Air(std::size_t padded) {
+        for (auto& t : transmittance) t.resize(padded);
+    }
+    void at(const EyeTable& table, const GridPlace& place) {
+        const std::size_t n = table.padded, heights = table.heights;
+        float* value = transmittance[0].data();
+        float* by_range = transmittance[1].data();
+        float* by_height = transmittance[2].data();
+        std::fill_n(value, n, 0.0f);
+        std::fill_n(by_range, n, 0.0f);
+        std::fill_n(by_height, n, 0.0f);
+        path = {};
+        for (std::size_t h = 0; h < heights; ++h) {
+            const std::size_t node = place.start * heights + h, step = heights;
+            const float* t = &table.transmittance[node * n];
+            const float* p = &table.radiance[node];
+            const float w0 = place.range[0], w1 = place.range[1], w2 = place.range[2],
+                        w3 = place.range[3];
+            const float s0 = place.range_slope[0], s1 = place.range_slope[1],
+                        s2 = place.range_slope[2], s3 = place.range_slope[3];
+            const float up = place.height[h], up_slope = place.height_slope[h];
+            const std::size_t stride = step * n;
+#pragma omp simd
+            for (std::size_t k = 0; k < n; ++k) {
+                const float t0 = t[k], t1 = t[k + stride], t2 = t[k + 2 * stride],
+                            t3 = t[k + 3 * stride];
+                const float across = w0 * t0 + w1 * t1 + w2 * t2 + w3 * t3;
+                value[k] += up * across;
+                by_range[k] += up * (s0 * t0 + s1 * t1 + s2 * t2 + s3 * t3);
+                by_height[k] += up_slope * across;
             }
+            const float across = w0 * p[0] + w1 * p[step] + w2 * p[2 * step] + w3 * p[3 * step];
+            path.value += up * across;
+            path.by_range += up * (s0 * p[0] + s1 * p[step] + s2 * p[2 * step] + s3 * p[3 * step]);
+            path.by_height += up_slope * across;
         }
-    });
+    }
+    /// A spectrum that leaves the place, as it arrives.
+    AtEye carried(const float* leaving) const {
+        const std::size_t n = transmittance[0].size();
+        return {dot(transmittance[0].data(), leaving, n), dot(transmittance[1].data(), leaving, n),
+                dot(transmittance[2].data(), leaving, n)};
+    }
+
+ private:
+    static float dot(const float* a, const float* b, std::size_t n) {
+        float sum = 0.0f;
+#pragma omp simd reduction(+ : sum)
+        for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
+        return sum;
+    }
+};
+
+/// The same for one spectrum without keeping the transmittance: radiance at the eye of all that
+/// leaves a place and of the air before it. Eight modes at a time stay in registers.
+AtEye carry(const EyeTable& table, const GridPlace& place, const float* leaving) {
+    using Lane = Eigen::Array<float, 8, 1>;
+    const auto load = [](const float* from) { return Eigen::Map<const Lane>(from); };
+    const std::size_t n = table.padded, heights = table.heights, stride = heights * n;
+    const auto &w = place.range, &s = place.range_slope;
+    Lane value = Lane::Zero(), by_range = Lane::Zero(), by_height = Lane::Zero();
+    const float* first = &table.transmittance[place.start * stride];
+    for (std::size_t k = 0; k < n; k += 8) {
+        Lane here = Lane::Zero(), deeper = Lane::Zero(), higher = Lane::Zero();
+        for (std::size_t h = 0; h < heights; ++h) {
+            const float* t = first + h * n + k;
+            const Lane t0 = load(t), t1 = load(t + stride), t2 = load(t + 2 * stride),
+                       t3 = load(t + 3 * stride);
+            const Lane across = w[0] * t0 + w[1] * t1 + w[2] * t2 + w[3] * t3;
+            here += place.height[h] * across;
+            higher += place.height_slope[h] * across;
+            deeper += place.height[h] * (s[0] * t0 + s[1] * t1 + s[2] * t2 + s[3] * t3);
+        }
+        const Lane from = load(leaving + k);
+        value += from * here;
+        by_range += from * deeper;
+        by_height += from * higher;
+    }
+    AtEye eye{value.sum(), by_range.sum(), by_height.sum()};
+    for (std::size_t h = 0; h < heights; ++h) {
+        const float* p = &table.radiance[place.start * heights + h];
+        const float p0 = p[0], p1 = p[heights], p2 = p[2 * heights], p3 = p[3 * heights];
+        const float across = w[0] * p0 + w[1] * p1 + w[2] * p2 + w[3] * p3;
+        eye.value += place.height[h] * across;
+        eye.by_height += place.height_slope[h] * across;
+        eye.by_range += place.height[h] * (s[0] * p0 + s[1] * p1 + s[2] * p2 + s[3] * p3);
+    }
+    return eye;
 }
 
 /// Per band: the background over the zenith angles at which some pixel sees it.
@@ -140,45 +216,30 @@ std::vector<BackgroundTable> backgrounds(const View& view, std::span<const Band>
     return tables;
 }
 
-/// Sums sightings and background into planes (column)(pixel).
-std::vector<std::vector<float>> sum_pixels(const View& view, const AtEye& eye,
-                                           const PathTable& path, const Reach& reach,
-                                           std::span<const BackgroundTable> background,
-                                           std::size_t columns_per_band, double ground_height_km) {
-    constexpr std::size_t most_columns = 64;
-    const std::size_t columns = eye.columns, heights = path.heights();
-    if (columns > most_columns) throw InputError("render", "too many bands and terms at once");
-    std::vector<std::vector<float>> planes(columns, std::vector<float>(view.pixels()));
-    for_each_block(view.pixels(), 1024, [&](std::size_t begin, std::size_t end) {
+/// Sums sightings of one band's targets into planes (column)(pixel); the last column is the air's,
+/// or the only one.
+template <std::size_t Columns>
+void sum_pixels(const View& view, const std::vector<AtEye>& eye, const BackgroundTable* background,
+                std::span<std::vector<float>> planes) {
+    for_each_block(view.pixels(), 2048, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
-            std::array<float, most_columns> sum{};
+            std::array<float, Columns> sum{};
             for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
                 const Sighting& s = view.sighting[k];
-                const Stencil across = path.range_stencil(s.range);
-                const auto up =
-                    path.height_weights(static_cast<float>(ground_height_km + 1e-3 * s.height));
-                const std::size_t slot =
-                    reach.offset[s.target] + (across.start - reach.first[s.target]);
-                const float* value = &eye.value[slot * heights * columns];
-                for (std::size_t r = 0; r < 4; ++r) {
-                    for (std::size_t h = 0; h < heights; ++h) {
-                        const float weight = s.weight * across.weight[r] * up[h];
-                        for (std::size_t c = 0; c < columns; ++c) sum[c] += weight * value[c];
-                        value += columns;
-                    }
+                const AtEye* at = &eye[s.target * Columns];
+                for (std::size_t c = 0; c < Columns; ++c) {
+                    sum[c] += s.weight * (at[c].value + s.deeper * at[c].by_range +
+                                          s.higher * at[c].by_height);
                 }
             }
             if (view.sky[p] > 0.0f) {
-                for (std::size_t b = 0; b < background.size(); ++b) {
-                    // The background is air, or ends in air: it counts as path.
-                    sum[(b + 1) * columns_per_band - 1] +=
-                        view.sky[p] * static_cast<float>(background[b](view.sky_zenith_deg[p]));
-                }
+                // The background is air, or ends in air: it counts as path.
+                sum[Columns - 1] +=
+                    view.sky[p] * static_cast<float>((*background)(view.sky_zenith_deg[p]));
             }
-            for (std::size_t c = 0; c < columns; ++c) planes[c][p] = sum[c];
+            for (std::size_t c = 0; c < Columns; ++c) planes[c][p] = sum[c];
         }
     });
-    return planes;
 }
 
 std::vector<float> apparent_temperature(const Band& band, const std::vector<float>& radiance) {
@@ -191,7 +252,7 @@ std::vector<float> apparent_temperature(const Band& band, const std::vector<floa
     std::vector<float> temperature(radiance.size());
     for_each_index(
         radiance.size(),
-        [&](std::size_t p) { temperature[p] = static_cast<float>(scale(double(radiance[p]))); },
+        [&](std::size_t p) { temperature[p] = static_cast<float>(scale(double{radiance[p]})); },
         4096);
     return temperature;
 }
@@ -244,6 +305,109 @@ std::vector<std::array<Light, 3>> light_of(const RadianceInput& input, const Lit
     return light;
 }
 
+float middle(const TemperatureExtent& extent) { return 0.5f * (extent.coldest + extent.hottest); }
+
+/// The greatest reflectance of each material in a band.
+std::vector<float> greatest_reflectance(const Band& band, const MaterialLibrary& materials,
+                                        const std::vector<bool>& used) {
+    std::vector<float> greatest(materials.size(), 0.0f);
+    for (std::size_t m = 0; m < greatest.size(); ++m) {
+        if (!used[m]) continue;
+        const Material& material = materials[MaterialId{static_cast<std::uint16_t>(m)}];
+        for (const double um : band.node_um) {
+            greatest[m] = std::max(greatest[m], static_cast<float>(material.reflectance.at(um)));
+        }
+    }
+    return greatest;
+}
+
+/// Modes for all that surfaces send out in a band, good to 0.4 mK at the cold end of the scene or
+/// 1e-9 of the sunlight it reflects.
+ModeBasis basis_of(const Band& band, const Channels& channels, const SurfaceTable& table,
+                   const ReflectedLight& light, const RadianceInput& input, const LitFacets& lit,
+                   const TemperatureExtent& extent) {
+    constexpr std::size_t steps = 10;
+    const std::size_t n = channels.padded();
+    std::vector<std::vector<float>> generators;
+    const auto add = [&](const auto& value) {
+        std::vector<float>& g = generators.emplace_back(n);
+        for (std::size_t c = 0; c < channels.size(); ++c) g[c] = value(c);
+    };
+    std::vector<float> black(n), emitted(n), reflectance(n), other(n);
+    table.black(middle(extent), black.data());
+    add([&](std::size_t c) { return black[c]; });
+    double sunlit = 0.0;
+    for (std::size_t s = 0; s <= steps; ++s) {
+        const float temperature = extent.coldest + (extent.hottest - extent.coldest) *
+                                                       static_cast<float>(s) / float(steps);
+        table.black(temperature, black.data());
+        add([&](std::size_t c) { return black[c]; });
+        for (std::size_t m = 0; m < input.materials.size(); ++m) {
+            if (!lit.material_used[m]) continue;
+            table.surface(MaterialId{static_cast<std::uint16_t>(m)}, temperature, emitted.data(),
+                          reflectance.data());
+            add([&](std::size_t c) { return emitted[c]; });
+            if (s % (steps / 2) == 0) add([&](std::size_t c) { return reflectance[c] * black[c]; });
+        }
+    }
+    table.black(middle(extent), black.data());
+    for (std::size_t m = 0; m < input.materials.size(); ++m) {
+        if (!lit.material_used[m]) continue;
+        const MaterialId id{static_cast<std::uint16_t>(m)};
+        for (std::size_t h = 0; h < 3; ++h) {
+            add([&](std::size_t c) { return light.sun[m][h][c] / std::numbers::pi_v<float>; });
+            double norm = 0.0;
+            for (const float x : generators.back()) norm += double{x} * double{x};
+            sunlit = std::max(sunlit, std::sqrt(norm));
+            add([&](std::size_t c) { return light.sky[m][h][c]; });
+        }
+        if (const float* room = table.room(id)) add([&](std::size_t c) { return room[c]; });
+        // Light reflected twice.
+        table.surface(id, middle(extent), emitted.data(), reflectance.data());
+        for (std::size_t k = 0; k < input.materials.size(); ++k) {
+            if (!lit.material_used[k]) continue;
+            table.surface(MaterialId{static_cast<std::uint16_t>(k)}, middle(extent), emitted.data(),
+                          other.data());
+            add([&](std::size_t c) { return other[c] * reflectance[c] * black[c]; });
+            add([&](std::size_t c) {
+                return other[c] * light.sun[m][1][c] / std::numbers::pi_v<float>;
+            });
+            add([&](std::size_t c) { return other[c] * light.sky[m][1][c]; });
+        }
+    }
+    const double tolerance =
+        std::max(4e-4 * band_radiance_derivative(band, double{extent.coldest}), 1e-9 * sunlit);
+    return ModeBasis(generators, channels.size(), tolerance);
+}
+
+/// Bounces, with the worth of sunlight and of the scene's spread in kelvins at its cold end.
+BounceOptions bounce_options(const Band& band, const TemperatureExtent& extent, const Light& light,
+                             const FrameOptions& options) {
+    const double slope = band_radiance_derivative(band, double{extent.coldest});
+    const double sunlight = band_sum_nodes(band, light.sun) / std::numbers::pi / slope;
+    // Planck's law is convex in temperature: the hot end counts more than its kelvins.
+    const double warmth = (band_radiance(band, double{extent.hottest}) -
+                           band_radiance(band, double{extent.coldest})) /
+                          slope;
+    const double kelvins = std::max(1e-3, double{extent.hottest} - double{extent.coldest});
+    const double steepness = std::max(1.0, warmth / kelvins);
+    BounceOptions bounce{.bounces = options.bounces};
+    bounce.tolerance = static_cast<float>(0.3 * options.tolerance / steepness);
+    bounce.sunlight = static_cast<float>(std::min(1e30, sunlight / steepness));
+    bounce.most_change = static_cast<float>(kelvins) + bounce.sunlight;
+    return bounce;
+}
+
+std::vector<float> sum_of(const std::vector<std::vector<float>>& planes) {
+    std::vector<float> sum(planes[0].size());
+    for (std::size_t p = 0; p < sum.size(); ++p) {
+        double total = 0.0;
+        for (const auto& plane : planes) total += double{plane[p]};
+        sum[p] = static_cast<float>(total);
+    }
+    return sum;
+}
+
 }  // namespace
 
 Frame render(const View& view, const Observer& observer, std::span<const Band> bands,
@@ -259,11 +423,12 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         if (options.truth) add_truth(view, input, frame);
         return frame;
     }
-
-    const LitFacets lit = lit_facets(input, view.facet);
-    const TemperatureGrid grid = temperature_grid(lit.coldest, lit.hottest);
+    std::optional<LitFacets> own;
+    if (!options.lit) own = lit_facets(input, view.facet);
+    const LitFacets& lit = options.lit ? *options.lit : *own;
+    const TemperatureExtent extent = temperature_extent(input, lit);
+    const TemperatureGrid grid = temperature_grid(extent.coldest, extent.hottest);
     const auto light = light_of(input, lit, bands);
-
     std::vector<Channels> channels;
     std::vector<SurfaceTable> tables;
     std::vector<std::vector<std::vector<float>>> probes;
@@ -274,59 +439,76 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
                             scattered_sunlight(input, light[b][1]));
         // Black bodies as cold and as hot as the scene, and a mirror of a cold sky.
         std::vector<float> cold(channels.back().padded()), hot(cold.size()), mirror(cold.size());
-        tables.back().black(lit.coldest, cold.data());
-        tables.back().black(lit.hottest, hot.data());
+        tables.back().black(extent.coldest, cold.data());
+        tables.back().black(extent.hottest, hot.data());
         std::transform(cold.begin(), cold.end(), mirror.begin(), [](float x) { return 0.2f * x; });
         probes.push_back({std::move(cold), std::move(hot), std::move(mirror)});
+        // Where sunlight outshines heat, an error is worth more kelvins.
+        if (const auto scattered = scattered_sunlight(input, light[b][1]); !scattered.empty()) {
+            const std::vector<double> one(scattered.size(), 1.0);
+            probes.back().push_back(channel_sums(band, channels[b], one, scattered));
+            for (std::size_t c = 0; c < channels[b].padded(); ++c) {
+                probes.back().back()[c] += probes.back().front()[c];
+            }
+        }
     }
-
     const PathTable path(input.atmosphere, extent_of(view, input.ground_height_km), bands, channels,
                          probes, options.tolerance);
-    const Reach reach = reach_of(view, path);
-    const std::size_t per_band = options.terms ? term_count : 1;
-    AtEye eye{.columns = bands.size() * per_band, .value = {}};
-    eye.value.assign(std::size_t{reach.offset.back()} * path.heights() * eye.columns, 0.0f);
-
-    std::vector<float> leaving_here;
-    for (std::size_t b = 0; b < bands.size(); ++b) {
-        const ReflectedLight reflected =
-            reflected_light(bands[b], channels[b], input.materials, lit.material_used, light[b]);
-        const Leaving leaving(input, lit, tables[b], reflected);
-        const std::size_t padded = channels[b].padded();
-        if (options.terms) {
-            for (std::size_t t = 0; t + 1 < term_count; ++t) {
-                leaving.term(static_cast<Term>(t), view.facet, leaving_here);
-                carry(leaving_here, padded, path, b, reach, b * per_band + t, eye);
-            }
-        } else {
-            leaving.total(view.facet, leaving_here);
-            carry(leaving_here, padded, path, b, reach, b, eye);
-        }
-        add_path(path, b, reach, (b + 1) * per_band - 1, eye);
-    }
-
     const auto background = backgrounds(view, bands, input);
-    auto planes = sum_pixels(view, eye, path, reach, background, per_band, input.ground_height_km);
+    const std::size_t per_band = options.terms ? term_count : 1;
+    std::vector<AtEye> eye(view.facet.size() * per_band);
     for (std::size_t b = 0; b < bands.size(); ++b) {
         const Band& band = bands[b];
-        std::vector<float> radiance(view.pixels());
-        for (std::size_t p = 0; p < radiance.size(); ++p) {
-            double sum = 0.0;
-            for (std::size_t c = 0; c < per_band; ++c) sum += double(planes[b * per_band + c][p]);
-            radiance[p] = static_cast<float>(sum);
+        const ReflectedLight in_channels =
+            reflected_light(band, channels[b], input.materials, lit.material_used, light[b]);
+        const ModeBasis basis =
+            basis_of(band, channels[b], tables[b], in_channels, input, lit, extent);
+        const ModeTable surface(tables[b], basis, input.materials.size(), lit.material_used,
+                                middle(extent));
+        const ReflectedLight reflected = in_modes(in_channels, basis);
+        const Leaving leaving(input, lit, surface, reflected,
+                              greatest_reflectance(band, input.materials, lit.material_used),
+                              bounce_options(band, extent, light[b][2], options));
+        const EyeTable air_table(path, b, basis);
+        for_each_block(view.facet.size(), 1024, [&](std::size_t begin, std::size_t end) {
+            Air air(basis.padded());
+            std::vector<float> spectrum(basis.padded() * term_count);
+            for (std::size_t t = begin; t < end; ++t) {
+                const GridPlace place(path, view.range[t], view.target_height[t],
+                                      input.ground_height_km);
+                if (options.terms) {
+                    air.at(air_table, place);
+                    leaving.terms(view.facet[t], spectrum.data());
+                    for (std::size_t c = 0; c + 1 < term_count; ++c) {
+                        eye[t * per_band + c] = air.carried(&spectrum[c * basis.padded()]);
+                    }
+                    eye[t * per_band + term_count - 1] = air.path;
+                } else {
+                    leaving.total(view.facet[t], spectrum.data());
+                    eye[t] = carry(air_table, place, spectrum.data());
+                }
+            }
+        });
+        std::vector<std::vector<float>> planes(per_band, std::vector<float>(view.pixels()));
+        const BackgroundTable* sky = background.empty() ? nullptr : &background[b];
+        if (options.terms) {
+            sum_pixels<term_count>(view, eye, sky, planes);
+        } else {
+            sum_pixels<1>(view, eye, sky, planes);
         }
+        std::vector<float> radiance = options.terms ? sum_of(planes) : std::move(planes[0]);
         auto temperature = apparent_temperature(band, radiance);
         frame.planes.push_back({"radiance." + band.name, "W m-2 sr-1", std::move(radiance)});
         frame.planes.push_back({"apparent_temperature." + band.name, "K", std::move(temperature)});
         for (std::size_t t = 0; options.terms && t < term_count; ++t) {
             frame.planes.push_back({fmt::format("{}.{}", term_names[t], band.name), "W m-2 sr-1",
-                                    std::move(planes[b * per_band + t])});
+                                    std::move(planes[t])});
         }
         frame.notes["band." + band.name] =
             fmt::format("{:g} to {:g} um", band.from_um(), band.to_um());
-        frame.notes["error." + band.name] =
-            fmt::format("{:.2g} mK from {} ranges, {} heights", 1e3 * path.error(b), path.ranges(),
-                        path.heights());
+        frame.notes["error." + band.name] = fmt::format(
+            "{:.2g} mK from {} ranges, {} heights, {} modes of {} channels", 1e3 * path.error(b),
+            path.ranges(), path.heights(), basis.size(), channels[b].size());
     }
     if (options.truth) add_truth(view, input, frame);
     return frame;

@@ -74,25 +74,25 @@ void gather(std::span<Sample> samples, float share, Tile& out) {
         const double n = double(last - first);
         out.sighting.push_back({.target = static_cast<std::uint32_t>(samples[first].key >> 32),
                                 .weight = static_cast<float>(n) * share,
-                                .range = static_cast<float>(range / n),
-                                .height = static_cast<float>(height / n)});
+                                .deeper = static_cast<float>(range / n),
+                                .higher = static_cast<float>(height / n)});
         ++count;
         first = last;
     }
     out.count.push_back(count);
 }
 
-/// Part of a facet that a sighting belongs to: 1/64 of an octave of range, 16 m of height.
+/// Part of a facet that a sighting belongs to: 1/128 of an octave of range, 16 m of height.
 std::uint64_t part_of(const Sighting& s) {
-    const auto bits = std::bit_cast<std::uint32_t>(s.range);
-    const auto step = static_cast<std::uint32_t>(std::floor(s.height / 16.0f) + 65536.0f);
-    return std::uint64_t{bits >> 17} << 32 | step;
+    const auto bits = std::bit_cast<std::uint32_t>(s.deeper);
+    const auto step = static_cast<std::uint32_t>(std::floor(s.higher / 16.0f) + 65536.0f);
+    return std::uint64_t{bits >> 16} << 32 | step;
 }
 
 struct Extent {
     float near = 1e30f, far = 0.0f, low = 1e30f, high = -1e30f;
     bool seen() const { return far > 0.0f || near < 1e30f; }
-    bool narrow() const { return far <= near * (1.0f + 1.0f / 64.0f) && high - low <= 16.0f; }
+    bool narrow() const { return far <= near * (1.0f + 1.0f / 128.0f) && high - low <= 16.0f; }
 };
 
 /// Sightings in the order of pixels, from tiles.
@@ -133,15 +133,16 @@ void join(const std::vector<Tile>& tiles, int columns, View& view) {
         1);
 }
 
-/// Names the targets: facets seen and parts of facets that reach deep, ascending.
+/// Names the targets: facets seen and parts of facets that reach deep, ascending. Until then
+/// sightings hold whole ranges and heights.
 void name_targets(std::size_t facet_count, View& view) {
     std::vector<Extent> extent(facet_count);
     for (const Sighting& s : view.sighting) {
         Extent& e = extent[s.target];
-        e.near = std::min(e.near, s.range);
-        e.far = std::max(e.far, s.range);
-        e.low = std::min(e.low, s.height);
-        e.high = std::max(e.high, s.height);
+        e.near = std::min(e.near, s.deeper);
+        e.far = std::max(e.far, s.deeper);
+        e.low = std::min(e.low, s.higher);
+        e.high = std::max(e.high, s.higher);
     }
     std::vector<std::pair<std::uint32_t, std::uint64_t>> parts;  // (facet, part) of deep facets
     for (const Sighting& s : view.sighting) {
@@ -173,14 +174,18 @@ void name_targets(std::size_t facet_count, View& view) {
             s.target += static_cast<std::uint32_t>(at - parts.begin()) - first_part[f];
         }
         weight[s.target] += double{s.weight};
-        range[s.target] += double{s.weight} * double{s.range};
-        height[s.target] += double{s.weight} * double{s.height};
+        range[s.target] += double{s.weight} * double{s.deeper};
+        height[s.target] += double{s.weight} * double{s.higher};
     }
     view.range.resize(view.facet.size());
     view.target_height.resize(view.facet.size());
     for (std::size_t t = 0; t < view.facet.size(); ++t) {
         view.range[t] = static_cast<float>(range[t] / weight[t]);
         view.target_height[t] = static_cast<float>(height[t] / weight[t]);
+    }
+    for (Sighting& s : view.sighting) {
+        s.deeper -= view.range[s.target];
+        s.higher -= view.target_height[s.target];
     }
 }
 

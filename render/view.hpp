@@ -18,21 +18,22 @@ struct ViewOptions {
 struct Sighting {
     std::uint32_t target = 0;  // index into View::facet
     float weight = 0.0f;       // share of the pixel, 0 to 1
-    float range = 0.0f;        // [m] mean over the samples that hit
-    float height = 0.0f;       // [m] above the origin's level surface, earth's curvature included
+    float deeper = 0.0f;       // [m] range beyond the target's, mean over the samples that hit
+    float higher = 0.0f;       // [m] height above the target's
 };
 
 /// What every pixel of an observer sees, cast once and good for every instant and band while
 /// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
 ///
 /// A target is a facet, or a part of one that reaches so deep into the picture that the air in
-/// front of it is not linear in range and height: parts span at most 1/64 of an octave of range and
-/// 16 m of height. What a target sends to the eye is thus worked out once, with two slopes.
+/// front of it is not linear in range and height: parts span at most 1/128 of an octave of range
+/// and 16 m of height. What a target sends to the eye is thus worked out once, with two slopes.
 struct View {
     int width = 0, height = 0;
     std::vector<FacetId> facet;         // (target) ascending
     std::vector<float> range;           // (target) [m] mean over its sightings
-    std::vector<float> target_height;   // (target) [m] the same, as Sighting::height
+    std::vector<float> target_height;   // (target) [m] above the origin's level surface, earth's
+                                        // curvature included; mean over its sightings
     std::vector<std::uint32_t> row;     // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
     std::vector<Sighting> sighting;     // of a pixel: ascending facet
     std::vector<float> sky;             // (pixel) share that sees no facet
@@ -43,6 +44,8 @@ struct View {
     std::uint64_t rays = 0;             // cast to make it
 
     std::size_t pixels() const { return sky.size(); }
+    float range_of(const Sighting& s) const { return range[s.target] + s.deeper; }
+    float height_of(const Sighting& s) const { return target_height[s.target] + s.higher; }
 };
 
 /// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a place that depends

@@ -77,6 +77,13 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         for (const std::string& band : input.bands)
             bands.push_back(parse_band(band, bin_edges_um()));
 
+        const LitFacets lit = lit_facets({.facets = world.facets,
+                                          .sky_view = sky_view,
+                                          .materials = scene.materials,
+                                          .atmosphere = Vacuum{},
+                                          .temperature = {},
+                                          .ground_height_km = world.sea_level_height / 1000.0},
+                                         view.facet);
         progress.stage("frames of " + input.name);
         std::atomic<std::size_t> done = 0;
         const auto render_one = [&](std::size_t i) {
@@ -102,7 +109,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                                         .sun_distance_au = sun.distance_au,
                                         .ground_height_km = world.sea_level_height / 1000.0,
                                         .instant = instant},
-                                       {.truth = true, .terms = input.terms});
+                                       {.truth = true, .terms = input.terms, .lit = &lit});
             write_frame(out, frame, input.bands);
             progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
         };

@@ -223,11 +223,14 @@ std::string contact_sheet(const fs::path& folder, const std::string& observer,
             Frame whole = read_exr(folder / "frames" / (frame_name(named, band) + ".exr"));
             pictures[i] = whole;
             pictures[i].planes = {whole[plane]};
+            if (const Plane* solid = whole.find("temperature")) {
+                pictures[i].planes.push_back(*solid);
+            }
         },
         1);
     ColourScale scale{1e9, -1e9};
     for (const Frame& picture : pictures) {
-        const ColourScale own = colour_scale(picture[plane]);
+        const ColourScale own = colour_scale(picture, plane);
         scale = {std::min(scale.low_C, own.low_C), std::max(scale.high_C, own.high_C)};
     }
     std::vector<std::string> figures(frames.size());

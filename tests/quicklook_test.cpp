@@ -107,3 +107,21 @@ TEST_CASE("letters differ from each other, and unknown ones show as a box", "[re
     std::sort(glyphs.begin(), glyphs.end());
     CHECK(std::adjacent_find(glyphs.begin(), glyphs.end()) == glyphs.end());
 }
+
+TEST_CASE("the sky does not take up the colours", "[render][quicklook]") {
+    Frame frame;
+    frame.width = 20;
+    frame.height = 10;
+    Plane apparent{"apparent_temperature.8-12", "K", std::vector<float>(200, 230.0f)};
+    Plane solid{"temperature", "K", std::vector<float>(200, std::nanf(""))};
+    for (std::size_t p = 100; p < 200; ++p) {
+        apparent.pixel[p] = 293.15f + 0.1f * float(p - 100);
+        solid.pixel[p] = 300.0f;
+    }
+    frame.planes = {apparent};
+    CHECK(colour_scale(frame, apparent.name).low_C < -40.0);
+    frame.planes = {apparent, solid};
+    const ColourScale scale = colour_scale(frame, apparent.name);
+    CHECK(scale.low_C == Approx(20.0).margin(1.0));
+    CHECK(scale.high_C == Approx(30.0).margin(1.0));
+}

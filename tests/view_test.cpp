@@ -40,7 +40,7 @@ TEST_CASE("what a pixel sees adds up to one, and every facet named is seen", "[r
             const Sighting& s = view.sighting[k];
             sum += s.weight;
             seen[s.target] = true;
-            CHECK(s.range > 0.0f);
+            CHECK(view.range_of(s) > 0.0f);
         }
         CHECK(sum == Approx(1.0).margin(1e-6));
         open += view.sky[p] == 1.0f;
@@ -72,8 +72,8 @@ TEST_CASE("ranges and heights are those of the geometry", "[render][view]") {
         double mean = 0.0;
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
             const Sighting& s = view.sighting[k];
-            mean += double{s.weight} * double{s.range};
-            CHECK(s.height == Approx(-100.0).margin(0.01));
+            mean += double{s.weight} * double{view.range_of(s)};
+            CHECK(view.height_of(s) == Approx(-100.0).margin(0.01));
         }
         CHECK(mean == Approx(range).epsilon(2e-3));
     }

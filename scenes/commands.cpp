@@ -13,6 +13,7 @@
 #include "materials/scattering.hpp"
 #include "materials/units.hpp"
 #include "terrain/dem.hpp"
+#include "terrain/height_field.hpp"
 #include "terrain/object_mesh.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/sun.hpp"
@@ -162,6 +163,55 @@ void mesh_command(const MeshArguments& arguments) {
         static_cast<double>(tin.triangle.size()) /
             std::max(1.0, 2.0 * (dem.columns - 1.0) * (dem.rows - 1.0)),
         found.worst_error, found.rms_error, seconds(begin, read), seconds(read, meshed));
+}
+
+void visibility_command(const VisibilityArguments& arguments) {
+    if (arguments.sun_azimuth_deg.has_value() != arguments.sun_elevation_deg.has_value()) {
+        throw InputError("visibility",
+                         "a sun needs both --sun-azimuth-deg and --sun-elevation-deg");
+    }
+    const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::leave});
+    for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", note);
+    const Geodetic centre = dem_centre(dem);
+    const HeightField field =
+        height_field(dem, {centre.latitude_deg, centre.longitude_deg, centre.height});
+    std::vector<float> seen(field.size()), lit;
+    const auto begin = std::chrono::steady_clock::now();
+    sky_view(field, arguments.azimuths, seen);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    if (arguments.sun_azimuth_deg) {
+        lit.resize(field.size());
+        sun_fraction(field, direction(*arguments.sun_azimuth_deg, *arguments.sun_elevation_deg),
+                     lit);
+    }
+    double sky = 0.0, sun = 0.0, least = 1.0;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        if (std::isnan(dem.height[i])) {
+            seen[i] = std::nanf("");
+            if (!lit.empty()) lit[i] = std::nanf("");
+            continue;
+        }
+        sky += seen[i];
+        least = std::min(least, double{seen[i]});
+        if (!lit.empty()) sun += lit[i];
+    }
+    const auto posts = static_cast<double>(seen.size() - dem.voids);
+    if (!arguments.out.empty()) {
+        std::string bytes(reinterpret_cast<const char*>(seen.data()), 4 * seen.size());
+        bytes.append(reinterpret_cast<const char*>(lit.data()), 4 * lit.size());
+        write_whole_file(arguments.out, bytes);
+        write_whole_file(
+            arguments.out.string() + ".hdr",
+            fmt::format("ENVI\nsamples = {}\nlines = {}\nbands = {}\ndata type = 4\n"
+                        "interleave = bsq\nbyte order = 0\nband names = {{sky view{}}}\n",
+                        dem.columns, dem.rows, lit.empty() ? 1 : 2,
+                        lit.empty() ? "" : ", sun fraction"));
+    }
+    fmt::print(
+        "columns,rows,voids,azimuths,mean_sky_view,least_sky_view,lit_share,sky_view_s\n"
+        "{},{},{},{},{:.5f},{:.5f},{},{:.3f}\n",
+        dem.columns, dem.rows, dem.voids, arguments.azimuths, sky / posts, least,
+        lit.empty() ? "" : fmt::format("{:.5f}", sun / posts), took.count());
 }
 
 void column_command(const std::filesystem::path& file, const std::filesystem::path& out) {

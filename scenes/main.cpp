@@ -184,6 +184,17 @@ void run_program(int argc, char** argv) {
     verb->add_option("--out", mesh.out, "PLY file");
     verb->callback([&] { mesh_command(mesh); });
 
+    VisibilityArguments visibility;
+    verb = app.add_subcommand("visibility", "sky view and shadows of every post of a raster");
+    verb->add_option("DEM", visibility.dem, "elevation raster, or several tiles of one lattice")
+        ->required();
+    verb->add_option("--azimuths", visibility.azimuths)->check(CLI::Range(4, 4096));
+    verb->add_option("--sun-azimuth-deg", visibility.sun_azimuth_deg, "clockwise from north");
+    verb->add_option("--sun-elevation-deg", visibility.sun_elevation_deg)
+        ->check(CLI::Range(-90.0, 90.0));
+    verb->add_option("--out", visibility.out, "ENVI raster (float32) and its .hdr");
+    verb->callback([&] { visibility_command(visibility); });
+
     verb = app.add_subcommand("doctor", "versions, processor, threads, where data are found");
     verb->callback([&] { doctor_command(); });
 

@@ -64,6 +64,28 @@ TEST_CASE("the sun of NREL's SPA example", "[command_line]") {
     CHECK(90.0 - elevation == Approx(50.11162).margin(5e-4));
 }
 
+TEST_CASE("the sky and the shadows of a raster's posts", "[command_line]") {
+    const Ran ran = diurna("visibility " DIURNA_SOURCE_DIR
+                           "/scenes/jacksboro/elevation.tif --azimuths 16 --sun-azimuth-deg 90 "
+                           "--sun-elevation-deg 8");
+    REQUIRE(ran.code == 0);
+    int columns = 0, rows = 0;
+    double mean = 0, least = 0, lit = 0;
+    const auto values = ran.out.find('\n');
+    REQUIRE(values != std::string::npos);
+    REQUIRE(std::sscanf(ran.out.c_str() + values, " %d,%d,0,16,%lf,%lf,%lf", &columns, &rows, &mean,
+                        &least, &lit) == 5);
+    CHECK(columns == 403);
+    CHECK(rows == 344);
+    CHECK((mean > 0.9 && mean < 1.0));
+    CHECK((least > 0.4 && least < mean));
+    CHECK((lit > 0.5 && lit < 1.0));
+    CHECK(diurna("visibility none.tif").code == 2);
+    CHECK(diurna("visibility " DIURNA_SOURCE_DIR
+                 "/scenes/jacksboro/elevation.tif --sun-azimuth-deg 90")
+              .code == 2);
+}
+
 TEST_CASE("bad usage gets one line and code 2", "[command_line]") {
     for (const auto& [arguments, expected] : std::map<std::string, std::string>{
              {"rnu scene.toml", "did you mean 'run'?"},

@@ -128,6 +128,7 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen) 
             each_source(f, [&](std::size_t, double factor) { total += factor; });
             const double rest = 1.0 - double{input.sky_view.sky_view[f]};
             each_source(f, [&](std::size_t from, double factor) {
+                if (factor == 0.0) return;  // a row of nothing but zeros is no row
                 lit.source.push_back(lit.place[from]);
                 lit.factor.push_back(static_cast<float>(rest * factor / total));
             });

@@ -193,6 +193,7 @@ std::array<std::vector<double>, term_count> leaving_terms(const RadianceInput& i
     }
     std::vector<double> around(node_um.size(), 0.0);
     for (std::uint32_t k = exchange.row[f]; bounces > 0 && k < exchange.row[f + 1]; ++k) {
+        if (exchange.factor[k] == 0.0f) continue;
         const auto sent = leaving_terms(input, exchange.facet[k], node_um, bounces - 1, memo);
         const double factor = rest * double{exchange.factor[k]} / total;
         for (const auto& term : sent) {

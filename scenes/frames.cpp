@@ -1,7 +1,11 @@
 #include "scenes/frames.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <stdexcept>
 
 #include "render/exr.hpp"
 #include "render/quicklook.hpp"
@@ -29,6 +33,20 @@ bool complete(const fs::path& out, const ObserverInput& observer, Instant instan
         const std::string name = base_name(observer.name, band, instant);
         return fs::exists(out / (name + ".exr")) && fs::exists(out / (name + ".png"));
     });
+}
+
+/// A picture with a radiance that is no number is our mistake, and not to be written.
+void check_finite(const Frame& frame, const std::vector<std::string>& bands) {
+    for (const std::string& band : bands) {
+        const std::vector<float>& radiance = frame["radiance." + band].pixel;
+        const auto bad = std::find_if_not(radiance.begin(), radiance.end(),
+                                          [](float value) { return std::isfinite(value); });
+        if (bad == radiance.end()) continue;
+        const auto pixel = bad - radiance.begin();
+        throw std::runtime_error(fmt::format("{}: radiance.{} is not finite at column {}, row {}",
+                                             frame_name(frame, band), band, pixel % frame.width,
+                                             pixel / frame.width));
+    }
 }
 
 void write_frame(const fs::path& out, const Frame& frame, const std::vector<std::string>& bands) {
@@ -110,6 +128,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                                         .ground_height_km = world.sea_level_height / 1000.0,
                                         .instant = instant},
                                        {.truth = true, .terms = input.terms, .lit = &lit});
+            check_finite(frame, input.bands);
             write_frame(out, frame, input.bands);
             progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
         };

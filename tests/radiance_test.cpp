@@ -9,6 +9,8 @@
 #include "terrain/site.hpp"
 #include "tests/render_scene.hpp"
 
+#include "render/leaving.hpp"
+
 using namespace diurna;
 
 namespace {
@@ -103,6 +105,20 @@ TEST_CASE("two facing plates have the closed form's radiosity", "[render][radian
     CAPTURE(reflectance);
     if (reflectance < 0.3) CHECK(total(terms) == Approx(exact).epsilon(1e-3));
     CHECK(std::abs(total(terms) - exact) <= exchange * exchange * exchange * (two - one));
+}
+
+// 2026-11: a row whose factors had all become zero divided 0 by 0 and blackened its facet.
+TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress]") {
+    Pair pair(0.8f, 0.2f, 0.2f, {290.0f, 400.0f}, 0.3);
+    const Pair without(0.8f, 0.0f, 0.2f, {290.0f, 400.0f}, 0.3);
+    pair.sky.exchange.factor = {0.0f, 0.0f};
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    const auto found = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    const auto expected =
+        radiance_at_eye(without.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    CHECK(total(found) == Approx(total(expected)).epsilon(1e-12));
+    const std::vector<FacetId> seen = {FacetId{0}, FacetId{1}};
+    CHECK(lit_facets(pair.input(cold_space), seen).factor.empty());
 }
 
 TEST_CASE("ground beyond the scene's edge looks like the surroundings that are there",

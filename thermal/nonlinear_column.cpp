@@ -354,10 +354,10 @@ void NonlinearColumn::carry(double tau, const std::vector<double>& u, double top
     }
 }
 
-NonlinearColumn::Step NonlinearColumn::advance(double step, bool gentle,
-                                               const std::array<const Boundary*, 2>& top,
-                                               const std::array<const Boundary*, 2>& back,
-                                               std::vector<double>& u, Eigen::MatrixXd* map) const {
+NonlinearColumn::Step NonlinearColumn::advance(
+    double step, bool gentle, const std::array<const Boundary*, 2>& top,
+    const std::array<const Boundary*, 2>& back, std::vector<double>& u, Eigen::MatrixXd* map,
+    const std::array<std::vector<double>, 2>* source) const {
     const std::size_t n = size();
     static thread_local std::vector<double> begin, target;
     begin.resize(n);
@@ -375,14 +375,20 @@ NonlinearColumn::Step NonlinearColumn::advance(double step, bool gentle,
     constexpr double again = (1.0 - sdirk_gamma) / sdirk_gamma;
     for (int k = gentle ? 1 : 0; k < 2; ++k) {
         const auto stage = static_cast<std::size_t>(k);
+        double released = 0.0;
+        for (std::size_t i = 0; source && i < n; ++i) {
+            target[i] += tau * (*source)[stage][i];
+            released += (*source)[stage][i];
+        }
         result.solved = solve_stage(tau, target, *top[stage], back[stage], u, result.iterations);
         if (!result.solved) return result;
         const BoundaryFlux above = (*top[stage])(temperature(0, u[0]));
         const BoundaryFlux below = from_below(temperature(n - 1, u[n - 1]), back[stage]);
         const double weight = gentle ? step : step * (k == 0 ? 1.0 - sdirk_gamma : sdirk_gamma);
         result.surface[stage] = temperature(0, u[0]);
-        result.heat_in += weight * (above.flux + below.flux);
-        result.through += weight * (std::abs(above.flux) + std::abs(below.flux));
+        result.heat_in += weight * (above.flux + below.flux + released);
+        result.through +=
+            weight * (std::abs(above.flux) + std::abs(below.flux) + std::abs(released));
         if (map) carry(tau, u, above.slope, below.slope, *map);
         if (k == 1) break;
         for (std::size_t i = 0; i < n; ++i) {

@@ -58,10 +58,11 @@ class NonlinearColumn {
     };
     /// SDIRK2 (or, `gentle`, backward Euler) over `step` seconds. `top` and `back` are given per
     /// stage, at step·γ and at the step's end. With `map`, its columns are carried along by the
-    /// linearised step.
+    /// linearised step. `source`: heat released at the nodes [W m⁻²], per stage.
     Step advance(double step, bool gentle, const std::array<const Boundary*, 2>& top,
                  const std::array<const Boundary*, 2>& back, std::vector<double>& u,
-                 Eigen::MatrixXd* map = nullptr) const;
+                 Eigen::MatrixXd* map = nullptr,
+                 const std::array<std::vector<double>, 2>* source = nullptr) const;
 
  private:
     struct NodeHeat {

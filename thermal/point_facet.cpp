@@ -12,7 +12,15 @@ namespace {
 constexpr double shortest_step = 1e-3;        // [s]
 constexpr double heat_of_fusion = 3.337e5;    // [J kg⁻¹]
 constexpr double frost_melting_film = 100.0;  // [W m⁻² K⁻¹] from a warm surface into its frost
-constexpr GridOptions fine{.first = 0.005, .growth = 0.1, .deepest = 1e9};
+
+/// Fine enough for a minute's shock on a dry half-space, and never cut off: the span may be a year.
+/// A front of melting halts at every node it crosses, so water is cut less finely.
+GridOptions grid_of(const ThermalSurface& surface) {
+    const bool wet = std::any_of(surface.layers.begin(), surface.layers.end(), [](const Layer& l) {
+        return std::holds_alternative<Freezing>(l.law) || std::holds_alternative<Melting>(l.law);
+    });
+    return {.first = wet ? 0.005 : 0.001, .growth = wet ? 0.1 : 0.055, .deepest = 1e9};
+}
 
 Bottom bottom_of(const ThermalSurface& surface) {
     // Behind a plate stands air; the grid then ends free.
@@ -41,7 +49,7 @@ double scheduled(const Interior& room, double longitude_deg, Instant when) {
 
 PointFacet::PointFacet(const ColumnJob& job)
     : column(job.surface.layers, bottom_of(job.surface), job.weather.at(job.start).air.temperature,
-             fine),
+             grid_of(job.surface)),
       u(column.size(), 0.0),
       job_(job),
       sun_(job.site),

@@ -17,14 +17,14 @@ int main() {
     Progress progress(ProgressStyle::silent);
     const SolveResult result = solve_scene(prepared, view, progress);
     const SolveReport& r = result.report;
-    fmt::print(
-        stderr,
-        "passes {} exchange {:.3f} W/m2 estimated {:.1e} K closure {:.1e} newton {:.2f} "
-        "worst {} bisections {}; shortwave {:.2f} s exchange {:.2f} s steps {:.2f} s; {:.1f} "
-        "to {:.1f} K\n",
-        r.passes, r.exchange_change, r.estimated_error, r.worst_energy_closure, r.newton_iterations,
-        r.worst_newton_iterations, r.bisections, r.shortwave_seconds, r.exchange_seconds,
-        r.step_seconds, r.coldest, r.warmest);
+    fmt::print(stderr,
+               "passes {} exchange {:.3f} W/m2 estimated {:.1e} K closure {:.1e} newton {:.2f} "
+               "worst {} bisections {}; shortwave {:.2f} s exchange {:.2f} s steps {:.2f} s "
+               "({:.2f} s cpu); {:.1f} "
+               "to {:.1f} K\n",
+               r.passes, r.exchange_change, r.estimated_error, r.worst_energy_closure,
+               r.newton_iterations, r.worst_newton_iterations, r.bisections, r.shortwave_seconds,
+               r.exchange_seconds, r.step_seconds, r.step_cpu_seconds, r.coldest, r.warmest);
     fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
     fmt::print("jacksboro_day,sdirk2,{} steps,{},{},{:.3f},{:.2e},K periodic\n", r.steps, r.facets,
                thread_count(), r.seconds, r.periodic_residual);

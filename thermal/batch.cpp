@@ -155,7 +155,8 @@ void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
     record.worst_closure = worst;
 }
 
-void settle(const MaterialColumn& material, const AirFilm& air, const double* heat, Batch& batch) {
+double settle(const MaterialColumn& material, const AirFilm& air, const double* heat,
+              Batch& batch) {
     const std::size_t n = material.grid.size(), count = batch.count;
     const SteadyColumn steady = steady_column(material.grid);
     double a[lanes], flux[lanes], slope[lanes];
@@ -181,6 +182,9 @@ void settle(const MaterialColumn& material, const AirFilm& air, const double* he
                 (steady.temperature - material.reference) * (1.0 - steady.share[i]);
         }
     }
+    double film = 0.0;
+    for (std::size_t l = 0; l < count; ++l) film -= slope[l];
+    return film;
 }
 
 }  // namespace diurna

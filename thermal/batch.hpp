@@ -69,8 +69,9 @@ void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
 void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
                    const std::array<const double*, 2>& heat, Batch& batch, StepRecord& record);
 
-/// The steady state under constant air and heat, as a first guess.
-void settle(const MaterialColumn& material, const AirFilm& air, const double* heat, Batch& batch);
+/// The steady state under constant air and heat, as a first guess. Returns −Σ over lanes of the
+/// surface's slope there [W m⁻² K⁻¹].
+double settle(const MaterialColumn& material, const AirFilm& air, const double* heat, Batch& batch);
 
 /// The step times γ of the two stages, as shares of the step.
 inline constexpr std::array<double, 2> stage_share{sdirk_gamma, 1.0};

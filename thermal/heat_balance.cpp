@@ -4,84 +4,9 @@
 #include <cmath>
 
 #include "materials/units.hpp"
+#include "thermal/surface_kernel.hpp"
 
 namespace diurna {
-
-namespace {
-
-constexpr double coldest = 1.0, hottest = 5000.0;  // [K] bracket
-constexpr int patience = 3;          // iterations before Newton has to halve its steps
-constexpr int most_iterations = 80;  // bisection alone needs 53 to its last bit
-
-template <bool Plate, bool Wet>
-SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
-    // [K] of the last correction. Smooth ground squares what is left; where dew begins, and where
-    // a plate is as warm as the air, the balance has a bend.
-    constexpr double settled = Plate ? 1e-8 : Wet ? 1e-6 : 1e-5;
-    // Values of its own, which no store through a pointer can change, let the loop become vectors.
-    const AirFilm air = given;
-    const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;
-    const double* const heat = s.heat;
-    const double* const a = s.a;
-    const NaturalFilm* const natural = s.natural;
-    double* const temperature = s.temperature;
-    const std::size_t count = s.count;
-    double low[lanes], high[lanes], last_step[lanes], flux_at[lanes], slope_at[lanes];
-    std::fill_n(low, count, coldest);
-    std::fill_n(high, count, hottest);
-    std::fill_n(last_step, count, hottest);
-    SurfaceCount result;
-    double correction = hottest;
-    while (correction > settled && result.iterations < most_iterations) {
-        correction = 0.0;
-        double strays = 0.0;
-        const double steady_share = result.iterations < patience ? hottest : 0.5;
-#pragma omp simd reduction(max : correction) reduction(+ : strays)
-        for (std::size_t l = 0; l < count; ++l) {
-            const double t = temperature[l];
-            const Film film = Plate ? plate_film(air, natural[l], t) : ground_film(air, t);
-            const double cube = radiation * t * t * t;
-            double flux = heat[l] - cube * t - film.h * (t - air.air_temperature);
-            double slope = -4.0 * cube - film.h - film.rise;
-            if (Wet) {
-                const LatentHeat latent = latent_heat(air, film, t);
-                flux += latent.flux;
-                slope += latent.slope;
-            }
-            const double excess = flux + a[l] - b * (t - reference);
-            const double from = excess > 0.0 ? t : low[l];
-            const double to = excess < 0.0 ? t : high[l];
-            const double newton_step = excess / (b - slope);
-            const double wanted = t + newton_step;
-            // Newton may swing about a bend for ever: between two points with the root in between
-            // it has to halve its steps, or the bracket is halved instead.
-            const double most = to - from < hottest / 2.0 ? steady_share * last_step[l] : hottest;
-            double stray = std::abs(newton_step) > most + settled ? 1.0 : 0.0;
-            stray = wanted < from - settled ? 1.0 : stray;
-            stray = wanted > to + settled ? 1.0 : stray;
-            const double middle = 0.5 * (from + to);
-            const double next = stray > 0.0 ? middle : wanted;
-            const double step = std::abs(next - t);
-            low[l] = from;
-            high[l] = to;
-            last_step[l] = step;
-            temperature[l] = next;
-            flux_at[l] = flux + slope * (next - t);
-            slope_at[l] = slope;
-            // A halved bracket says nothing of the root but that it lies inside.
-            const double unsettled = stray > 0.0 ? to - from : step;
-            correction = unsettled > correction ? unsettled : correction;
-            strays += stray;
-        }
-        result.bisections += static_cast<std::size_t>(strays);
-        ++result.iterations;
-    }
-    std::copy_n(flux_at, count, s.flux);
-    std::copy_n(slope_at, count, s.slope);
-    return result;
-}
-
-}  // namespace
 
 double HeatBalance::sum() const {
     return absorbed_solar + longwave_in + longwave_out + sensible + latent + internal + conducted;
@@ -104,11 +29,33 @@ HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissiv
     return balance;
 }
 
+namespace {
+
+const SurfaceKernel& kernel() {
+    static const bool wide =
+        __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+        __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl");
+    return wide ? surface_avx512 : surface_avx2;
+}
+
+}  // namespace
+
 SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface) {
-    const bool wet = air.wetness > 0.0;
-    if (air.plate)
-        return wet ? newton<true, true>(air, surface) : newton<true, false>(air, surface);
-    return wet ? newton<false, true>(air, surface) : newton<false, false>(air, surface);
+    return kernel().solve(air, surface);
+}
+
+SurfaceCount solve_surface_near(const AirFilm& air, const SurfaceLanes& surface) {
+    constexpr double near = 1e-4;  // [K]
+    if (air.plate) return solve_surface(air, surface);
+    double guess[lanes];
+    std::copy_n(surface.temperature, surface.count, guess);
+    const double last = kernel().two_steps(air, surface);
+    if (last <= near) return {.iterations = 2, .bisections = 0};
+    if (last > 1.0) std::copy_n(guess, surface.count, surface.temperature);
+    SurfaceCount count = solve_surface(air, surface);
+    count.iterations += 2;
+    return count;
 }
 
 }  // namespace diurna

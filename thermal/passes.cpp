@@ -9,18 +9,22 @@ namespace diurna {
 
 namespace {
 
-/// Heat at a step's end that differs from facet to facet: sun, terrain longwave, internal.
-void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat) {
-    const ThermalSurface& surface = kind.column.surface;
-    const double measured = job.sky[i].albedo;
-    const double absorptance = std::isnan(measured)
-                                   ? kind.column.absorptance()
-                                   : std::max(0.0, 1.0 - measured - surface.solar_transmittance);
-    for (std::size_t l = 0; l < block.facet.size(); ++l) {
-        const std::size_t at = i * job.facets + block.facet[l];
-        heat[l] = absorptance * job.sunlight[at] + surface.internal_heat;
-        if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
+/// The open column's states in balance with the surface.
+std::vector<double> steady_modes(const ModeColumn& modes, const Batch& batch) {
+    const ReducedColumn& column = modes.reduced;
+    const ClosedColumn closed = close_column(column, 1.0);
+    // Steady conductance to what lies below: the modes' own, so that they stay where they are.
+    const bool open = column.below > 0.0;
+    const double conductance = open ? 1.0 / impedance(column, 0.0).real() : 0.0;
+    std::vector<double> state(std::size_t(column.modes()) * lanes);
+    for (std::size_t l = 0; l < batch.count; ++l) {
+        const double theta = batch.temperature[l] - column.reference;
+        const Eigen::VectorXd x =
+            ((conductance + closed.film) * theta) * closed.surface.cwiseQuotient(closed.rate);
+        const Eigen::VectorXd y = closed.turn * x;
+        for (Eigen::Index m = 0; m < y.size(); ++m) state[std::size_t(m) * lanes + l] = y[m];
     }
+    return state;
 }
 
 void settle_block(Job& job, const Level& level, Block& block) {
@@ -51,8 +55,8 @@ void settle_block(Job& job, const Level& level, Block& block) {
     Batch batch;
     batch.resize(kind.column.grid.size(), count);
     std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    settle(kind.column, mean, heat, batch);
-    block.start = batch.state;
+    block.film = settle(kind.column, mean, heat, batch);
+    block.start = kind.modes ? steady_modes(*kind.modes, batch) : batch.state;
     for (std::size_t i = 0; i < job.instant.size(); ++i) {
         for (std::size_t l = 0; l < count; ++l) {
             job.kelvin[i * job.facets + block.facet[l]] = float(batch.temperature[l]);
@@ -60,8 +64,42 @@ void settle_block(Job& job, const Level& level, Block& block) {
     }
 }
 
-/// Runs one block over the span; writes its temperatures, change and mean surface slopes.
-void run(Job& job, const Level& level, Block& block) {
+ModeColumn mode_column(const Job& job, const ThermalSurface& surface, double reference) {
+    ReductionOptions options{.largest_error = job.options.mode_error};
+    // Of a span that repeats nothing is slower than the span but its mean.
+    if (job.options.periodic) options.longest = std::min(options.longest, job.options.duration);
+    ModeColumn modes{.reduced = reduce_column(surface.layers, surface.bottom, reference, options),
+                     .probe = {}};
+    const Eigen::MatrixXd& profile = modes.reduced.profile;
+    constexpr Eigen::Index places = 10;
+    const Eigen::Index last = profile.rows() - 1;
+    modes.probe.resize(places, profile.cols());
+    for (Eigen::Index i = 0; i < places; ++i) {
+        modes.probe.row(i) = profile.row(i * last / (places - 1));
+    }
+    return modes;
+}
+
+}  // namespace
+
+double absorptance_at(const Job& job, const Kind& kind, std::size_t i) {
+    const double measured = job.sky[i].albedo;
+    return std::isnan(measured)
+               ? kind.column.absorptance()
+               : std::max(0.0, 1.0 - measured - kind.column.surface.solar_transmittance);
+}
+
+void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat) {
+    const ThermalSurface& surface = kind.column.surface;
+    const double absorptance = absorptance_at(job, kind, i);
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        const std::size_t at = i * job.facets + block.facet[l];
+        heat[l] = absorptance * job.sunlight[at] + surface.internal_heat;
+        if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
+    }
+}
+
+void run_layered(Job& job, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const int substeps = kind.column.substeps;
     const std::size_t count = block.facet.size();
@@ -111,8 +149,6 @@ void run(Job& job, const Level& level, Block& block) {
     }
 }
 
-}  // namespace
-
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
                  int most_substeps) {
     const Weather& weather = job.input.weather;
@@ -131,17 +167,28 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                                  .most_substeps = most_substeps,
                                  .refinement = job.options.refinement,
                                  .grid = {}});
+            const auto add = [&](Instant when) {
+                const Forcing forcing = weather.at(when);
+                const SkyState sky = sky_state(job.input.site, job.input.elevation, when, forcing,
+                                               job.input.clear_sky);
+                kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
+                                                 forcing.air, forcing.wind_speed),
+                                        sky.longwave_down});
+            };
+            if (job.options.method == Method::modes && !kind.column.surface.back) {
+                kind.column.substeps = job.options.refinement;
+                kind.modes = mode_column(job, kind.column.surface, kind.column.reference);
+                add(job.instant[0]);
+            }
             const int substeps = kind.column.substeps;
             for (std::size_t i = 0; i < job.steps(); i += stride) {
                 for (int s = 0; s < substeps; ++s) {
+                    if (kind.modes) {
+                        add(later(job.instant[i], (s + 1.0) / substeps * step));
+                        continue;
+                    }
                     for (const double share : stage_share) {
-                        const Instant when = later(job.instant[i], (s + share) / substeps * step);
-                        const Forcing forcing = weather.at(when);
-                        const SkyState sky = sky_state(job.input.site, job.input.elevation, when,
-                                                       forcing, job.input.clear_sky);
-                        kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
-                                                         forcing.air, forcing.wind_speed),
-                                                sky.longwave_down});
+                        add(later(job.instant[i], (s + share) / substeps * step));
                     }
                 }
             }
@@ -152,9 +199,15 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
     return level;
 }
 
-void settle(Job& job, const Level& level) {
+void settle(Job& job, Level& level) {
     for_each_index(
         job.block.size(), [&](std::size_t b) { settle_block(job, level, job.block[b]); }, 4);
+    std::vector<double> film(level.kind.size());
+    for (const Block& block : job.block) film[block.material] += block.film;
+    for (std::size_t k = 0; k < level.kind.size(); ++k) {
+        Kind& kind = level.kind[k];
+        if (kind.modes) set_film(kind, film[k] / double(kind.facets), level_step(job, level));
+    }
 }
 
 void pass(Job& job, const Level& level, double progress_from, double progress_to) {
@@ -167,7 +220,12 @@ void pass(Job& job, const Level& level, double progress_from, double progress_to
             [&](std::size_t b) {
                 Block& block = job.block[from + b];
                 block.rests = block.settled(job.options.tolerance);
-                if (!block.rests) run(job, level, block);
+                if (block.rests) return;
+                if (level.kind[block.material].modes) {
+                    run_modes(job, level, block);
+                } else {
+                    run_layered(job, level, block);
+                }
             },
             4);
         if (job.options.progress) {

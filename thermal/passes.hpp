@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "thermal/batch.hpp"
+#include "thermal/mode_batch.hpp"
+#include "thermal/reduced_column.hpp"
 #include "thermal/solver.hpp"
 #include "thermal/surroundings.hpp"
 
@@ -19,15 +21,19 @@ struct Block {
     std::size_t material;  // index into Job::material
     std::vector<std::size_t> facet;
     std::vector<NaturalFilm> natural;
-    std::vector<double> start, change;  // [node][lane] relative; change over the last pass
-    std::vector<double> move, planned;  // [node][lane] of the start after the pass before: what
+    std::vector<HeatJump> jump;         // of incident sunlight, those of step i from
+    std::vector<std::uint32_t> jumps;   // (step + 1) jumps[i] to jumps[i + 1]
+    std::vector<double> start, change;  // [state][lane] relative; change over the last pass. States
+                                        // are nodes' temperatures, or the open column's modes
+    std::vector<double> move, planned;  // [state][lane] of the start after the pass before: what
                                         // was done, and what the material's matrix alone would do
     double residual = 1e9;              // [K] largest of `change`
     double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run
     double largest_move = 1e9;          // [K] of `move`
     bool rests = false;                 // left out of the last pass
-    StepRecord record;                  // of the last run
-    std::vector<double> slope;          // (step, substep, stage) Σ over facets, of the last run
+    double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
+    StepRecord record;          // of the last run
+    std::vector<double> slope;  // like Kind::forcing: Σ over facets, of the last run
 
     /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK.
     bool settled(double tolerance) const { return residual <= tolerance && heat_change <= 0.05; }
@@ -38,11 +44,21 @@ struct StageForcing {
     double sky_longwave;
 };
 
-/// One material of the scene with the forcing its facets share.
+/// A material's column as modes.
+struct ModeColumn {
+    ReducedColumn reduced;
+    Eigen::MatrixXd probe;  // (place, mode) temperature at some depths of the open column's states
+    ClosedColumn closed{};
+    ModeStep step{};
+};
+
+/// One material of the scene with the forcing its facets share. Layered columns have two stages to
+/// a substep; modes have one instant at the end of each, and one at the start of the span.
 struct Kind {
     MaterialColumn column;
-    std::vector<StageForcing> forcing;  // (step, substep, stage)
-    std::vector<double> slope;          // (step, substep, stage) mean surface slope, last pass
+    std::optional<ModeColumn> modes{};
+    std::vector<StageForcing> forcing;  // (step, substep, stage) or (instant)
+    std::vector<double> slope;          // like `forcing`: mean surface slope, last pass
     std::size_t facets = 0;
     /// (I − M)⁻¹ of the linearised period.
     std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period{};
@@ -73,12 +89,29 @@ struct Job {
     }
 };
 
+/// [s] of a level's step
+inline double level_step(const Job& job, const Level& level) {
+    return job.step * double(level.stride);
+}
+
 /// The materials' columns and forcing for steps of `stride` instants.
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
                  int most_substeps);
 
 /// First guess: every facet's steady state under its mean forcing over the span.
-void settle(Job& job, const Level& level);
+void settle(Job& job, Level& level);
+
+/// Runs one block of a layered material, or of one in modes, over the span.
+void run_layered(Job& job, const Level& level, Block& block);
+void run_modes(Job& job, const Level& level, Block& block);
+
+/// Share of sunlight that a material takes in at an instant.
+double absorptance_at(const Job& job, const Kind& kind, std::size_t i);
+/// Heat at an instant that differs from facet to facet: sun, terrain longwave, internal.
+void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat);
+
+/// Puts a typical film on a material's modes.
+void set_film(Kind& kind, double film, double step);
 
 /// One pass over the span for all blocks that have not settled: writes their temperatures, changes
 /// and surface slopes.

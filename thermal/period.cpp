@@ -8,25 +8,52 @@ namespace diurna {
 
 namespace {
 
-/// Factors I − M, M the derivative of the period map with the mean slopes of this material.
-void linearise(Kind& kind) {
+using Eigen::MatrixXd;
+
+/// The derivative of the period map with the mean slopes of this material.
+MatrixXd layered_map(const Kind& kind) {
     const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
-    Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, n);
+    MatrixXd map = MatrixXd::Identity(n, n);
     for (std::size_t stage = 0; stage < kind.slope.size(); stage += 2) {
         linear_step(kind.column.grid, kind.column.stage, kind.slope[stage], kind.slope[stage + 1],
                     map);
     }
+    return map;
+}
+
+MatrixXd mode_map(const Kind& kind) {
+    const ModeStep& step = kind.modes->step;
+    const auto n = static_cast<Eigen::Index>(step.modes());
+    const auto vector = [&](const std::vector<double>& v) {
+        return Eigen::Map<const Eigen::VectorXd>(v.data(), n);
+    };
+    const MatrixXd& turn = kind.modes->closed.turn;
+    MatrixXd map = turn.transpose();
+    Eigen::RowVectorXd drive = (kind.slope[0] + step.film) * vector(step.surface).transpose() * map;
+    for (std::size_t at = 1; at < kind.slope.size(); ++at) {
+        map = vector(step.decay).asDiagonal() * map;
+        map += vector(step.from) * drive;
+        const double slope = kind.slope[at] + step.film;
+        drive = slope / (1.0 - step.response * slope) * vector(step.surface).transpose() * map;
+        map += vector(step.to) * drive;
+    }
+    return turn * map;
+}
+
+/// Factors I − M, M the derivative of the period map.
+void linearise(Kind& kind) {
+    const MatrixXd map = kind.modes ? mode_map(kind) : layered_map(kind);
     kind.period.emplace();
     // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
     kind.period->setThreshold(1e-9);
-    kind.period->compute(Eigen::MatrixXd::Identity(n, n) - map);
+    kind.period->compute(MatrixXd::Identity(map.rows(), map.rows()) - map);
 }
 
 /// Moves a block's start by (I − M)⁻¹ times its change. The matrix
 /// belongs to the material's mean facet; Broyden's update by the move before fits it to each.
 /// `secant`: whether that move's effect is all that has changed since.
 void correct_block(const Kind& kind, Block& block, bool secant) {
-    const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
+    const auto n = static_cast<Eigen::Index>(block.start.size() / lanes);
     const auto count = static_cast<Eigen::Index>(block.facet.size());
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
@@ -37,9 +64,9 @@ void correct_block(const Kind& kind, Block& block, bool secant) {
     Strided start(block.start.data(), n, count, stride);
     Strided done(block.move.data(), n, count, stride);
     Strided planned(block.planned.data(), n, count, stride);
-    const Eigen::MatrixXd change = Strided(block.change.data(), n, count, stride);
-    const Eigen::MatrixXd plan = kind.period->solve(change);
-    Eigen::MatrixXd move = plan;
+    const MatrixXd change = Strided(block.change.data(), n, count, stride);
+    const MatrixXd plan = kind.period->solve(change);
+    MatrixXd move = plan;
     for (Eigen::Index l = 0; update && l < count; ++l) {
         // Of the move `done` the matrix explains `explained`.
         const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
@@ -51,7 +78,8 @@ void correct_block(const Kind& kind, Block& block, bool secant) {
     start += move;
     done = move;
     planned = plan;
-    block.largest_move = move.cwiseAbs().maxCoeff();
+    block.largest_move =
+        (kind.modes ? MatrixXd(kind.modes->probe * move) : move).cwiseAbs().maxCoeff();
 }
 
 }  // namespace

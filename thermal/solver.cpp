@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <map>
 
 #include "materials/error.hpp"
@@ -19,6 +20,8 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point then) {
     return std::chrono::duration<double>(Clock::now() - then).count();
 }
+/// [s] of all threads of this process, so far
+double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
 /// Terrain longwave still changing by less than this is settled: what is left of it is a tenth.
 constexpr double settled_exchange = 0.5;  // [W m⁻²]
@@ -34,6 +37,13 @@ void check(const SolveInput& input, const SolveOptions& options) {
         throw InputError("thermal solve", "the sky view belongs to another set of facets");
     }
     const std::size_t instants = step_instants(options).size();
+    for (std::size_t i = 0; i < input.sun.edge.size(); ++i) {
+        const ShadowEdge& edge = input.sun.edge[i];
+        if (edge.facet >= n || edge.step + 1 >= instants || !(edge.share >= 0.0f) ||
+            edge.share > 1.0f || (i > 0 && edge.step < input.sun.edge[i - 1].step)) {
+            throw InputError("thermal solve", "shadow edges must lie in the span, in its order");
+        }
+    }
     if (!input.sun.fraction.empty() && input.sun.fraction.size() != n * instants) {
         throw InputError("thermal solve",
                          fmt::format("sun exposure has {} values for {} facets and {} instants",
@@ -107,6 +117,46 @@ double exchange_longwave(Job& job) {
     return *std::max_element(change.begin(), change.end());
 }
 
+/// Sunlight that jumps at the shadows' edges: what falls on the facet with the sun's whole disc
+/// less what falls on it with none, times the change of the share.
+void find_jumps(Job& job) {
+    const SunExposure& sun = job.input.sun;
+    if (sun.edge.empty()) return;
+    std::vector<std::size_t> block_of(job.facets), lane_of(job.facets);
+    for (std::size_t b = 0; b < job.block.size(); ++b) {
+        job.block[b].jumps.assign(job.instant.size(), 0);
+        for (std::size_t l = 0; l < job.block[b].facet.size(); ++l) {
+            block_of[job.block[b].facet[l]] = b;
+            lane_of[job.block[b].facet[l]] = l;
+        }
+    }
+    const auto beam = [&](std::size_t i, std::size_t f) {
+        const SkyState& sky = job.sky[i];
+        const double cosine = job.input.facets.normal[f].cast<double>().dot(sky.to_sun);
+        return facet_sunlight(sky, cosine, 1.0, job.input.sky_view.sky_view[f]) -
+               facet_sunlight(sky, cosine, 0.0, job.input.sky_view.sky_view[f]);
+    };
+    for (const ShadowEdge& edge : sun.edge) {
+        const std::size_t i = edge.step, f = edge.facet;
+        const double before = sun.fraction[i * job.facets + f];
+        const double after = sun.fraction[(i + 1) * job.facets + f];
+        const double whole = beam(i, f) + edge.share * (beam(i + 1, f) - beam(i, f));
+        Block& block = job.block[block_of[f]];
+        block.jump.push_back({lane_of[f], edge.share, (after - before) * whole});
+        ++block.jumps[i + 1];
+    }
+    for (Block& block : job.block) {
+        for (std::size_t i = 1; i < block.jumps.size(); ++i) block.jumps[i] += block.jumps[i - 1];
+    }
+}
+
+/// −(mean slope) of a material over the last pass, or what its first guess had.
+double typical_film(const Kind& kind) {
+    double sum = 0.0;
+    for (const double slope : kind.slope) sum -= slope;
+    return sum > 0.0 ? sum / double(kind.slope.size()) : kind.modes->closed.film;
+}
+
 /// The largest number of steps that divides the span and takes an hour at most.
 std::size_t coarse_stride(const Job& job) {
     auto stride = static_cast<std::size_t>(std::max(1.0, std::floor(3600.0 / job.step + 1e-9)));
@@ -176,6 +226,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
     SolveReport report{.facets = job.facets, .steps = int(job.steps())};
     const auto shining = Clock::now();
     shine(job);
+    find_jumps(job);
     report.shortwave_seconds = seconds_since(shining);
 
     job.kelvin.resize(job.instant.size() * job.facets);
@@ -191,22 +242,32 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         if (exchanging) report.exchange_change = exchange_longwave(job);
         report.exchange_seconds += seconds_since(since);
     };
+    const auto set_films = [&](Level& level, const Level& known) {
+        for (std::size_t k = 0; k < level.kind.size(); ++k) {
+            if (!level.kind[k].modes) continue;
+            set_film(level.kind[k], typical_film(known.kind[k]), level_step(job, level));
+        }
+    };
     if (const std::size_t stride = coarse_stride(job); options.periodic && stride > 1) {
         // A day in hours, twice, leaves a few tenths of a kelvin to the passes that count.
         const auto stepping = Clock::now();
+        const double cpu = cpu_seconds();
         Level coarse = make_level(job, materials, stride, 1);
         for (int i = 0; i < 3; ++i) {
             exchange();
+            set_films(coarse, i == 0 ? fine : coarse);
             pass(job, coarse, 0.0, 0.0);
             renew_matrices(job, coarse);
             correct(job, coarse, false);
             fill_between(job, stride);
         }
+        set_films(fine, coarse);
         for (Block& block : job.block) {
             block.move.clear();
             block.residual = 1e9;
         }
         report.step_seconds += seconds_since(stepping);
+        report.step_cpu_seconds += cpu_seconds() - cpu;
     }
 
     constexpr double usual_passes = 3.0;
@@ -214,6 +275,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         // The change just made tells how far the pass before was from its surroundings.
         exchange();
         const auto stepping = Clock::now();
+        const double cpu = cpu_seconds();
         const double done = std::min(0.95, report.passes / usual_passes);
         pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
         ++report.passes;
@@ -228,6 +290,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
             report.estimated_error = std::max(report.estimated_error, block.largest_move);
         }
         report.step_seconds += seconds_since(stepping);
+        report.step_cpu_seconds += cpu_seconds() - cpu;
         report.converged = report.periodic_residual <= options.tolerance &&
                            report.estimated_error <= 0.01 &&
                            report.exchange_change <= settled_exchange;

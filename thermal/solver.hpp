@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -15,6 +16,11 @@
 
 namespace diurna {
 
+/// How the columns are stepped. `modes`: a few exponential modes per material, exact in time but
+/// for the surface's curvature, split where a shadow's edge passes (thermal/mode_batch.hpp); plates
+/// with a back of their own go layered. `layered`: node by node (thermal/batch.hpp), the reference.
+enum class Method { modes, layered };
+
 struct SolveOptions {
     Instant start{};
     double duration = 86400.0;   // [s]
@@ -23,18 +29,28 @@ struct SolveOptions {
     bool periodic = true;        // the span repeats for ever; else start from its mean balance
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
-    int refinement = 1;          // divides every step, forcing as it was: tells a result's error
-    bool exchange = true;        // light and heat from one facet to another
+    Method method = Method::modes;
+    double mode_error = 0.01;  // largest of the impedance (thermal/reduced_column.hpp)
+    int refinement = 1;        // divides every step, forcing as it was: tells a result's error
+    bool exchange = true;      // light and heat from one facet to another
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
 };
 
 /// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.
 std::vector<Instant> step_instants(const SolveOptions& options);
 
+/// Where a shadow's edge crosses a facet between two instants.
+struct ShadowEdge {
+    std::uint32_t step, facet;  // step i lies between the instants i and i + 1
+    float share;                // of the step, 0 to 1
+};
+
 /// Share of each facet that the sun reaches at each step's instant (terrain/visibility.hpp).
+/// Between the instants it runs straight, or jumps at the edge if there is one.
 struct SunExposure {
-    std::vector<Instant> instant;  // = step_instants(options)
-    std::vector<float> fraction;   // (instant, facet) 0 to 1; empty: nothing casts a shadow
+    std::vector<Instant> instant;    // = step_instants(options)
+    std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: nothing casts a shadow
+    std::vector<ShadowEdge> edge{};  // one at most for each step and facet
 };
 
 struct SolveInput {
@@ -63,6 +79,7 @@ struct SolveReport {
     std::size_t bisections = 0;         // lanes × iterations that left the bracket
     double coldest = 0.0, warmest = 0;  // [K] surface
     double shortwave_seconds = 0.0, exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
+    double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock
 };
 
 struct SolveResult {

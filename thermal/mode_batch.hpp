@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "thermal/batch.hpp"
+#include "thermal/reduced_column.hpp"
+
+namespace diurna {
+
+/// A step of a closed column, exact for a drive u that is linear in time between the step's ends:
+///
+///     x₁ = decay x₀ + from (u₀ + f) + to (u₁ + f),    θ = Σ surface x,   f the flux from below.
+///
+/// The drive u = q + film θ holds all that the surface takes in but what the film passes; of the
+/// step's error only what the true film differs from this one is left, second order in the step,
+/// and a jump decays however long the step is (L-stable for any true film above none).
+struct ModeStep {
+    double step, film, reference, flux_below;            // [s], [W m⁻² K⁻¹], [K], [W m⁻²]
+    double response;                                     // Σ surface · to [K m² W⁻¹]
+    std::vector<double> rate, surface, decay, from, to;  // (mode)
+
+    std::size_t modes() const { return rate.size(); }
+};
+ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step);
+
+/// Up to `lanes` facets of one material.
+struct ModeBatch {
+    std::size_t count = 0;
+    std::vector<double> state;                // [mode][lane]
+    std::array<double, lanes> temperature{};  // of the surface [K]
+    std::array<double, lanes> drive{};        // u + f [W m⁻²]
+    std::array<double, lanes> slope{};        // d(flux)/dT of the surface [W m⁻² K⁻¹]
+    std::array<NaturalFilm, lanes> natural{};
+    std::vector<std::size_t> unsettled;  // lanes to be split once more after a jump
+};
+
+/// Where one lane's heat jumps within a step.
+struct HeatJump {
+    std::size_t lane;
+    double share;  // of the step, 0 to 1
+    double heat;   // [W m⁻²] what it rises by
+};
+
+/// Air and heat [lane] (absorbed sun and longwave, internal) at the instants a step joins.
+struct ModeForcing {
+    const AirFilm &air_before, &air;
+    const double *heat_before, *heat;
+    std::span<const HeatJump> jumps;  // the step is split there, for those lanes
+};
+
+/// Sets temperature and drive from the state.
+void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
+                 ModeBatch& batch);
+
+/// One step. `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what
+/// the surface takes in at the step's end less what the modes got, over the sum of its terms. The
+/// modes themselves keep every joule (tests/reduced_column_test).
+void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,
+                   ModeBatch& batch, StepRecord& record);
+
+}  // namespace diurna

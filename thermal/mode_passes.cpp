@@ -1,0 +1,103 @@
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/passes.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+
+}  // namespace
+
+void set_film(Kind& kind, double film, double step) {
+    ModeColumn& modes = *kind.modes;
+    modes.closed = close_column(modes.reduced, std::max(1.0, film));
+    modes.step = make_mode_step(modes.reduced, modes.closed, step / kind.column.substeps);
+}
+
+void run_modes(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const ModeColumn& modes = *kind.modes;
+    const ModeStep& step = modes.step;
+    const int substeps = kind.column.substeps;
+    const std::size_t count = block.facet.size();
+    const double emissivity = kind.column.surface.emissivity;
+    const auto n = modes.reduced.modes();
+    const Eigen::OuterStride<> stride{Eigen::Index(lanes)};
+    ModeBatch batch;
+    batch.count = count;
+    batch.state.assign(std::size_t(n) * lanes, 0.0);
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    Strided start(block.start.data(), n, Eigen::Index(count), stride);
+    Strided state(batch.state.data(), n, Eigen::Index(count), stride);
+    state.noalias() = modes.closed.turn.transpose() * start;
+    block.slope.assign(kind.forcing.size(), 0.0);
+    StepRecord record;
+
+    // Heat of sun, terrain and what is inside at the step's ends; with the sky's at the substep's.
+    double before[lanes], after[lanes], heat_before[lanes], heat[lanes], jump[lanes] = {};
+    facet_heat(job, block, kind, 0, before);
+    for (std::size_t l = 0; l < count; ++l) {
+        heat[l] = before[l] + emissivity * kind.forcing[0].sky_longwave;
+    }
+    begin_modes(step, kind.forcing[0].air, heat, emissivity, batch);
+    for (std::size_t l = 0; l < count; ++l) {
+        job.kelvin[block.facet[l]] = float(batch.temperature[l]);
+    }
+    std::vector<HeatJump> jumps;
+    std::size_t at = 0;
+    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
+        facet_heat(job, block, kind, i, after);
+        std::span<const HeatJump> edges;
+        if (level.stride == 1 && !block.jumps.empty()) {
+            edges = std::span(block.jump)
+                        .subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
+        }
+        const double absorptance = edges.empty() ? 0.0 : absorptance_at(job, kind, i);
+        for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
+        for (int s = 0; s < substeps; ++s) {
+            ++at;
+            const StageForcing& forcing = kind.forcing[at];
+            const double sky = emissivity * forcing.sky_longwave;
+            const double share = double(s + 1) / substeps;
+            for (std::size_t l = 0; l < count; ++l) {
+                heat_before[l] = heat[l];
+                heat[l] = before[l] + share * (after[l] - before[l] - jump[l]) + sky;
+            }
+            jumps.clear();
+            for (const HeatJump& edge : edges) {
+                const double within = edge.share * substeps - s;
+                if (within < 1.0) heat[edge.lane] += jump[edge.lane];
+                if (within >= 0.0 && within < 1.0) {
+                    jumps.push_back(
+                        {edge.lane, std::clamp(within, 1e-3, 1.0 - 1e-3), jump[edge.lane]});
+                }
+            }
+            advance_modes(step,
+                          {.air_before = kind.forcing[at - 1].air,
+                           .air = forcing.air,
+                           .heat_before = heat_before,
+                           .heat = heat,
+                           .jumps = jumps},
+                          emissivity, batch, record);
+            block.slope[at] = record.slope[0];
+        }
+        for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
+        float* row = job.kelvin.data() + i * job.facets;
+        for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
+        std::swap(before, after);
+    }
+    block.slope[0] = block.slope[at];  // of a span that repeats
+    block.record = record;
+    block.change.resize(block.start.size());
+    Strided change(block.change.data(), n, Eigen::Index(count), stride);
+    change.noalias() = modes.closed.turn * state;
+    change -= start;
+    block.residual = (modes.probe * change).cwiseAbs().maxCoeff();
+    block.heat_change = 0.0;
+}
+
+}  // namespace diurna

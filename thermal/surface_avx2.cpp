@@ -1,0 +1,7 @@
+#include "thermal/surface_loops.hpp"
+
+namespace diurna {
+
+const SurfaceKernel surface_avx2{solve, near_steps};
+
+}  // namespace diurna

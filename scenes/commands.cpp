@@ -16,6 +16,7 @@
 #include "terrain/height_field.hpp"
 #include "terrain/object_mesh.hpp"
 #include "terrain/parallel.hpp"
+#include "terrain/raster_file.hpp"
 #include "terrain/sun.hpp"
 #include "terrain/triangulate.hpp"
 #include "thermal/column_tool.hpp"
@@ -197,15 +198,9 @@ void visibility_command(const VisibilityArguments& arguments) {
     }
     const auto posts = static_cast<double>(seen.size() - dem.voids);
     if (!arguments.out.empty()) {
-        std::string bytes(reinterpret_cast<const char*>(seen.data()), 4 * seen.size());
-        bytes.append(reinterpret_cast<const char*>(lit.data()), 4 * lit.size());
-        write_whole_file(arguments.out, bytes);
-        write_whole_file(
-            arguments.out.string() + ".hdr",
-            fmt::format("ENVI\nsamples = {}\nlines = {}\nbands = {}\ndata type = 4\n"
-                        "interleave = bsq\nbyte order = 0\nband names = {{sky view{}}}\n",
-                        dem.columns, dem.rows, lit.empty() ? 1 : 2,
-                        lit.empty() ? "" : ", sun fraction"));
+        std::vector<RasterBand> bands{{"sky view", seen}};
+        if (!lit.empty()) bands.push_back({"sun fraction", lit});
+        write_geotiff(arguments.out, dem, bands);
     }
     fmt::print(
         "columns,rows,voids,azimuths,mean_sky_view,least_sky_view,lit_share,sky_view_s\n"

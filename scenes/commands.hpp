@@ -50,7 +50,7 @@ struct VisibilityArguments {
     std::vector<std::filesystem::path> dem;  // tiles of one lattice
     int azimuths = 32;
     std::optional<double> sun_azimuth_deg, sun_elevation_deg;
-    std::filesystem::path out;  // ENVI float32 raster, if named: sky view, then sun fraction
+    std::filesystem::path out;  // GeoTIFF, if named: sky view, then sun fraction
 };
 /// Sky view (and, for a sun, the lit share) of every post by the march over the raster.
 void visibility_command(const VisibilityArguments& arguments);

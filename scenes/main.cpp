@@ -192,7 +192,7 @@ void run_program(int argc, char** argv) {
     verb->add_option("--sun-azimuth-deg", visibility.sun_azimuth_deg, "clockwise from north");
     verb->add_option("--sun-elevation-deg", visibility.sun_elevation_deg)
         ->check(CLI::Range(-90.0, 90.0));
-    verb->add_option("--out", visibility.out, "ENVI raster (float32) and its .hdr");
+    verb->add_option("--out", visibility.out, "GeoTIFF in the raster's place");
     verb->callback([&] { visibility_command(visibility); });
 
     verb = app.add_subcommand("doctor", "versions, processor, threads, where data are found");

@@ -32,7 +32,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"CGAL/", {"triangulate.cpp", "ground_mesh.cpp"}},
     {"OpenMesh/", {"object_mesh.cpp"}},
     {"embree", {"ray_scene.cpp"}},
-    {"gdal", {"dem.cpp", "land_cover.cpp"}},
+    {"gdal", {"dem.cpp", "land_cover.cpp", "raster_file.cpp"}},
     {"ogr", {"dem.cpp", "land_cover.cpp"}},
     {"GeographicLib/", {"site.cpp"}},
     {"erfa", {"sun.cpp"}},

@@ -49,6 +49,24 @@ void pack(std::span<const Ray> rays, RTCRay16& packet, int (&valid)[width]) {
     }
 }
 
+void pack(const RayPacket& rays, int lanes, RTCRay16& packet, int (&valid)[width]) {
+    for (std::size_t i = 0; i < width; ++i) {
+        valid[i] = static_cast<int>(i) < lanes ? -1 : 0;
+        packet.org_x[i] = rays.origin_x[i];
+        packet.org_y[i] = rays.origin_y[i];
+        packet.org_z[i] = rays.origin_z[i];
+        packet.dir_x[i] = rays.direction_x[i];
+        packet.dir_y[i] = rays.direction_y[i];
+        packet.dir_z[i] = rays.direction_z[i];
+        packet.tnear[i] = 0.0f;
+        packet.tfar[i] = 1e30f;
+        packet.time[i] = 0.0f;
+        packet.mask[i] = 0xFFFFFFFFu;
+        packet.id[i] = 0;
+        packet.flags[i] = 0;
+    }
+}
+
 }  // namespace
 
 struct RayScene::Impl {
@@ -184,6 +202,29 @@ void RayScene::closest(const Fan& fan, FanHits& hits) const {
         const Ray ray{.origin = fan.origin, .direction = {fan.x[i], fan.y[i], fan.z[i]}};
         hits.range[i] = impl_->range(ray, hits.facet[i], hits.range[i]);
     }
+}
+
+void RayScene::closest(const RayPacket& rays, int lanes,
+                       std::array<std::uint32_t, 16>& facet) const {
+    RTCIntersectContext context = context_for(Coherence::incoherent);
+    alignas(64) int valid[width];
+    alignas(64) RTCRayHit16 packet;
+    pack(rays, lanes, packet.ray, valid);
+    std::fill_n(packet.hit.geomID, width, RTC_INVALID_GEOMETRY_ID);
+    std::fill_n(packet.hit.primID, width, RTC_INVALID_GEOMETRY_ID);
+    std::fill_n(packet.hit.instID[0], width, RTC_INVALID_GEOMETRY_ID);
+    rtcIntersect16(valid, impl_->scene, &context, &packet);
+    std::copy_n(packet.hit.primID, width, facet.begin());
+}
+
+void RayScene::occluded(const RayPacket& rays, int lanes,
+                        std::array<std::uint8_t, 16>& blocked) const {
+    RTCIntersectContext context = context_for(Coherence::incoherent);
+    alignas(64) int valid[width];
+    alignas(64) RTCRay16 packet;
+    pack(rays, lanes, packet, valid);
+    rtcOccluded16(valid, impl_->scene, &context, &packet);
+    for (std::size_t i = 0; i < width; ++i) blocked[i] = packet.tfar[i] < 0.0f ? 1 : 0;
 }
 
 void RayScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,

@@ -33,6 +33,12 @@ struct FanHits {
                                               // (below 3°), within 2e-5 of it elsewhere
 };
 
+/// Sixteen rays side by side, from 0 to infinity, that have little in common.
+struct RayPacket {
+    alignas(64) std::array<float, 16> origin_x, origin_y, origin_z;
+    alignas(64) std::array<float, 16> direction_x, direction_y, direction_z;  // unit
+};
+
 enum class Coherence { coherent, incoherent };  // neighbouring rays alike, or scattered
 
 /// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
@@ -50,9 +56,13 @@ class RayScene {
     void closest(std::span<const Ray> rays, std::span<Hit> hits,
                  Coherence coherence = Coherence::coherent) const;
     void closest(const Fan& fan, FanHits& hits) const;
+    /// The nearest facet's number along the first `lanes` rays, index(no_facet) where there is
+    /// none.
+    void closest(const RayPacket& rays, int lanes, std::array<std::uint32_t, 16>& facet) const;
     /// blocked[i] = 1 if anything lies between near and far.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked,
                   Coherence coherence = Coherence::coherent) const;
+    void occluded(const RayPacket& rays, int lanes, std::array<std::uint8_t, 16>& blocked) const;
 
  private:
     struct Impl;

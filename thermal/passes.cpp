@@ -166,7 +166,7 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                                  .reference = weather.at(job.options.start).air.temperature,
                                  .most_substeps = most_substeps,
                                  .refinement = job.options.refinement,
-                                 .grid = {}});
+                                 .grid = job.options.grid});
             const auto add = [&](Instant when) {
                 const Forcing forcing = weather.at(when);
                 const SkyState sky = sky_state(job.input.site, job.input.elevation, when, forcing,
@@ -176,7 +176,6 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                                         sky.longwave_down});
             };
             if (job.options.method == Method::modes && !kind.column.surface.back) {
-                kind.column.substeps = job.options.refinement;
                 kind.modes = mode_column(job, kind.column.surface, kind.column.reference);
                 add(job.instant[0]);
             }

@@ -36,7 +36,9 @@ struct Block {
     std::vector<double> slope;  // like Kind::forcing: Σ over facets, of the last run
 
     /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK.
-    bool settled(double tolerance) const { return residual <= tolerance && heat_change <= 0.05; }
+    bool settled(double tolerance) const {
+        return residual <= tolerance && largest_move <= 0.01 && heat_change <= 0.05;
+    }
 };
 
 struct StageForcing {

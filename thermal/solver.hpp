@@ -10,6 +10,7 @@
 #include "terrain/instant.hpp"
 #include "terrain/site.hpp"
 #include "terrain/visibility.hpp"
+#include "thermal/column.hpp"
 #include "thermal/irradiance.hpp"
 #include "thermal/temperature_field.hpp"
 #include "thermal/weather.hpp"
@@ -31,6 +32,7 @@ struct SolveOptions {
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
     Method method = Method::modes;
     double mode_error = 0.01;  // largest of the impedance (thermal/reduced_column.hpp)
+    GridOptions grid{};        // of layered columns
     int refinement = 1;        // divides every step, forcing as it was: tells a result's error
     bool exchange = true;      // light and heat from one facet to another
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread

@@ -273,6 +273,10 @@ bool NonlinearColumn::solve_stage(double tau, const std::vector<double>& target,
             const double slope = heat_slope(0, at) / tau - above.slope * bend - under_slope;
             (excess > 0.0 ? low : high) = at;
             double next = at + excess / slope;
+            if (std::abs(next - at) < 2e-12) {  // and what is left goes with its square
+                at = next;
+                break;
+            }
             // Every kink is crossed by landing on it; what strays is halved.
             if (node_[0].latent > 0.0) {
                 const double kink = at < 0.0 ? 0.0 : 1.0;
@@ -282,9 +286,8 @@ bool NonlinearColumn::solve_stage(double tau, const std::vector<double>& target,
             }
             if (!(next > low && next < high) || i > 60) next = 0.5 * (low + high);
             ++iterations;
-            const double moved = std::abs(next - at);
             at = next;
-            if (moved < 1e-11 || high - low < 1e-11) break;
+            if (high - low < 1e-12) break;
         }
         double worst = std::abs(at - rest);
         const double before = temperature(0, rest);

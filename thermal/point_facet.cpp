@@ -164,7 +164,7 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
         taken.step =
             column.advance(step, gentle, {&top[0], &top[1]},
                            {plate ? &back[0] : nullptr, plate ? &back[1] : nullptr}, state, map);
-        taken.terms = step * (c[1].absorbed_solar + std::abs(c[1].internal) +
+        taken.terms = step * (1e-3 + c[1].absorbed_solar + std::abs(c[1].internal) +
                               c[1].emissivity * stefan_boltzmann * power4(taken.step.surface[1]));
         if (!taken.step.solved || !stores) return taken;
 
@@ -227,7 +227,7 @@ void PointFacet::count_closure(const Taken& taken, const std::vector<double>& be
     for (std::size_t i = 0; i < u.size(); ++i) {
         gained += column.heat(i, after[i]) - column.heat(i, before[i]);
     }
-    const double scale = taken.step.through + taken.terms + 1e-9;
+    const double scale = taken.step.through + taken.terms;
     count.worst_closure =
         std::max(count.worst_closure, std::abs(gained - taken.step.heat_in) / scale);
 }
@@ -238,6 +238,7 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
     double done = 0.0, melted = 0.0;
     const double span = seconds_between(from, to);
     std::vector<double> whole, halves, middle;
+    bool stuck = false;  // the shortest step was not good enough
     while (done < span - 1e-6) {
         const Instant now = later(from, done);
         double step = std::min(next_step_, job_.longest_step);
@@ -256,7 +257,7 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
         }
         // Instants are whole milliseconds.
         step = std::max(shortest_step, std::round(step * 1e3) / 1e3);
-        const bool last_resort = step <= shortest_step;
+        const bool last_resort = stuck;
 
         whole = u;
         halves = u;
@@ -285,11 +286,13 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
         const double growth = error > 0.0 ? 0.9 * std::cbrt(job_.tolerance / error) : 4.0;
         if (error > job_.tolerance && !last_resort) {
             ++count.rejected;
+            stuck = step <= shortest_step;
             next_step_ = step * std::clamp(growth, 0.1, 0.7);
             wet_evaporation_ = evaporation;
             continue;
         }
-        if (last_resort && error > job_.tolerance) ++count.limited;
+        if (last_resort) ++count.limited;
+        stuck = false;
         if (error < 1e9) {
             count_closure(first, u, middle);
             count_closure(second, middle, halves);
@@ -322,8 +325,7 @@ void PointFacet::repeat(Instant from, const std::vector<double>& steps, Eigen::M
             std::vector<double> next = u;
             Standing water = standing;
             const Instant now = later(from, done + 0.5 * step * half);
-            const Taken taken =
-                half_step(now, 0.5 * step, step <= shortest_step, next, water, &map);
+            const Taken taken = half_step(now, 0.5 * step, false, next, water, &map);
             if (taken.step.solved) {
                 u = next;
                 standing = water;

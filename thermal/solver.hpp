@@ -92,9 +92,12 @@ struct SolveResult {
 /// Temperatures of all facets over the span: layered conduction below, the full surface balance
 /// above, solved together at every stage of every step.
 ///
-/// Time: SDIRK2 (γ = 1 − 1/√2, second order, L-stable), linear forcing between step instants;
-/// materials too thin for the step are stepped more often. Space: thermal/column.hpp. The surface
-/// equation is solved by Newton within a bracket to 1e-12 K. A periodic span is found by Newton on
+/// Method::modes (thermal/reduced_column.hpp): each material's linear column as a few exponential
+/// modes, stepped exactly for fluxes linear in time. Method::layered, the reference and for plates
+/// with air behind: SDIRK2 (γ = 1 − 1/√2, second order, L-stable) on the nodes of
+/// thermal/column.hpp. Forcing is linear between step instants; materials too thin for the step are
+/// stepped more often. The surface equation is solved by Newton within a bracket to 1e-12 K, by
+/// either method together with the column. A periodic span is found by Newton on
 /// the period map, with one monodromy matrix per material. What neighbours send in longwave follows
 /// from pass to pass. The result has the same bytes for any number of threads.
 ///

@@ -26,7 +26,7 @@ int main() {
                r.newton_iterations, r.worst_newton_iterations, r.bisections, r.shortwave_seconds,
                r.exchange_seconds, r.step_seconds, r.step_cpu_seconds, r.coldest, r.warmest);
     fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
-    fmt::print("jacksboro_day,sdirk2,{} steps,{},{},{:.3f},{:.2e},K periodic\n", r.steps, r.facets,
+    fmt::print("jacksboro_day,modes,{} steps,{},{},{:.3f},{:.2e},K periodic\n", r.steps, r.facets,
                thread_count(), r.seconds, r.periodic_residual);
     return 0;
 }

@@ -76,11 +76,11 @@ int main(int argc, char** argv) {
         }
         const SolveReport& r = results[i].report;
         const char* setting[]{"whole steps", "whole steps", "half steps", "steps of 50 s"};
-        fmt::print("solver_day,sdirk2,{},{},{},{:.3f},{:.2e},K periodic\n", setting[i],
+        fmt::print("solver_day,modes,{},{},{},{:.3f},{:.2e},K periodic\n", setting[i],
                    facets.size(), i == 0 ? 1 : thread_count(), r.seconds, r.periodic_residual);
-        fmt::print("solver_day,sdirk2,{},{},{},{:.3f},{:.4f},K rms\n", setting[i], facets.size(),
+        fmt::print("solver_day,modes,{},{},{},{:.3f},{:.4f},K rms\n", setting[i], facets.size(),
                    i == 0 ? 1 : thread_count(), r.seconds, std::sqrt(sum / double(exact.size())));
-        fmt::print("solver_day,sdirk2,{},{},{},{:.3f},{:.4f},K max\n", setting[i], facets.size(),
+        fmt::print("solver_day,modes,{},{},{},{:.3f},{:.4f},K max\n", setting[i], facets.size(),
                    i == 0 ? 1 : thread_count(), r.seconds, worst);
     }
     return 0;

@@ -5,22 +5,32 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <ctime>
 
 using namespace diurna;
+
+namespace {
+
+/// The processor's own clock: other work on the machine does not count.
+double cpu_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
     std::vector<std::filesystem::path> files(argv + 1, argv + argc);
     if (files.empty()) files.emplace_back(DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif");
-    fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
+    fmt::print("case,method,setting,facets,cpu_s,error,unit\n");
     for (const auto& file : files) {
         const Dem dem = read_dem(file, {.voids = VoidPolicy::leave});
         for (const double tolerance : {10.0, 5.0, 2.0, 1.0, 0.5, 0.0}) {
-            const auto start = std::chrono::steady_clock::now();
+            const double start = cpu_seconds();
             const Tin tin = triangulate(dem, tolerance);
-            const double seconds =
-                std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            fmt::print("{},greedy_tin,tolerance {} m,{},1,{:.3f},{:.3g},m\n", file.stem().string(),
+            const double seconds = cpu_seconds() - start;
+            fmt::print("{},greedy_tin,tolerance {} m,{},{:.3f},{:.3g},m\n", file.stem().string(),
                        tolerance, tin.triangle.size(), seconds, check_tin(dem, tin).worst_error);
         }
     }

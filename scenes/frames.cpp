@@ -74,6 +74,14 @@ std::vector<std::string> frame_files(const Prepared& prepared) {
     return files;
 }
 
+Plane void_plane(const View& view, const World& world) {
+    Plane plane{"void", "1", std::vector<float>(view.pixels(), -1.0f)};
+    for (std::size_t p = 0; p < plane.pixel.size(); ++p) {
+        if (view.centre[p] != no_facet) plane.pixel[p] = world.filled[index(view.centre[p])];
+    }
+    return plane;
+}
+
 std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                           const TemperatureField& field, const fs::path& out, Progress& progress) {
     const Scene& scene = prepared.scene;
@@ -115,20 +123,21 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
             }
             const std::vector<float> temperature = field.interpolate(instant);
             const Atmosphere atmosphere = atmosphere_at(scene, world, prepared.weather, instant);
-            const Frame frame = render(view, observer, bands,
-                                       {.facets = world.facets,
-                                        .sky_view = sky_view,
-                                        .materials = scene.materials,
-                                        .atmosphere = atmosphere,
-                                        .temperature = temperature,
-                                        .sun_fraction = fraction,
-                                        .to_sun = sun_direction(sun),
-                                        .sun_zenith_deg = 90.0 - sun.elevation_deg,
-                                        .sun_distance_au = sun.distance_au,
-                                        .ground_height_km = world.sea_level_height / 1000.0,
-                                        .instant = instant},
-                                       {.truth = true, .terms = input.terms, .lit = &lit});
+            Frame frame = render(view, observer, bands,
+                                 {.facets = world.facets,
+                                  .sky_view = sky_view,
+                                  .materials = scene.materials,
+                                  .atmosphere = atmosphere,
+                                  .temperature = temperature,
+                                  .sun_fraction = fraction,
+                                  .to_sun = sun_direction(sun),
+                                  .sun_zenith_deg = 90.0 - sun.elevation_deg,
+                                  .sun_distance_au = sun.distance_au,
+                                  .ground_height_km = world.sea_level_height / 1000.0,
+                                  .instant = instant},
+                                 {.truth = true, .terms = input.terms, .lit = &lit});
             check_finite(frame, input.bands);
+            if (!world.filled.empty()) frame.planes.push_back(void_plane(view, world));
             write_frame(out, frame, input.bands);
             progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
         };

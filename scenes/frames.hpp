@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "render/frame.hpp"
+#include "render/view.hpp"
 #include "scenes/job.hpp"
 #include "thermal/temperature_field.hpp"
 
@@ -18,6 +20,10 @@ std::vector<std::string> frame_files(const Prepared& prepared);
 std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                           const TemperatureField& field, const std::filesystem::path& out,
                           Progress& progress);
+
+/// The truth plane "void": 1 at pixels whose ground was filled in for want of elevation
+/// (World::filled, which is not empty), 0 elsewhere, −1 where it is sky.
+Plane void_plane(const View& view, const World& world);
 
 /// Writes annotations.json (scenes/annotations.hpp) for all frames. Nothing moves, so one frame of
 /// an observer tells where the objects are in all of them.

@@ -84,8 +84,14 @@ Prepared prepare(Scene scene) {
         observers.push_back(placed(observer, dem, world, rays, scene));
     }
     Plan plan = make_plan(scene, world);
-    return {std::move(scene),   std::move(world),     std::move(rays),
-            std::move(weather), std::move(observers), std::move(plan)};
+    std::vector<std::string> notes = dem.notes;
+    if (world.filled_facets > 0) {
+        notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
+                                    dem.voids, dem.height.size(), world.filled_facets,
+                                    world.ground_facets));
+    }
+    return {std::move(scene),     std::move(world), std::move(rays), std::move(weather),
+            std::move(observers), std::move(plan),  std::move(notes)};
 }
 
 SkyView scene_sky_view(const Prepared& prepared) {
@@ -147,6 +153,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
         report.solve = result.report;
         report.solved = true;
     }
+    report.notes = prepared.notes;
     if (!prepared.weather.note.empty()) report.notes.push_back(prepared.weather.note);
 
     report.files = {"temperatures.nc"};

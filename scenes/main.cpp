@@ -53,6 +53,7 @@ void check_verb(const SceneArguments& a) {
     const Prepared prepared = prepare(a.read());
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.facets.size(), prepared.observers.size());
+    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
 }
 
 void run_verb(SceneArguments& a) {

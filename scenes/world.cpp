@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -65,23 +67,50 @@ std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& de
     return found;
 }
 
-/// Posts without elevation in the file under or beside a triangle.
-bool over_void(const Dem& dem, const GroundMesh& mesh, const std::array<std::uint32_t, 3>& corner) {
-    if (dem.is_void.empty()) return false;
-    Eigen::Vector2d low = mesh.place[corner[0]], high = low;
-    for (const std::uint32_t k : corner) {
-        low = low.cwiseMin(mesh.place[k]);
-        high = high.cwiseMax(mesh.place[k]);
-    }
-    for (int row = int(std::floor(low.y())); row <= int(std::ceil(high.y())); ++row) {
-        for (int column = int(std::floor(low.x())); column <= int(std::ceil(high.x())); ++column) {
-            if (row >= 0 && column >= 0 && row < dem.rows && column < dem.columns &&
-                dem.is_void[std::size_t(row) * dem.columns + column]) {
-                return true;
-            }
+/// Whether a triangle of raster places holds a post without elevation in the file; one that holds
+/// no post at all, whether its middle's cell has such a one.
+bool over_void(const Dem& dem, const std::array<Eigen::Vector2d, 3>& corner) {
+    const auto is_void = [&](int row, int column) {
+        return row >= 0 && column >= 0 && row < dem.rows && column < dem.columns &&
+               dem.is_void[std::size_t(row) * dem.columns + column];
+    };
+    Eigen::Matrix2d edges;
+    edges << corner[1] - corner[0], corner[2] - corner[0];
+    const Eigen::Matrix2d inverse = edges.inverse();
+    const Eigen::Vector2d low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]);
+    const Eigen::Vector2d high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]);
+    bool any = false;
+    constexpr double near = 1e-3;  // places come from metres kept as float
+    for (int row = int(std::ceil(low.y() - near)); row <= int(high.y() + near); ++row) {
+        for (int column = int(std::ceil(low.x() - near)); column <= int(high.x() + near);
+             ++column) {
+            const Eigen::Vector2d at = inverse * (Eigen::Vector2d(column, row) - corner[0]);
+            if (at.minCoeff() < -near || at.sum() > 1.0 + near) continue;
+            if (is_void(row, column)) return true;
+            any = true;
         }
     }
-    return false;
+    const Eigen::Vector2d middle = (corner[0] + corner[1] + corner[2]) / 3.0;
+    const int left = int(std::floor(middle.x())), above = int(std::floor(middle.y()));
+    return !any && (is_void(above, left) || is_void(above, left + 1) || is_void(above + 1, left) ||
+                    is_void(above + 1, left + 1));
+}
+
+/// Marks the ground facets whose elevation was filled in.
+void mark_filled(World& world, const Dem& dem) {
+    if (dem.is_void.empty()) return;
+    std::vector<Eigen::Vector2d> east_north;
+    for (const Eigen::Vector3f& v : world.facets.vertex) {
+        east_north.push_back(v.head<2>().cast<double>());
+    }
+    const auto place = raster_places(dem, world.site, east_north);
+    std::vector<std::uint8_t> filled(world.facets.size(), 0);
+    for (std::size_t f = 0; f < world.ground_facets; ++f) {
+        const auto& [a, b, c] = world.facets.corner[f];
+        filled[f] = over_void(dem, {place[a], place[b], place[c]});
+        world.filled_facets += filled[f];
+    }
+    if (world.filled_facets > 0) world.filled = std::move(filled);
 }
 
 /// A pixel of each observer, and a hundredth of the distance from each building and polygon.
@@ -128,7 +157,6 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);
     const auto cover = covered(scene, dem, mesh);
-    std::size_t filled = 0;
 
     // One batch of triangles per object: the ground first, then each polygon.
     for (int batch = 0; batch <= static_cast<int>(polygons.size()); ++batch) {
@@ -139,7 +167,6 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
             if ((f < 0 ? 0 : object[std::size_t(f)]) != batch) continue;
             const auto& [a, b, c] = mesh.triangle[t];
             triangles.push_back(mesh.triangle[t]);
-            filled += over_void(dem, mesh, mesh.triangle[t]);
             if (f >= 0 && !material[std::size_t(f)].empty()) {
                 materials.push_back(scene.materials.find(material[std::size_t(f)]));
                 continue;
@@ -157,7 +184,6 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
                       ObjectId{static_cast<std::uint16_t>(batch)});
     }
     world.ground_facets = world.facets.size();
-    world.filled_facets = filled;
 }
 
 /// Footprints of files, one object per file.
@@ -228,6 +254,7 @@ World build_world(const Scene& scene, const Dem& dem) {
     append_ground(world, scene, dem);
     append_buildings(world, scene, dem);
     append_shape_buildings(world, scene, dem);
+    mark_filled(world, dem);
     world.relief.emplace(height_field(dem, world.site));
     return world;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct World {
     std::size_t ground_facets = 0;      // the first ones; objects follow
     std::optional<HeightField> relief;  // the raster, for sun and sky on the ground
     TinCheck ground_check;              // how far the mesh is from the raster's posts
-    std::size_t filled_facets = 0;      // ground facets that touch posts void in the file
+    std::size_t filled_facets = 0;      // ground facets on posts void in the file
+    std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
 };
 
 /// Triangulates the elevation along the polygons' borders, gives every facet its material and

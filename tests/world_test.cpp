@@ -4,6 +4,7 @@
 #include <map>
 
 #include "materials/error.hpp"
+#include "scenes/frames.hpp"
 #include "scenes/plan.hpp"
 #include "scenes/scene_file.hpp"
 #include "terrain/sun.hpp"
@@ -153,4 +154,31 @@ wall = "concrete_wall"
                       .epsilon(2e-3));
     CHECK(house == Approx(0.0002 * east * 0.0002 * north).epsilon(2e-3));
     CHECK(world.ground_check.worst_error <= scene.terrain.tolerance + 1e-3);
+}
+
+TEST_CASE("ground that was filled in is marked, facet by facet and in the picture",
+          "[scenes][world][voids]") {
+    Built b = built(with(small_scene(), "tolerance_m = 10.0", "tolerance_m = 0.0"));
+    CHECK(b.world.filled.empty());
+    const int row = b.dem.rows / 4, column = b.dem.columns / 4;
+    b.dem.is_void.assign(b.dem.height.size(), 0);
+    b.dem.is_void[std::size_t(row) * b.dem.columns + column] = 1;
+    const World world = build_world(b.scene, b.dem);
+    // The full grid: an inner post has six triangles, or four to eight where diagonals differ.
+    CHECK(world.filled_facets >= 4);
+    CHECK(world.filled_facets <= 8);
+    REQUIRE(world.filled.size() == world.facets.size());
+    View view;
+    std::size_t marked = 0;
+    for (std::size_t f = 0; f < world.facets.size(); ++f) {
+        if (!world.filled[f]) continue;
+        ++marked;
+        view.centre = {FacetId(f), no_facet, FacetId(world.ground_facets)};
+        const Eigen::Vector2d east_north = world.facets.centroid[f].head<2>().cast<double>();
+        const auto place = raster_places(b.dem, world.site, {&east_north, 1}).front();
+        CHECK((place - Eigen::Vector2d(column, row)).cwiseAbs().maxCoeff() < 1.0);
+    }
+    CHECK(marked == world.filled_facets);
+    view.sky = {0.0f, 1.0f, 0.0f};
+    CHECK(void_plane(view, world).pixel == std::vector<float>{1.0f, -1.0f, 0.0f});
 }

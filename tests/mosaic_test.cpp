@@ -140,3 +140,25 @@ TEST_CASE("a doubtful datum is told with its size", "[terrain][dem]") {
     CHECK(dem.notes.front().find("shift of") != std::string::npos);
     CHECK(read_dem(DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif").notes.empty());
 }
+
+TEST_CASE("a raster in UTM places its posts to the millimetre", "[terrain][dem][geodesy]") {
+    // GeographicLib's UTMUPS::Forward, given to the millimetre; cells of one metre.
+    Dem dem;
+    dem.columns = dem.rows = 1000;
+    dem.transform = {423000.0, 1.0, 0.0, 5151000.0, 0.0, -1.0};
+    dem.crs_wkt = "EPSG:32632";
+    const std::vector<Geodetic> places{{46.5, 8.0, 0.0}, {60.0, 11.999, 0.0}};
+    const double east[] = {423268.310, 667239.082}, north[] = {5150089.104, 6655202.954};
+    const auto found = raster_places(dem, places);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(found[i].x() == Approx(east[i] - 423000.0 - 0.5).epsilon(0).margin(1e-3));
+        CHECK(found[i].y() == Approx(5151000.0 - north[i] - 0.5).epsilon(0).margin(1e-3));
+    }
+    const std::vector<float> height{0.0f, 0.0f};
+    const auto back = geodetic_places(dem, found, height);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(back[i].latitude_deg ==
+              Approx(places[i].latitude_deg).epsilon(0).margin(9e-9));  // 1 mm
+        CHECK(back[i].longitude_deg == Approx(places[i].longitude_deg).epsilon(0).margin(9e-9));
+    }
+}

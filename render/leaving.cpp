@@ -286,9 +286,9 @@ Leaving::Leaving(const RadianceInput& input, const LitFacets& lit, const ModeTab
                 const std::size_t other = index(lit.facet[lit.source[k]]);
                 change += lit.factor[k] * std::abs(input.temperature[other] - own);
                 if (!input.sun_fraction.empty()) {
-                    change += lit.factor[k] * options.sunlight *
-                              reflectance[index(input.facets.material[other])] *
-                              input.sun_fraction[other];
+                    change += lit.factor[k] * reflectance[index(input.facets.material[other])] *
+                              (options.sunlight * input.sun_fraction[other] +
+                               options.skylight * input.sky_view.sky_view[other]);
                 }
             }
             worth[i] = reflectance[index(input.facets.material[index(lit.facet[i])])] * change *

@@ -67,6 +67,7 @@ struct BounceOptions {
     /// `sunlight`; what all neighbours of a facet leave out together is no more than this.
     float tolerance = 3e-4f;
     float sunlight = 0.0f;     // [K] of a white surface in the sun, over the slope at the cold end
+    float skylight = 0.0f;     // [K] of scattered sunlight from a whole open sky, likewise
     float most_change = 1e3f;  // [K] no neighbour differs by more, sunlight included
 };
 

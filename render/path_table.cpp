@@ -296,11 +296,62 @@ BackgroundTable::BackgroundTable(const RadianceInput& input, const Band& band, d
     }
 }
 
-double BackgroundTable::operator()(double zenith_deg) const {
-    if (zenith_deg <= horizon_) {
-        return interpolate(sky_, (above(zenith_deg) - above_low_) / above_step_);
+void BackgroundTable::add_sunlight(const RadianceInput& input, const Band& band,
+                                   const SunField& scattered, double height_km,
+                                   double least_azimuth_deg, double most_azimuth_deg) {
+    constexpr double step_deg = 6.0;
+    const double span = std::max(1e-3, most_azimuth_deg - least_azimuth_deg);
+    const std::size_t azimuths = static_cast<std::size_t>(std::ceil(span / step_deg)) + 3;
+    azimuth_low_ = least_azimuth_deg;
+    azimuth_step_ = span / double(azimuths - 1);
+    const auto fill = [&](Sunlit& part, const auto& zenith_deg) {
+        part.radiance.assign(azimuths, std::vector<double>(sunlit_nodes));
+        for_each_index(
+            azimuths * sunlit_nodes,
+            [&](std::size_t k) {
+                const std::size_t a = k / sunlit_nodes, z = k % sunlit_nodes;
+                part.radiance[a][z] = band_sum_nodes(
+                    band, scattered_background_at(input, scattered, height_km,
+                                                  zenith_deg(part.low + part.step * double(z)),
+                                                  azimuth_low_ + azimuth_step_ * double(a)));
+            },
+            1);
+    };
+    constexpr double finer = double(nodes - 1) / double(sunlit_nodes - 1);
+    if (!sky_.empty()) {
+        sunlit_sky_.low = above_low_;
+        sunlit_sky_.step = above_step_ * finer;
+        fill(sunlit_sky_,
+             [&](double t) { return std::clamp(horizon_ - (std::exp(t) - 0.5), 0.0, horizon_); });
     }
-    return interpolate(plain_, (below(zenith_deg) - below_low_) / below_step_);
+    if (!plain_.empty()) {
+        sunlit_plain_.low = below_low_;
+        sunlit_plain_.step = below_step_ * finer;
+        fill(sunlit_plain_,
+             [&](double t) { return std::clamp(horizon_ + std::max(1e-9, t * t), 0.0, 180.0); });
+    }
+}
+
+double BackgroundTable::sunlit(const Sunlit& part, double place, double azimuth_deg) const {
+    if (part.radiance.empty()) return 0.0;
+    const Stencil s = stencil((azimuth_deg - azimuth_low_) / azimuth_step_, part.radiance.size());
+    double sum = 0.0;
+    for (std::size_t k = 0; k < 4; ++k) {
+        sum += double(s.weight[k]) *
+               interpolate(part.radiance[s.start + k], (place - part.low) / part.step);
+    }
+    return sum;
+}
+
+double BackgroundTable::operator()(double zenith_deg, double azimuth_from_sun_deg) const {
+    if (zenith_deg <= horizon_) {
+        const double place = above(zenith_deg);
+        return interpolate(sky_, (place - above_low_) / above_step_) +
+               sunlit(sunlit_sky_, place, azimuth_from_sun_deg);
+    }
+    const double place = below(zenith_deg);
+    return interpolate(plain_, (place - below_low_) / below_step_) +
+           sunlit(sunlit_plain_, place, azimuth_from_sun_deg);
 }
 
 }  // namespace diurna

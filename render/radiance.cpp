@@ -21,13 +21,6 @@ constexpr std::array<double, 8> gauss_weight = {
     0.050614268145188130, 0.111190517226687235, 0.156853322938943644, 0.181341891689180991,
     0.181341891689180991, 0.156853322938943644, 0.111190517226687235, 0.050614268145188130};
 
-double air_temperature(const Atmosphere& atmosphere, double height_km) {
-    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
-        return air_at(model->profile, height_km).temperature;
-    }
-    return std::get<Vacuum>(atmosphere).space_temperature;
-}
-
 /// What node-by-node shading needs to know of a facet.
 struct Surface {
     const Material* material;
@@ -75,7 +68,21 @@ double sunlight_on(const RadianceInput& input, FacetId facet) {
     return input.sun_fraction[f] * std::max(0.0, cosine) / std::numbers::pi;
 }
 
-Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um) {
+std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<const double> node_um) {
+    constexpr double no_sunlight_um = 5.0;
+    const auto* model = std::get_if<BandModel>(&input.atmosphere);
+    if (model == nullptr || input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0 ||
+        std::none_of(node_um.begin(), node_um.end(),
+                     [](double um) { return um < no_sunlight_um; })) {
+        return std::nullopt;
+    }
+    return SunField(*model,
+                    {.zenith_deg = input.sun_zenith_deg, .distance_au = input.sun_distance_au},
+                    node_um);
+}
+
+Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um,
+               const SunField* scattered) {
     Light light{.sun = std::vector<double>(node_um.size(), 0.0),
                 .sky = std::vector<double>(node_um.size(), 0.0)};
     if (!input.sun_fraction.empty()) {
@@ -89,6 +96,12 @@ Light light_at(const RadianceInput& input, double height_km, std::span<const dou
             sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
         for (std::size_t n = 0; n < sky.size(); ++n) light.sky[n] += gauss_weight[i] * sky[n];
     }
+    if (scattered != nullptr) {
+        const SunFlux flux = scattered->flux(height_km);
+        for (std::size_t n = 0; n < node_um.size(); ++n) {
+            light.sky[n] += flux.down[n] * std::numbers::inv_pi;
+        }
+    }
     return light;
 }
 
@@ -98,24 +111,44 @@ double horizon_zenith_deg(const RadianceInput& input, double height_km) {
     return eye <= plain ? 90.0 : 180.0 - degrees(std::asin(plain / eye));
 }
 
+namespace {
+
+/// Range [km] of the nearer crossing of a ray with the sphere of the plain.
+double range_to_plain(const RadianceInput& input, double height_km, double zenith_deg) {
+    const double plain = earth_radius_km + input.ground_height_km;
+    const double eye = earth_radius_km + height_km;
+    const double cosine = std::cos(radians(zenith_deg));
+    const double square = (plain - eye) * (plain + eye) + eye * eye * cosine * cosine;
+    return std::max(0.0, -eye * cosine - std::sqrt(std::max(0.0, square)));
+}
+
+}  // namespace
+
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
                                   std::span<const double> node_um) {
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
         return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
     }
-    const double plain = earth_radius_km + input.ground_height_km;
-    const double eye = earth_radius_km + height_km;
-    const double cosine = std::cos(radians(zenith_deg));
-    // The nearer crossing of the ray with the sphere of the plain.
-    const double square = (plain - eye) * (plain + eye) + eye * eye * cosine * cosine;
-    const double range = std::max(0.0, -eye * cosine - std::sqrt(std::max(0.0, square)));
-    NodeSpectrum path =
-        path_at_nodes(input.atmosphere, chord(height_km, input.ground_height_km, range), node_um);
-    const double temperature = air_temperature(input.atmosphere, input.ground_height_km);
+    NodeSpectrum path = path_at_nodes(
+        input.atmosphere,
+        chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
+        node_um);
+    const double temperature = air_temperature_at(input.atmosphere, input.ground_height_km);
     for (std::size_t n = 0; n < node_um.size(); ++n) {
         path.radiance[n] += path.transmittance[n] * planck(node_um[n], temperature);
     }
     return std::move(path.radiance);
+}
+
+std::vector<double> scattered_background_at(const RadianceInput& input, const SunField& scattered,
+                                            double height_km, double zenith_deg,
+                                            double azimuth_from_sun_deg) {
+    if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
+        return scattered.sky(height_km, zenith_deg, azimuth_from_sun_deg);
+    }
+    return scattered.path(
+        chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
+        zenith_deg, azimuth_from_sun_deg);
 }
 
 int chord_segments(double height_change_km) {
@@ -156,11 +189,12 @@ namespace {
 struct LightMemo {
     const RadianceInput& input;
     std::span<const double> node_um;
+    const SunField* scattered;
     std::map<long, Light> known;
 
     const Light& step(long k) {
         const auto [place, is_new] = known.try_emplace(k);
-        if (is_new) place->second = light_at(input, 4e-3 * double(k), node_um);
+        if (is_new) place->second = light_at(input, 4e-3 * double(k), node_um, scattered);
         return place->second;
     }
     Light at(double height_km) {
@@ -219,19 +253,24 @@ std::array<std::vector<double>, term_count> leaving_terms(const RadianceInput& i
 std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
                                                              FacetId facet,
                                                              std::span<const double> node_um,
-                                                             int bounces) {
-    LightMemo memo{.input = input, .node_um = node_um, .known = {}};
+                                                             int bounces,
+                                                             const SunField* scattered) {
+    std::optional<SunField> own;
+    if (scattered == nullptr) own = scattered_sun(input, node_um);
+    LightMemo memo{
+        .input = input, .node_um = node_um, .scattered = own ? &*own : scattered, .known = {}};
     return leaving_terms(input, facet, node_um, bounces, memo);
 }
 
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                double observer_height, FacetId facet, double range,
-                                               double height, int segments) {
+                                               double height, int segments,
+                                               const SunField* scattered) {
     const double from_km = input.ground_height_km + 1e-3 * observer_height;
     const double to_km = input.ground_height_km + 1e-3 * height;
     const NodeSpectrum path = path_at_nodes(
         input.atmosphere, chord(from_km, to_km, 1e-3 * range, segments), band.node_um);
-    const auto leaving = leaving_radiance(input, facet, band.node_um);
+    const auto leaving = leaving_radiance(input, facet, band.node_um, 2, scattered);
     std::array<double, term_count> sum{};
     for (std::size_t n = 0; n < band.node_um.size(); ++n) {
         for (std::size_t t = 0; t + 1 < term_count; ++t) {

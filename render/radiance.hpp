@@ -2,12 +2,14 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "materials/atmosphere.hpp"
 #include "materials/band.hpp"
 #include "materials/library.hpp"
+#include "materials/scattering.hpp"
 #include "render/view.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/instant.hpp"
@@ -41,7 +43,13 @@ struct Light {
     std::vector<double> sun;  // (node) irradiance on a plane facing the sun [W m⁻² µm⁻¹]
     std::vector<double> sky;  // (node) cosine-weighted mean radiance [W m⁻² sr⁻¹ µm⁻¹]
 };
-Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um);
+/// Sunlight scattered by the scene's air at a band's nodes. Empty where there is none: without sun,
+/// with the sun below the horizon, beyond 5 µm, in a vacuum and in a table of paths.
+std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<const double> node_um);
+
+/// scattered  of the same nodes, or null: `sky` is then the heat of air and clouds alone
+Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um,
+               const SunField* scattered = nullptr);
 
 /// Temperature [K] of what shines through a facet of a transparent material: the air of the room
 /// behind it (Interior), else its own.
@@ -53,11 +61,15 @@ double sunlight_on(const RadianceInput& input, FacetId facet);
 /// Zenith angle [deg] below which a ray from `height_km` ends on the far plain of background_at().
 double horizon_zenith_deg(const RadianceInput& input, double height_km);
 
-/// Radiance of the background in a direction in which the scene ends, per node [W m⁻² sr⁻¹ µm⁻¹]:
-/// sky, or below the horizontal the air down to a far plain at the height of the scene's origin,
-/// black and as warm as the air on it.
+/// Thermal radiance of the background in a direction in which the scene ends, per node
+/// [W m⁻² sr⁻¹ µm⁻¹]: sky, or below the horizontal the air down to a far plain at the height of the
+/// scene's origin, black and as warm as the air on it.
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
                                   std::span<const double> node_um);
+/// Sunlight that comes from there: of the sky, or of the air before the plain.
+std::vector<double> scattered_background_at(const RadianceInput& input, const SunField& scattered,
+                                            double height_km, double zenith_deg,
+                                            double azimuth_from_sun_deg);
 
 /// A line from a height to another over a range, in segments that grow from the observer: heights
 /// on the straight chord over a spherical earth. Defined and smooth for any two heights, which
@@ -73,6 +85,8 @@ int chord_segments(double height_change_km);
 ///
 ///     ε B(T) + ρ [f cosθ E_sun / π + V L_sky + Σ F_j J_j] + τ B(T_behind)
 ///
+/// L_sky is the mean of air, clouds and the sunlight they scatter (diffuse irradiance / π).
+///
 /// V is the sky view, F the exchange row, scaled to 1 − V (so that ground beyond the scene's edge
 /// looks like the surroundings that are there; like the facet itself if there are none). J_j is
 /// the same sum for facet j, and so on; after `bounces` the surroundings count as black at the
@@ -80,16 +94,19 @@ int chord_segments(double height_change_km);
 /// neglected is ρ ρ_j ρ_k (1 − V)(1 − V_j)(1 − V_k) times the difference of two black bodies.
 /// `behind` is black at the temperature of the room behind (Interior), else of the facet.
 ///
-/// returns  (term, node) [W m⁻² sr⁻¹ µm⁻¹]; Term::path is zero
+/// scattered  scattered_sun() of these nodes; null: made for this call
+/// returns    (term, node) [W m⁻² sr⁻¹ µm⁻¹]; Term::path is zero
 std::array<std::vector<double>, term_count> leaving_radiance(const RadianceInput& input,
                                                              FacetId facet,
                                                              std::span<const double> node_um,
-                                                             int bounces = 2);
+                                                             int bounces = 2,
+                                                             const SunField* scattered = nullptr);
 
 /// Band radiance [W m⁻² sr⁻¹] at the eye of a facet seen from `observer_height` [m] over a range,
 /// term by term and node by node; heights [m] above the origin's level surface.
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                double observer_height, FacetId facet, double range,
-                                               double height, int segments = 0);
+                                               double height, int segments = 0,
+                                               const SunField* scattered = nullptr);
 
 }  // namespace diurna

@@ -11,6 +11,7 @@
 
 #include "materials/error.hpp"
 #include "materials/planck.hpp"
+#include "materials/units.hpp"
 #include "render/band_table.hpp"
 #include "render/leaving.hpp"
 #include "render/mode_table.hpp"
@@ -199,9 +200,41 @@ AtEye carry(const EyeTable& table, const GridPlace& place, const float* leaving)
     return eye;
 }
 
+/// Azimuths of a picture's sky from the sun [deg], without a jump but opposite to the optical axis.
+struct PixelAzimuths {
+    PixelRays rays;
+    double axis_deg, from_sun_deg;
+    double least = 0.0, most = 0.0;
+
+    PixelAzimuths(const View& view, const Observer& observer, const RadianceInput& input)
+        : rays(pixel_rays(observer)),
+          axis_deg(observer.azimuth_deg),
+          from_sun_deg(std::remainder(
+              observer.azimuth_deg - degrees(std::atan2(input.to_sun.x(), input.to_sun.y())),
+              360.0)) {
+        bool first = true;
+        for (std::size_t p = 0; p < view.pixels(); ++p) {
+            if (!(view.sky[p] > 0.0f)) continue;
+            const double here = (*this)(view, p);
+            least = first ? here : std::min(least, here);
+            most = first ? here : std::max(most, here);
+            first = false;
+        }
+    }
+    /// Of a pixel's middle.
+    double operator()(const View& view, std::size_t pixel) const {
+        const auto width = static_cast<std::size_t>(view.width);
+        const Eigen::Vector3d to =
+            rays.towards(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
+        return from_sun_deg + std::remainder(degrees(std::atan2(to.x(), to.y())) - axis_deg, 360.0);
+    }
+};
+
 /// Per band: the background over the zenith angles at which some pixel sees it.
 std::vector<BackgroundTable> backgrounds(const View& view, std::span<const Band> bands,
-                                         const RadianceInput& input) {
+                                         const RadianceInput& input,
+                                         const std::optional<PixelAzimuths>& azimuths,
+                                         std::span<const std::optional<SunField>> scattered) {
     float least = 180.0f, most = 0.0f;
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         if (view.sky[p] > 0.0f) {
@@ -212,7 +245,13 @@ std::vector<BackgroundTable> backgrounds(const View& view, std::span<const Band>
     std::vector<BackgroundTable> tables;
     if (least > most) return tables;
     const double eye_km = input.ground_height_km + 1e-3 * view.observer_height;
-    for (const Band& band : bands) tables.emplace_back(input, band, eye_km, least, most);
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        tables.emplace_back(input, bands[b], eye_km, least, most);
+        if (scattered[b]) {
+            tables.back().add_sunlight(input, bands[b], *scattered[b], eye_km, azimuths->least,
+                                       azimuths->most);
+        }
+    }
     return tables;
 }
 
@@ -220,7 +259,7 @@ std::vector<BackgroundTable> backgrounds(const View& view, std::span<const Band>
 /// or the only one.
 template <std::size_t Columns>
 void sum_pixels(const View& view, const std::vector<AtEye>& eye, const BackgroundTable* background,
-                std::span<std::vector<float>> planes) {
+                const PixelAzimuths* azimuths, std::span<std::vector<float>> planes) {
     for_each_block(view.pixels(), 2048, [&](std::size_t begin, std::size_t end) {
         for (std::size_t p = begin; p < end; ++p) {
             std::array<float, Columns> sum{};
@@ -234,8 +273,9 @@ void sum_pixels(const View& view, const std::vector<AtEye>& eye, const Backgroun
             }
             if (view.sky[p] > 0.0f) {
                 // The background is air, or ends in air: it counts as path.
-                sum[Columns - 1] +=
-                    view.sky[p] * static_cast<float>((*background)(view.sky_zenith_deg[p]));
+                const double azimuth = azimuths != nullptr ? (*azimuths)(view, p) : 0.0;
+                sum[Columns - 1] += view.sky[p] * static_cast<float>((*background)(
+                                                      view.sky_zenith_deg[p], azimuth));
             }
             for (std::size_t c = 0; c < Columns; ++c) planes[c][p] = sum[c];
         }
@@ -288,18 +328,23 @@ void add_truth(const View& view, const RadianceInput& input, Frame& frame) {
 std::vector<double> scattered_sunlight(const RadianceInput& input, const Light& light) {
     if (input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0) return {};
     std::vector<double> radiance = light.sun;
-    for (double& value : radiance) value *= 0.1 / std::numbers::pi;
+    for (std::size_t n = 0; n < radiance.size(); ++n) {
+        radiance[n] = 0.1 * (radiance[n] / std::numbers::pi + light.sky[n]);
+    }
     return radiance;
 }
 
 /// Light at three heights, per band.
 std::vector<std::array<Light, 3>> light_of(const RadianceInput& input, const LitFacets& lit,
-                                           std::span<const Band> bands) {
+                                           std::span<const Band> bands,
+                                           std::span<const std::optional<SunField>> scattered) {
     std::vector<std::array<Light, 3>> light(bands.size());
     for_each_index(
         bands.size() * 3,
         [&](std::size_t k) {
-            light[k / 3][k % 3] = light_at(input, lit.height_km[k % 3], bands[k / 3].node_um);
+            const auto& field = scattered[k / 3];
+            light[k / 3][k % 3] = light_at(input, lit.height_km[k % 3], bands[k / 3].node_um,
+                                           field ? &*field : nullptr);
         },
         1);
     return light;
@@ -382,7 +427,7 @@ ModeBasis basis_of(const Band& band, const Channels& channels, const SurfaceTabl
 
 /// Bounces, with the worth of sunlight and of the scene's spread in kelvins at its cold end.
 BounceOptions bounce_options(const Band& band, const TemperatureExtent& extent, const Light& light,
-                             const FrameOptions& options) {
+                             bool scattered, const FrameOptions& options) {
     const double slope = band_radiance_derivative(band, double{extent.coldest});
     const double sunlight = band_sum_nodes(band, light.sun) / std::numbers::pi / slope;
     // Planck's law is convex in temperature: the hot end counts more than its kelvins.
@@ -394,7 +439,11 @@ BounceOptions bounce_options(const Band& band, const TemperatureExtent& extent, 
     BounceOptions bounce{.bounces = options.bounces};
     bounce.tolerance = static_cast<float>(0.3 * options.tolerance / steepness);
     bounce.sunlight = static_cast<float>(std::min(1e30, sunlight / steepness));
-    bounce.most_change = static_cast<float>(kelvins) + bounce.sunlight;
+    if (scattered) {
+        bounce.skylight =
+            static_cast<float>(std::min(1e30, band_sum_nodes(band, light.sky) / slope / steepness));
+    }
+    bounce.most_change = static_cast<float>(kelvins) + bounce.sunlight + bounce.skylight;
     return bounce;
 }
 
@@ -428,7 +477,11 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     const LitFacets& lit = options.lit ? *options.lit : *own;
     const TemperatureExtent extent = temperature_extent(input, lit);
     const TemperatureGrid grid = temperature_grid(extent.coldest, extent.hottest);
-    const auto light = light_of(input, lit, bands);
+    std::vector<std::optional<SunField>> scattered(bands.size());
+    for_each_index(
+        bands.size(), [&](std::size_t b) { scattered[b] = scattered_sun(input, bands[b].node_um); },
+        1);
+    const auto light = light_of(input, lit, bands, scattered);
     std::vector<Channels> channels;
     std::vector<SurfaceTable> tables;
     std::vector<std::vector<std::vector<float>>> probes;
@@ -444,9 +497,9 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         std::transform(cold.begin(), cold.end(), mirror.begin(), [](float x) { return 0.2f * x; });
         probes.push_back({std::move(cold), std::move(hot), std::move(mirror)});
         // Where sunlight outshines heat, an error is worth more kelvins.
-        if (const auto scattered = scattered_sunlight(input, light[b][1]); !scattered.empty()) {
-            const std::vector<double> one(scattered.size(), 1.0);
-            probes.back().push_back(channel_sums(band, channels[b], one, scattered));
+        if (const auto sunlit = scattered_sunlight(input, light[b][1]); !sunlit.empty()) {
+            const std::vector<double> one(sunlit.size(), 1.0);
+            probes.back().push_back(channel_sums(band, channels[b], one, sunlit));
             for (std::size_t c = 0; c < channels[b].padded(); ++c) {
                 probes.back().back()[c] += probes.back().front()[c];
             }
@@ -454,7 +507,12 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     }
     const PathTable path(input.atmosphere, extent_of(view, input.ground_height_km), bands, channels,
                          probes, options.tolerance);
-    const auto background = backgrounds(view, bands, input);
+    std::optional<PixelAzimuths> azimuths;
+    if (std::any_of(scattered.begin(), scattered.end(),
+                    [](const auto& s) { return s.has_value(); })) {
+        azimuths.emplace(view, observer, input);
+    }
+    const auto background = backgrounds(view, bands, input, azimuths, scattered);
     const std::size_t per_band = options.terms ? term_count : 1;
     std::vector<AtEye> eye(view.facet.size() * per_band);
     for (std::size_t b = 0; b < bands.size(); ++b) {
@@ -466,9 +524,10 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         const ModeTable surface(tables[b], basis, input.materials.size(), lit.material_used,
                                 middle(extent));
         const ReflectedLight reflected = in_modes(in_channels, basis);
-        const Leaving leaving(input, lit, surface, reflected,
-                              greatest_reflectance(band, input.materials, lit.material_used),
-                              bounce_options(band, extent, light[b][2], options));
+        const Leaving leaving(
+            input, lit, surface, reflected,
+            greatest_reflectance(band, input.materials, lit.material_used),
+            bounce_options(band, extent, light[b][2], scattered[b].has_value(), options));
         const EyeTable air_table(path, b, basis);
         for_each_block(view.facet.size(), 1024, [&](std::size_t begin, std::size_t end) {
             Air air(basis.padded());
@@ -492,9 +551,9 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         std::vector<std::vector<float>> planes(per_band, std::vector<float>(view.pixels()));
         const BackgroundTable* sky = background.empty() ? nullptr : &background[b];
         if (options.terms) {
-            sum_pixels<term_count>(view, eye, sky, planes);
+            sum_pixels<term_count>(view, eye, sky, azimuths ? &*azimuths : nullptr, planes);
         } else {
-            sum_pixels<1>(view, eye, sky, planes);
+            sum_pixels<1>(view, eye, sky, azimuths ? &*azimuths : nullptr, planes);
         }
         std::vector<float> radiance = options.terms ? sum_of(planes) : std::move(planes[0]);
         auto temperature = apparent_temperature(band, radiance);

@@ -239,3 +239,53 @@ TEST_CASE("the background goes over from sky to plain at the horizon", "[render]
     // 4.5 K/km over the first kilometre.
     CHECK(temperature(180.0) == Approx(293.3).margin(0.3));
 }
+
+// E = E_direct cosθ + E_diffuse on the horizontal, L = ρ E / π of a Lambertian plane.
+TEST_CASE("a plane under the sky reflects the direct and the scattered sunlight",
+          "[render][radiance][sunlight]") {
+    const double reflectance = GENERATE(1.0, 0.3);
+    Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, reflectance);
+    pair.sun = {1.0f, 0.0f};
+    const Band band = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
+    RadianceInput input = summer_air(pair, summer);
+    input.to_sun = direction(130.0, 40.0);
+    input.sun_zenith_deg = 50.0;
+    const SunFlux flux = SunField(std::get<BandModel>(summer), {.zenith_deg = 50.0}, band.node_um)
+                             .flux(input.ground_height_km);
+    const double direct = band_sum_nodes(band, flux.direct) * std::cos(radians(50.0));
+    const double diffuse = band_sum_nodes(band, flux.down);
+    const double above =
+        std::cos(radians(50.0)) *
+        band_sum_nodes(band, solar_at_nodes(Vacuum{}, 0.0, 50.0, 1.0, band.node_um));
+    CHECK(diffuse > 0.1 * direct);
+    CHECK(direct + diffuse < above);
+    const auto leaving = [&](std::uint32_t facet) {
+        double sum = 0.0;
+        for (const auto& term : leaving_radiance(input, FacetId{facet}, band.node_um)) {
+            sum += band_sum_nodes(band, term);
+        }
+        return sum;
+    };
+    CHECK(leaving(0) == Approx(reflectance * (direct + diffuse) / std::numbers::pi).epsilon(1e-4));
+    CHECK(leaving(1) == Approx(reflectance * diffuse / std::numbers::pi).epsilon(1e-4));
+}
+
+TEST_CASE("sunlight is scattered by day, below 5 µm, and in air alone",
+          "[render][radiance][sunlight]") {
+    Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.3);
+    const Band visible = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
+    const Band thermal = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    RadianceInput night = summer_air(pair, summer);
+    night.sun_zenith_deg = 50.0;
+    CHECK_FALSE(scattered_sun(night, visible.node_um));
+    pair.sun = {1.0f, 1.0f};
+    RadianceInput day = summer_air(pair, summer);
+    day.sun_zenith_deg = 50.0;
+    CHECK(scattered_sun(day, visible.node_um));
+    CHECK_FALSE(scattered_sun(day, thermal.node_um));
+    RadianceInput airless = pair.input(cold_space);
+    airless.sun_zenith_deg = 50.0;
+    CHECK_FALSE(scattered_sun(airless, visible.node_um));
+    day.sun_zenith_deg = 91.0;
+    CHECK_FALSE(scattered_sun(day, visible.node_um));
+}

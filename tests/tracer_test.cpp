@@ -7,6 +7,7 @@
 #include "materials/atmosphere.hpp"
 #include "materials/error.hpp"
 #include "materials/planck.hpp"
+#include "materials/units.hpp"
 #include "render/path_table.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/site.hpp"
@@ -61,23 +62,35 @@ std::vector<Band> two_bands() {
 }
 
 /// A pixel's radiance by the reference: node by node, sighting by sighting.
-double reference(const Morning& world, const View& view, const Band& band, std::size_t pixel,
+double reference(const Morning& world, const View& view, const Observer& observer, const Band& band,
+                 const std::optional<SunField>& scattered, std::size_t pixel,
                  std::array<double, term_count>* terms = nullptr) {
     const RadianceInput input = world.input();
+    const SunField* field = scattered ? &*scattered : nullptr;
     double total = 0.0;
     for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
         const Sighting& s = view.sighting[k];
         const auto part = radiance_at_eye(input, band, view.observer_height, view.facet[s.target],
-                                          view.range_of(s), view.height_of(s));
+                                          view.range_of(s), view.height_of(s), 0, field);
         for (std::size_t t = 0; t < term_count; ++t) {
             total += s.weight * part[t];
             if (terms) (*terms)[t] += s.weight * part[t];
         }
     }
     if (view.sky[pixel] > 0.0f) {
-        const double background = band_sum_nodes(
-            band, background_at(input, input.ground_height_km + 1e-3 * view.observer_height,
-                                view.sky_zenith_deg[pixel], band.node_um));
+        const double eye_km = input.ground_height_km + 1e-3 * view.observer_height;
+        double background = band_sum_nodes(
+            band, background_at(input, eye_km, view.sky_zenith_deg[pixel], band.node_um));
+        if (field) {
+            const auto width = static_cast<std::size_t>(view.width);
+            const Eigen::Vector3d to = pixel_rays(observer).towards(double(pixel % width) + 0.5,
+                                                                    double(pixel / width) + 0.5);
+            const double azimuth = degrees(std::atan2(to.x(), to.y())) -
+                                   degrees(std::atan2(input.to_sun.x(), input.to_sun.y()));
+            background +=
+                band_sum_nodes(band, scattered_background_at(input, *field, eye_km,
+                                                             view.sky_zenith_deg[pixel], azimuth));
+        }
         total += view.sky[pixel] * background;
         if (terms) terms->back() += view.sky[pixel] * background;
     }
@@ -99,10 +112,11 @@ TEST_CASE("tables agree with the sum over wavelengths to 2 mK in every pixel", "
     const Frame frame = render(view, observer, bands, world.input());
     for (const Band& band : bands) {
         CAPTURE(up, band.name, frame.notes.at("error." + band.name));
+        const auto scattered = scattered_sun(world.input(), band.node_um);
         double worst = 0.0;
         std::size_t where = 0;
         for (std::size_t p = 0; p < view.pixels(); p += 37) {
-            const double exact = reference(world, view, band, p);
+            const double exact = reference(world, view, observer, band, scattered, p);
             const double error =
                 std::abs(double{frame["apparent_temperature." + band.name].pixel[p]} -
                          brightness_temperature(band, exact));
@@ -118,7 +132,8 @@ TEST_CASE("tables agree with the sum over wavelengths to 2 mK in every pixel", "
 }
 
 // In 0.4-0.7 µm, where a kelvin is worth 1 % of radiance, twice reflected sunlight is 2.6 mK off:
-// more than the 2 mK of the other bands, within the 5 mK asked of all.
+// more than the 2 mK of the other bands, within the 5 mK asked of all. Sunlight scattered by air,
+// linear in height between the levels of SunField, is within 0.2 % of radiance.
 TEST_CASE("from visible to thermal, the library's materials are within 5 mK of the reference",
           "[render][tracer]") {
     FacetSet facets = testing::hilly_world(40, 60.0);
@@ -129,6 +144,8 @@ TEST_CASE("from visible to thermal, the library's materials are within 5 mK of t
     }
     Morning world(std::move(facets));
     world.materials = library;
+    const bool air = GENERATE(false, true);
+    if (!air) world.air = Vacuum{.space_temperature = 220.0};
     Observer observer = testing::hilly_observer();
     observer.position = {-1200.0, -2200.0, 600.0};
     observer = looking_at(observer, {0.0, 0.0, 0.0});
@@ -139,14 +156,50 @@ TEST_CASE("from visible to thermal, the library's materials are within 5 mK of t
                                      flat_band("8-14", 8.0, 14.0, bin_edges_um())};
     const Frame frame = render(view, observer, bands, world.input());
     for (const Band& band : bands) {
-        double worst = 0.0;
+        const auto scattered = scattered_sun(world.input(), band.node_um);
+        double worst = 0.0, worst_share = 0.0;
         for (std::size_t p = 0; p < view.pixels(); p += 101) {
-            worst = std::max(
-                worst, std::abs(frame["apparent_temperature." + band.name].pixel[p] -
-                                brightness_temperature(band, reference(world, view, band, p))));
+            const double exact = reference(world, view, observer, band, scattered, p);
+            worst_share = std::max(worst_share,
+                                   std::abs(frame["radiance." + band.name].pixel[p] / exact - 1.0));
+            worst = std::max(worst, std::abs(frame["apparent_temperature." + band.name].pixel[p] -
+                                             brightness_temperature(band, exact)));
         }
-        CAPTURE(band.name, worst);
-        CHECK(worst < (band.name == "0.4-0.7" ? 5e-3 : 2e-3));
+        CAPTURE(air, band.name, worst, worst_share);
+        if (air && band.to_um() < 2.5) {
+            CHECK(worst_share < 2e-3);
+        } else {
+            CHECK(worst < (band.name == "0.4-0.7" ? 5e-3 : 2e-3));
+        }
+    }
+}
+
+// The table of scattered sunlight over zenith and azimuth, towards the sun and away from it.
+TEST_CASE("the sky of a sunny picture is within 0.1 % of the reference", "[render][tracer][sky]") {
+    const Morning world;
+    const double azimuth = GENERATE(110.0, 300.0);
+    Observer observer = testing::hilly_observer(24, 18);
+    observer.azimuth_deg = azimuth;
+    observer.elevation_deg = azimuth == 110.0 ? 65.0 : 10.0;
+    const View view = cast_view(world.scene, world.facets, observer);
+    for (const Band& band : {flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um()),
+                             flat_band("0.7-1.0", 0.7, 1.0, bin_edges_um())}) {
+        const auto scattered = scattered_sun(world.input(), band.node_um);
+        REQUIRE(scattered);
+        const Frame frame = render(view, observer, std::span(&band, 1), world.input());
+        double worst = 0.0;
+        std::size_t sky = 0;
+        for (std::size_t p = 0; p < view.pixels(); p += 7) {
+            if (view.sky[p] < 1.0f) continue;
+            ++sky;
+            const double exact = reference(world, view, observer, band, scattered, p);
+            CHECK(exact > 1.0);
+            worst =
+                std::max(worst, std::abs(frame["radiance." + band.name].pixel[p] / exact - 1.0));
+        }
+        CAPTURE(azimuth, band.name, sky, worst);
+        CHECK(sky > 10);
+        CHECK(worst < 1e-3);
     }
 }
 
@@ -167,9 +220,10 @@ TEST_CASE("the terms of the radiance add up to it and agree with the reference",
             const double total = whole["radiance." + band.name].pixel[p];
             CHECK(sum == Approx(total).epsilon(1e-6));
         }
+        const auto scattered = scattered_sun(world.input(), band.node_um);
         for (std::size_t p = 5; p < view.pixels(); p += 61) {
             std::array<double, term_count> exact{};
-            const double total = reference(world, view, band, p, &exact);
+            const double total = reference(world, view, observer, band, scattered, p, &exact);
             for (std::size_t t = 0; t < term_count; ++t) {
                 const double value = parts[term_names[t] + ("." + band.name)].pixel[p];
                 CAPTURE(band.name, p, term_names[t]);

@@ -31,6 +31,10 @@ struct ReciprocityReport {
 /// relief, where a facet sees 0.03 of ground and has met it with two of its 64 rays. Twice as many
 /// entries as were sampled at most: memory is linear in the facets, rays per facet × share of
 /// ground seen × 16 bytes.
+///
+/// Ground under a building meets the walls from behind, and they do not look back: such facets lose
+/// most of their exchange to `below` (0.42 to 0.94 on the eight under the sample scene's hangar, no
+/// other loses more than 0.3).
 ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
                                   const ReciprocityOptions& options = {});
 

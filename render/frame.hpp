@@ -23,6 +23,8 @@ struct Plane {
 ///     TERM.BAND                  W m-2 sr-1  on request; they add up to radiance.BAND
 ///     temperature, range         K, m        at the pixel's centre; NaN where it is sky
 ///     facet, object, material    1           index at the pixel's centre, exact to 2^24; −1: sky
+///     void                       1           1: ground filled in for want of elevation; −1: sky;
+///                                            only where the scene has such ground
 ///     normal.X, .Y, .Z           1           east, north, up; NaN where it is sky
 struct Frame {
     int width = 0, height = 0;

@@ -23,7 +23,8 @@ SunPosition sun_position(const Site& site, Instant instant);
 SunPosition sun_position(const Site& site, Instant instant, double pressure_hPa,
                          double temperature_C);
 
-/// Adds that refraction to a sun without it: for positions interpolated between a few computed ones.
+/// Adds that refraction to a sun without it: for positions interpolated between a few computed
+/// ones.
 SunPosition refracted(SunPosition sun, double pressure_hPa, double temperature_C);
 
 /// Unit vector towards the sun in the site's east-north-up frame.

@@ -1,6 +1,7 @@
 #include "thermal/temperature_field.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
 
 #include "hills.hpp"
@@ -46,6 +47,18 @@ TEST_CASE("a temperature field survives its file, bit by bit", "[thermal][temper
     CHECK(read.kelvin == field.kelvin);
     // Nothing but the file itself is left in the folder.
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+}
+
+// 2026-11: a solver's NaN went into a file that only its reader refused.
+TEST_CASE("a temperature that is no number is not written", "[thermal][temperature_field]") {
+    const ScratchFolder folder("temperature_field");
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    TemperatureField field = ramp(facets.size());
+    field.kelvin[facets.size() + 2] = std::nanf("");
+    const auto file = folder.path / "nan.nc";
+    CHECK_THROWS_WITH(save_temperature_field(file, field, facets, {}),
+                      Catch::Contains("the temperature of facet 2 is not finite"));
+    CHECK_FALSE(std::filesystem::exists(file));
 }
 
 TEST_CASE("a file that holds no temperatures is refused in one line",

@@ -111,6 +111,13 @@ TemperatureField uniform_temperature(std::size_t facets, double kelvin, Instant 
 void save_temperature_field(const fs::path& path, const TemperatureField& field,
                             const FacetSet& facets, const Site& site) {
     assert(field.facets == facets.size());
+    const auto bad = std::find_if_not(field.kelvin.begin(), field.kelvin.end(),
+                                      [](float kelvin) { return std::isfinite(kelvin); });
+    if (bad != field.kelvin.end()) {
+        throw std::runtime_error(
+            fmt::format("{}: the temperature of facet {} is not finite", path.string(),
+                        static_cast<std::size_t>(bad - field.kelvin.begin()) % field.facets));
+    }
     File file = File::create(path);
     const int time_dim = file.dimension("time", field.instant.size());
     const int facet_dim = file.dimension("facet", field.facets);

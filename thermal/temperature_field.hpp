@@ -29,7 +29,8 @@ struct TemperatureField {
 TemperatureField uniform_temperature(std::size_t facets, double kelvin, Instant instant = {});
 
 /// Writes netCDF (CF 1.8 with a UGRID 1.0 mesh of the facets in the site's east-north-up frame):
-/// a whole file or none. Throws std::runtime_error with path and reason.
+/// a whole file or none. Throws std::runtime_error with path and reason, also for a temperature
+/// that is not finite.
 void save_temperature_field(const std::filesystem::path& file, const TemperatureField& field,
                             const FacetSet& facets, const Site& site);
 

@@ -7,7 +7,7 @@ packages=(
     cmake ninja-build g++ ccache pkg-config git clang-format
     # geometry, places, elevation, rays
     libcgal-dev libopenmesh-dev libembree-dev libeigen3-dev libgeographiclib-dev libgdal-dev
-    libproj-dev proj-data liberfa-dev libtbb-dev
+    libproj-dev proj-data liberfa-dev libtbb-dev libassimp-dev
     # files, messages, pictures
     libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libnetcdf-dev
     libopenexr-dev libpng-dev libssl-dev

@@ -10,6 +10,7 @@
 #include "materials/atmosphere.hpp"
 #include "materials/library.hpp"
 #include "scenes/land.hpp"
+#include "scenes/objects.hpp"
 #include "terrain/dem.hpp"
 #include "terrain/instant.hpp"
 #include "terrain/site.hpp"
@@ -50,6 +51,7 @@ struct TerrainInput {
     std::vector<GroundRule> rules;  // the first that fits wins
     std::vector<GroundPolygon> polygons;
     std::vector<Building> buildings;
+    std::vector<ObjectInput> objects;
     std::optional<LandCoverInput> land_cover;
     std::vector<ShapesInput> shapes;
 };
@@ -109,7 +111,8 @@ struct Scene {
     bool exact = false;  // skip nothing
 };
 
-/// "runway", "hangar", ...: the name of each ObjectId: 0 the ground, then polygons and buildings.
+/// "runway", "hangar", ...: the name of each ObjectId: 0 the ground, then polygons, buildings
+/// and objects.
 std::vector<std::string> object_names(const Scene& scene);
 
 }  // namespace diurna

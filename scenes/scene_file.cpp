@@ -145,6 +145,11 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     for (const Section& building : root.sections("building")) {
         terrain.buildings.push_back(read_building(building, reading));
     }
+    for (const Section& object : root.sections("object")) {
+        const std::string name = reading.object(object);
+        terrain.objects.push_back(read_object_input(object, reading.folder, reading.materials));
+        terrain.objects.back().name = name;
+    }
     for (const std::string& tile : section.texts_or("more_tiles", {})) {
         terrain.tiles.push_back(reading.folder / tile);
         if (!fs::is_regular_file(terrain.tiles.back())) {
@@ -244,6 +249,7 @@ std::vector<std::string> object_names(const Scene& scene) {
     std::vector<std::string> names{"ground"};
     for (const auto& polygon : scene.terrain.polygons) names.push_back(polygon.name);
     for (const auto& building : scene.terrain.buildings) names.push_back(building.name);
+    for (const auto& object : scene.terrain.objects) names.push_back(object.name);
     return names;
 }
 

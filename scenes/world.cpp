@@ -125,6 +125,7 @@ std::vector<float> slack_of(const Scene& scene, const Dem& dem, const Site& site
             radians(observer.horizontal_fov_deg) / observer.width);
     }
     for (const Building& building : scene.terrain.buildings) add(building.place, 0.0, 0.01);
+    for (const ObjectInput& object : scene.terrain.objects) add(object.place, 0.0, 0.01);
     for (const GroundPolygon& polygon : scene.terrain.polygons) {
         for (const Eigen::Vector2d& corner : polygon.ring) add(corner, 0.0, 0.01);
     }
@@ -231,6 +232,16 @@ void append_buildings(World& world, const Scene& scene, const Dem& dem) {
     }
 }
 
+void append_objects(World& world, const Scene& scene, const Dem& dem) {
+    std::size_t object = scene.terrain.polygons.size() + scene.terrain.buildings.size();
+    for (const ObjectInput& input : scene.terrain.objects) {
+        const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
+        const Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
+        append_facets(world.facets, object_mesh(input, ground, scene.materials),
+                      ObjectId{static_cast<std::uint16_t>(++object)});
+    }
+}
+
 }  // namespace
 
 Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
@@ -253,6 +264,7 @@ World build_world(const Scene& scene, const Dem& dem) {
     world.posts = dem.height.size();
     append_ground(world, scene, dem);
     append_buildings(world, scene, dem);
+    append_objects(world, scene, dem);
     append_shape_buildings(world, scene, dem);
     mark_filled(world, dem);
     world.relief.emplace(height_field(dem, world.site));

@@ -29,6 +29,7 @@ const std::set<std::string> without_terrain = {"column",     "reduced_column", "
 
 // Start of an include -> the sources it may stand in (file names without folder).
 const std::map<std::string, std::set<std::string>> homes = {
+    {"assimp/", {"mesh_file.cpp"}},
     {"CGAL/", {"triangulate.cpp", "ground_mesh.cpp"}},
     {"OpenMesh/", {"object_mesh.cpp"}},
     {"embree", {"ray_scene.cpp"}},

@@ -16,8 +16,7 @@ enum class MaterialId : std::uint16_t {};
 /// c(T) = Σ coefficient[i] Tⁱ [J kg⁻¹ K⁻¹].
 using HeatPolynomial = std::array<double, 5>;
 
-/// A layer's laws beyond constants. The point tool (thermal/column_tool) follows them; the facet
-/// solver takes the layer's constants.
+/// A layer's laws beyond constants.
 struct Constant {};
 /// Conductivity (1 + cubic T³) and a polynomial heat capacity: regolith in a vacuum.
 struct Radiating {
@@ -53,12 +52,14 @@ struct FixedTemperature {
 struct FixedFlux {
     double flux;
 };  // [W m⁻²] upward, into the column
-/// A heated room: its air and the film to it. The point tool follows `schedule`, the air through
-/// the day by local mean solar time, straight between its entries and around midnight.
+/// A value through the day by local mean solar time: (hour, value), hours ascending, 0 to 24.
+/// Straight between its entries and around midnight; empty: none.
+using Schedule = std::vector<std::array<double, 2>>;
+/// A heated room: its air and the film to it.
 struct Interior {
-    double air_temperature;                            // [K]
-    double film;                                       // [W m⁻² K⁻¹]
-    std::vector<std::array<double, 2>> schedule = {};  // (hour, K), hours ascending, 0 to 24
+    double air_temperature;  // [K]
+    double film;             // [W m⁻² K⁻¹]
+    Schedule schedule = {};  // [K], in place of air_temperature
 };
 using Bottom = std::variant<FixedTemperature, FixedFlux, Interior>;
 
@@ -81,7 +82,7 @@ struct Evaporation {
 
 /// Water standing on a surface, as on leaves, stones and roofs: filled by rain and dew, emptied by
 /// evaporation; what is more runs off. The wet share, content over capacity, evaporates without the
-/// surface's own resistance. Followed by the point tool.
+/// surface's own resistance.
 struct WaterStore {
     double capacity_mm = 0.0;  // none: neither filled nor emptied
     double wet_albedo = -1.0;  // of the surface where it is wet; negative: as dry
@@ -97,7 +98,6 @@ struct TwoSource {
     double leaf_area;        // [m² m⁻²]
     double leaf_resistance;  // [s m⁻¹] of the whole canopy to transpiration
 };
-/// Followed by the point tool; the facet solver takes the layers as the surface.
 using Canopy = std::variant<std::monostate, BigLeaf, TwoSource>;
 
 /// The open back of a thin plate: air, and surroundings at the air's temperature, behind the last
@@ -119,7 +119,8 @@ struct ThermalSurface {
     Evaporation evaporation;
     WaterStore store{};
     Canopy canopy{};
-    double internal_heat = 0.0;  // [W m⁻²] released at the surface
+    double internal_heat = 0.0;       // [W m⁻²] released at the surface
+    Schedule internal_schedule = {};  // [W m⁻²], in place of internal_heat
     std::vector<Layer> layers;
     Bottom bottom = FixedFlux{0.0};
     std::optional<ExposedBack> back;  // if set, in place of `bottom`

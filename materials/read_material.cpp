@@ -210,24 +210,32 @@ std::string read_kind(const Section& section, const std::string& fallback,
     return kind;
 }
 
+/// [[hour, value], ...] with ascending hours.
+Schedule read_schedule(const Section& section, const char* key, const char* value, double least,
+                       double most) {
+    Schedule schedule;
+    if (!section.has(key)) return schedule;
+    for (const std::vector<double>& entry : section.rows(key, 2)) {
+        const bool ascends = schedule.empty() || entry[0] > schedule.back()[0];
+        if (!(entry[0] >= 0.0 && entry[0] <= 24.0 && entry[1] >= least && entry[1] <= most) ||
+            !ascends) {
+            section.mistake(key, fmt::format("expected [hour, {}] with ascending hours of 0 to 24 "
+                                             "and values of {:g} to {:g}",
+                                             value, least, most));
+            break;
+        }
+        schedule.push_back({entry[0], entry[1]});
+    }
+    return schedule;
+}
+
 Bottom read_bottom(const Section& section) {
     const std::string kind = read_kind(section, "flux", {"flux", "temperature", "interior"});
     if (kind == "temperature") return FixedTemperature{section.number("value_K", 1.0, 3000.0)};
     if (kind == "interior") {
         Interior room{.air_temperature = section.number("air_temperature_K", 150.0, 1500.0),
                       .film = section.number("film_W_m2K", 0.0, 1e4)};
-        if (!section.has("schedule")) return room;
-        for (const std::vector<double>& entry : section.rows("schedule", 2)) {
-            const bool ascends = room.schedule.empty() || entry[0] > room.schedule.back()[0];
-            if (entry[0] < 0.0 || entry[0] > 24.0 || entry[1] < 150.0 || entry[1] > 1500.0 ||
-                !ascends) {
-                section.mistake("schedule",
-                                "expected [hour, temperature_K] with ascending hours of 0 to 24 "
-                                "and 150 to 1500 K");
-                break;
-            }
-            room.schedule.push_back({entry[0], entry[1]});
-        }
+        room.schedule = read_schedule(section, "schedule", "temperature_K", 150.0, 1500.0);
         return room;
     }
     return FixedFlux{section.number_or("value_W_m2", 0.0, -1e5, 1e5)};
@@ -320,6 +328,10 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     if (section.has("back")) thermal.back = read_back(section.section("back"));
     thermal.internal_heat =
         section.number_or("internal_heat_W_m2", thermal.internal_heat, -1e5, 1e6);
+    if (section.has("internal_schedule")) {
+        thermal.internal_schedule =
+            read_schedule(section, "internal_schedule", "heat_W_m2", -1e5, 1e6);
+    }
     return material;
 }
 

@@ -2,8 +2,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 
 #include "materials/units.hpp"
+#include "measured_days.hpp"
+#include "shared_data.hpp"
 
 using namespace diurna;
 
@@ -23,6 +26,96 @@ TEST_CASE("Dilley and O'Brien's sky at three climates", "[thermal][irradiance][a
     // Overcast is black at air temperature, and cloud only adds.
     CHECK(cloudy_longwave({288.15, 1e5, 1000.0}, 1.0) == Approx(stefan_boltzmann * power4(288.15)));
     CHECK(cloudy_longwave({288.15, 1e5, 1000.0}, 0.0) == clear_longwave({288.15, 1e5, 1000.0}));
+}
+
+TEST_CASE("clear skies by name give the table of A12", "[thermal][irradiance][a12]") {
+    // reference/thermal/analytic_cases.md, A12, at three states of the air.
+    struct Row {
+        LongwaveFormula formula;
+        double mild, warm, cold;
+    };
+    const auto row = GENERATE(Row{LongwaveFormula::brutsaert, 299.91, 353.308, 167.922},
+                              Row{LongwaveFormula::brunt, 283.63, 337.071, 166.388},
+                              Row{LongwaveFormula::prata, 303.44, 361.822, 190.076},
+                              Row{LongwaveFormula::dilley_obrien, 293.945, 339.734, 186.717},
+                              Row{LongwaveFormula::idso, 316.044, 367.347, 200.009},
+                              Row{LongwaveFormula::swinbank, 303.953, 412.135, 176.325});
+    CAPTURE(int(row.formula));
+    CHECK(clear_longwave({288.15, 1e5, 1000.0}, row.formula) == Approx(row.mild).margin(0.03));
+    CHECK(clear_longwave({303.15, 1e5, 800.0}, row.formula) == Approx(row.warm).margin(0.03));
+    CHECK(clear_longwave({263.15, 1e5, 200.0}, row.formula) == Approx(row.cold).margin(0.03));
+    // Crawford & Duchon: c σT⁴ + (1 − c) clear.
+    CHECK(cloudy_longwave({288.15, 1e5, 1000.0}, 0.25, row.formula) ==
+          Approx(0.25 * stefan_boltzmann * power4(288.15) + 0.75 * row.mild).margin(0.03));
+}
+
+TEST_CASE("Ineichen's sky is that of pvlib's test", "[thermal][irradiance][ineichen]") {
+    // pvlib, test_ineichen_scalar_input: zenith 10°, absolute air mass 1, turbidity 3, sea level,
+    // 1364 W/m² above the air: global 1038.159219, direct 942.2081860, diffuse 110.2652929.
+    const double mass = 1.0 / (std::cos(radians(10.0)) + 0.50572 * std::pow(86.07995, -1.6364));
+    const double distance = std::sqrt(solar_constant / 1364.0);
+    const ClearSun sun = ineichen_clear_sky(80.0, distance, 101325.0 / mass, 0.0, 3.0);
+    CHECK(sun.direct_normal == Approx(942.2081860).epsilon(1e-6));
+    CHECK(sun.diffuse_horizontal == Approx(110.2652929).epsilon(1e-5));
+    // Darker with haze, never more than a beam above the air.
+    CHECK(ineichen_clear_sky(80.0, 1.0, 9e4, 1000.0, 6.0).direct_normal <
+          ineichen_clear_sky(80.0, 1.0, 9e4, 1000.0, 2.0).direct_normal);
+    CHECK(ineichen_clear_sky(-1.0, 1.0, 1e5, 0.0, 3.0).direct_normal == 0.0);
+}
+
+TEST_CASE("Hay and Davies's light on a tilt is that of pvlib's test", "[thermal][irradiance]") {
+    // pvlib, test_haydavies: 40° to the south, 1321.1656 W/m² above the air.
+    struct Row {
+        double zenith_deg, azimuth_deg, direct, diffuse, on_tilt;
+    };
+    const auto row = GENERATE(Row{82.85457044, 66.71410338, 316.1949056, 40.46149818, 27.1775},
+                              Row{10.56413562, 144.76567754, 939.95469881, 118.45831879, 102.9949},
+                              Row{72.41687122, 287.04104128, 646.22886049, 62.03376265, 33.1909});
+    SkyState sky;
+    sky.to_sun = direction(row.azimuth_deg, 90.0 - row.zenith_deg);
+    sky.direct_normal = row.direct;
+    sky.diffuse_horizontal = row.diffuse;
+    sky.anisotropy = row.direct / 1321.1655834833093;
+    const double cosine = direction(180.0, 50.0).dot(sky.to_sun);
+    const double view = 0.5 * (1.0 + std::cos(radians(40.0)));
+    CHECK(facet_sunlight(sky, cosine, 1.0, view) - row.direct * std::max(0.0, cosine) ==
+          Approx(row.on_tilt).margin(1e-3));
+    // In shadow the circumsolar part goes with the beam.
+    CHECK(facet_sunlight(sky, cosine, 0.0, view) ==
+          Approx(row.diffuse * (1.0 - sky.anisotropy) * view).epsilon(1e-9));
+}
+
+TEST_CASE("modelled clear days miss a measured one by what others miss it",
+          "[thermal][irradiance][measured]") {
+    // reference/thermal/parameterisations.md, Alamosa's clear day, global / direct / diffuse, bias:
+    // Bird (depth 0.02, 0.4 cm) −27 / −67 / −7, Ineichen (turbidity 2.2) −19 / −18 / −18 W/m².
+    const auto folder = shared_data("data/thermal/surfrad_alamosa_20160101");
+    if (!folder) return;
+    const measured::Series series = measured::alamosa(*folder);
+    const auto bias = [&](const ClearSky& clear) {
+        Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+        int count = 0;
+        for (std::size_t i = 0; i < series.weather.sample.size(); i += 5) {
+            const Forcing& measured = series.weather.sample[i];
+            Forcing unmeasured = measured;
+            unmeasured.shortwave_down = unmeasured.direct_normal = unmeasured.diffuse =
+                unmeasured.shortwave_up = not_measured;
+            const SkyState sky = sky_state(series.site, series.site.height,
+                                           series.weather.instant[i], unmeasured, clear);
+            if (sky.sun.elevation_deg < 5.0) continue;
+            sum += Eigen::Vector3d(sky.global_horizontal() - measured.shortwave_down,
+                                   sky.direct_normal - measured.direct_normal,
+                                   sky.diffuse_horizontal - measured.diffuse);
+            ++count;
+        }
+        return Eigen::Vector3d(sum / count);
+    };
+    const Eigen::Vector3d bird =
+        bias({.aerosol_380nm = 0.02, .aerosol_500nm = 0.02, .precipitable_water_cm = 0.4});
+    const Eigen::Vector3d ineichen = bias({.linke_turbidity = 2.2});
+    WARN("Bird " << bird.transpose() << ", Ineichen " << ineichen.transpose() << " W/m²");
+    CHECK((bird - Eigen::Vector3d(-27.0, -67.0, -7.0)).cwiseAbs().maxCoeff() < 10.0);
+    CHECK((ineichen - Eigen::Vector3d(-19.0, -18.0, -18.0)).cwiseAbs().maxCoeff() < 10.0);
 }
 
 TEST_CASE("Bird's clear sky brightens with height and dims with water and dust",
@@ -108,4 +201,43 @@ TEST_CASE("Erbs's diffuse share is one under overcast and small in clear air",
     CHECK(erbs_diffuse_share(0.22) == Approx(0.9802));
     CHECK(erbs_diffuse_share(0.5) == Approx(0.9511 - 0.0802 + 1.097 - 2.07975 + 0.771));
     CHECK(erbs_diffuse_share(0.9) == 0.165);
+}
+
+TEST_CASE("a tilted facet sees the brighter sky near the horizon", "[thermal][irradiance][tilt]") {
+    constexpr double pi = std::numbers::pi, b = 0.09;  // Unsworth & Monteith 1975
+    // Level: the flux itself, in digits. A wall: (2/π) ∫ (−ln cos z − ½) sin² z dz = ½ ln 2.
+    CHECK(tilted_sky_excess(0.0) == Approx(0.0).margin(1e-12));
+    CHECK(tilted_sky_excess(0.5 * pi) == Approx(0.5 * b * std::log(2.0)).epsilon(1e-3));
+    CHECK(tilted_sky_excess(pi) == Approx(0.0).margin(1e-12));
+    // A level facet in a round basin loses the brightest rim: ½ b (1 − V) ln(1 − V).
+    const double view = GENERATE(0.3, 0.75, 0.95);
+    CHECK(tilted_sky_excess(0.0, view) ==
+          Approx(0.5 * b * (1.0 - view) * std::log(1.0 - view)).epsilon(2e-3));
+    const TiltedSky table;
+    for (double slope = 0.0; slope <= 3.1; slope += 0.07) {
+        CAPTURE(slope);
+        CHECK(table.excess(std::cos(slope), 1.0) == Approx(tilted_sky_excess(slope)).margin(1e-4));
+        CHECK(table.excess(std::cos(slope), view) ==
+              Approx(tilted_sky_excess(slope, view)).margin(1e-4));
+    }
+}
+
+TEST_CASE("the tilted sky's rise follows the sky: none under cloud, none in a furnace",
+          "[thermal][irradiance][tilt]") {
+    Forcing f;
+    f.air = {.temperature = 290.0, .pressure = 1e5, .vapour_pressure = 1200.0};
+    const double black = stefan_boltzmann * power4(290.0);
+    const auto rise = [&] { return sky_state(site, 200.0, noon, f).tilted_longwave; };
+    CHECK(rise() == Approx(black));
+    f.cloud_fraction = 0.7;
+    CHECK(rise() == Approx(0.3 * black));
+    // Measured longwave tells its own cloud (Crawford & Duchon).
+    f.cloud_fraction = not_measured;
+    f.longwave_down = cloudy_longwave(f.air, 0.7);
+    CHECK(rise() == Approx(0.3 * black).epsilon(1e-9));
+    f.longwave_down = black;
+    CHECK(rise() == 0.0);
+    f.longwave_down = 0.0;  // no air above: nothing to rise
+    CHECK(rise() == 0.0);
+    CHECK(sky_state(site, 200.0, noon, f, {.longwave_by_direction = false}).tilted_longwave == 0.0);
 }

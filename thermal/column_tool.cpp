@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,6 +9,7 @@
 #include "materials/error.hpp"
 #include "materials/units.hpp"
 #include "thermal/point_facet.hpp"
+#include "thermal/sun_path.hpp"
 
 namespace diurna {
 
@@ -17,11 +17,56 @@ namespace {
 
 constexpr double day = 86400.0;
 
+/// What the weather sends to the job's facet.
+class PointWeather {
+ public:
+    explicit PointWeather(const ColumnJob& job)
+        : job_(job),
+          sun_(job.site),
+          normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
+          tilted_(job.clear_sky.longwave_by_direction
+                      ? tilted_sky_excess(radians(job.slope_deg), job.sky_view)
+                      : 0.0) {}
+
+    double up_cosine() const { return normal_.z(); }
+
+    PointForcing operator()(Instant when) {
+        const Forcing forcing = job_.weather.at(when);
+        const SkyState sky = sky_state(sun_.at(when), job_.elevation, forcing, job_.clear_sky);
+        const double hidden = 1.0 - job_.sky_view;
+        PointForcing f{
+            .air = forcing.air,
+            .wind_speed = forcing.wind_speed,
+            .rain_mm_h = forcing.rain_mm_h,
+            .albedo = sky.albedo,
+            .longwave_in = job_.sky_view * sky.longwave_down + tilted_ * sky.tilted_longwave,
+            .own_view = hidden};
+        if (std::isnan(sky.plane_of_array)) {
+            f.sunlight = facet_sunlight(sky, normal_.dot(sky.to_sun), 1.0, job_.sky_view);
+            f.own_light = hidden * sky.global_horizontal();
+        } else {
+            f.sunlight = sky.plane_of_array;
+        }
+        if (job_.airspeed > 0.0) {
+            f.air.temperature = recovery_temperature(f.air.temperature, job_.airspeed);
+            f.wind_speed = job_.airspeed;
+        }
+        return f;
+    }
+
+ private:
+    const ColumnJob& job_;
+    SunPath sun_;
+    Eigen::Vector3d normal_;
+    double tilted_;
+};
+
 /// Finds the state that a span of steps leads back to itself, by Newton on the periodic map. The
-/// first pass chooses the steps, the others repeat them. Returns the passes taken.
+/// first pass chooses the steps, the others repeat them; what stands on the surface follows from
+/// pass to pass. Returns the passes taken.
 int make_periodic(PointFacet& facet, Instant from, Instant to, double& residual) {
     constexpr int most_passes = 30;
-    constexpr double tolerance = 1e-6;  // [K]
+    constexpr double tolerance = 1e-6, settled_water = 1e-3;  // [K], [mm]
     const auto n = static_cast<Eigen::Index>(facet.u.size());
     std::vector<double> steps;
     residual = 0.0;
@@ -34,22 +79,36 @@ int make_periodic(PointFacet& facet, Instant from, Instant to, double& residual)
         } else {
             facet.repeat(from, steps, map);
         }
-        Eigen::VectorXd change(n);
-        for (Eigen::Index i = 0; i < n; ++i) change[i] = facet.u[i] - start[i];
-        residual = change.cwiseAbs().maxCoeff();
-        if (residual <= tolerance) return passes;
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> period;
-        period.setThreshold(1e-9);  // a column that loses nothing keeps its mean
-        period.compute(Eigen::MatrixXd::Identity(n, n) - map);
-        // Where water freezes the map bends, and a whole step of Newton's may lead astray.
-        const Eigen::VectorXd move = period.solve(change);
-        const double far = move.cwiseAbs().maxCoeff();
-        const double share = facet.column.linear() || far < 30.0 ? 1.0 : 30.0 / far;
-        for (Eigen::Index i = 0; i < n; ++i) facet.u[i] = start[i] + share * move[i];
-        facet.keep_in_bounds();
-        facet.standing = standing;
+        residual = 0.0;
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            residual = std::max(residual, std::abs(facet.u[i] - start[i]));
+        }
+        const double wetter = std::abs(facet.standing.water - standing.water) +
+                              std::abs(facet.standing.frost - standing.frost);
+        if (residual <= tolerance && wetter <= settled_water) return passes;
+        facet.close_period(start, map);
     }
     return most_passes;
+}
+
+ColumnRow row_of(const PointFacet& facet, Instant when, double melt) {
+    const SurfaceTerms terms = facet.terms(when);
+    const HeatBalance& b = terms.balance;
+    return {.instant = when,
+            .surface_temperature = terms.radiometric,
+            .absorbed_solar = b.absorbed_solar,
+            .longwave_in = b.longwave_in,
+            .longwave_out = b.longwave_out,
+            .sensible = b.sensible,
+            .latent = b.latent,
+            // The ground takes what the other terms leave over.
+            .conducted = -b.sum(),
+            .back_temperature = facet.column.temperature(facet.column.size() - 1, facet.u.back()),
+            .ground_temperature = facet.column.temperature(0, facet.u[0]),
+            .leaf_temperature = terms.leaf,
+            .water_mm = facet.standing.water,
+            .frost_mm = facet.standing.frost,
+            .melt = melt};
 }
 
 /// The given profile at a depth.
@@ -80,7 +139,21 @@ ColumnResult run_column(const ColumnJob& given) {
                     [](const Forcing& f) { return std::isnan(f.longwave_down); });
     if (longwave_missing) infer_cloud(job.weather, job.site, job.elevation, job.clear_sky);
 
-    PointFacet facet(job);
+    PointWeather weather(job);
+    const LouisForm louis =
+        louis_form(job.surface.roughness_length, job.surface.heat_roughness_length,
+                   job.weather.wind_height, job.weather.air_height);
+    PointFacet facet({.surface = job.surface,
+                      .louis = louis,
+                      .up_cosine = weather.up_cosine(),
+                      .wind_height = job.weather.wind_height,
+                      .longitude_deg = job.site.longitude_deg,
+                      .reference = job.weather.at(job.start).air.temperature,
+                      .grid = point_grid(job.surface),
+                      .longest_step = job.longest_step,
+                      .tolerance = job.tolerance,
+                      .knot = job.weather.instant,
+                      .forcing = [&](Instant when) { return weather(when); }});
     ColumnResult result;
     result.note = job.weather.note;
     result.has_back = job.surface.back.has_value();
@@ -105,12 +178,12 @@ ColumnResult run_column(const ColumnJob& given) {
 
     const auto rows =
         static_cast<long long>(std::floor(seconds_between(job.start, job.end) / job.step + 1e-9));
-    result.row.push_back(facet.row(job.start, 0.0));
+    result.row.push_back(row_of(facet, job.start, 0.0));
     for (long long i = 0; i < rows; ++i) {
         const Instant from = later(job.start, double(i) * job.step);
         const Instant to = later(job.start, double(i + 1) * job.step);
         const double melted = facet.advance(from, to);
-        result.row.push_back(facet.row(to, melted / job.step));
+        result.row.push_back(row_of(facet, to, melted / job.step));
     }
     result.worst_energy_closure = facet.count.worst_closure;
     result.steps = facet.count.steps;

@@ -99,25 +99,64 @@ double clear_longwave(const AirState& air, LongwaveFormula formula) {
     return clear_longwave(air);
 }
 
-double tilted_sky_excess(double slope) {
-    // ∫ (ln sec z − ½) cos(incidence) dω / π over the sky in view; midpoints in sin² z, where a
-    // level facet's weight is even.
-    constexpr int rings = 400, azimuths = 180;
+TiltedSky::Tilt TiltedSky::tilt_of(double slope) {
+    // Σ (ln sec z − ½) cos(incidence) dω / π in rings around the zenith. With s = sin² z the
+    // weights are exact for a level facet: ∫ (ln sec z − ½) ds = ½ (1 − s) ln(1 − s).
+    constexpr int rings = 180;
     constexpr double b = 0.09;
+    const auto primitive = [](double s) {
+        return s < 1.0 ? 0.5 * (1.0 - s) * std::log(1.0 - s) : 0.0;
+    };
     const double up = std::cos(slope), across = std::sin(slope);
-    double sum = 0.0;
+    Tilt tilt{.view = {0.0}, .excess = {0.0}};
+    double last = 0.0;
+    // Finer towards the horizon, where ln sec z has no end.
+    const auto edge_of = [&](int i) {
+        const double left = 1.0 - double(i) / rings;
+        return 0.5 * std::numbers::pi * (1.0 - left * left);
+    };
     for (int i = 0; i < rings; ++i) {
-        const double square = (i + 0.5) / rings;  // sin² z
-        const double sine = std::sqrt(square), cosine = std::sqrt(1.0 - square);
-        double seen = 0.0;
-        for (int j = 0; j < azimuths; ++j) {
-            const double azimuth = std::numbers::pi * (j + 0.5) / azimuths;
-            seen += std::max(0.0, up * cosine + across * sine * std::cos(azimuth));
+        const double s = i + 1 == rings ? 1.0 : std::pow(std::sin(edge_of(i + 1)), 2);
+        const double z = 0.5 * (edge_of(i) + edge_of(i + 1));
+        // Mean over the ring of max(0, cos(incidence)) / cos z.
+        const double level = up, swing = across * std::tan(z);
+        double seen = std::max(level, 0.0);
+        if (std::abs(level) < swing) {
+            const double edge = std::acos(-level / swing);
+            seen = (level * edge + swing * std::sin(edge)) / std::numbers::pi;
         }
-        // dω = dφ d(sin² z) / (2 cos z)
-        sum += (-std::log(cosine) - 0.5) * seen / azimuths / cosine / rings;
+        tilt.view.push_back(tilt.view.back() + seen * (s - last));
+        tilt.excess.push_back(tilt.excess.back() + b * seen * (primitive(s) - primitive(last)));
+        last = s;
     }
-    return b * sum;
+    return tilt;
+}
+
+double TiltedSky::at(const Tilt& tilt, double share) {
+    const double view = share * tilt.view.back();
+    const auto above = std::upper_bound(tilt.view.begin(), tilt.view.end(), view);
+    if (above == tilt.view.end()) return tilt.excess.back();
+    const auto i = static_cast<std::size_t>(above - tilt.view.begin());
+    const double part = (view - tilt.view[i - 1]) / (tilt.view[i] - tilt.view[i - 1]);
+    return std::lerp(tilt.excess[i - 1], tilt.excess[i], part);
+}
+
+TiltedSky::TiltedSky() {
+    for (int degree = 0; degree <= 180; degree += 2) tilt_.push_back(tilt_of(radians(degree)));
+}
+
+double TiltedSky::excess(double up_cosine, double sky_view) const {
+    const double whole = 0.5 * (1.0 + up_cosine);
+    const double share = whole > 0.0 ? std::min(1.0, sky_view / whole) : 0.0;
+    const double place = 0.5 * degrees(std::acos(std::clamp(up_cosine, -1.0, 1.0)));
+    const auto i = std::min(static_cast<std::size_t>(place), tilt_.size() - 2);
+    return std::lerp(at(tilt_[i], share), at(tilt_[i + 1], share), place - double(i));
+}
+
+double tilted_sky_excess(double slope, double sky_view) {
+    const double whole = 0.5 * (1.0 + std::cos(slope));
+    const double share = whole > 0.0 ? std::min(1.0, sky_view / whole) : 0.0;
+    return TiltedSky::at(TiltedSky::tilt_of(slope), share);
 }
 
 double clear_longwave(const AirState& air) {
@@ -210,7 +249,20 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
                                 ? clear_longwave(air, clear.longwave)
                                 : cloudy_longwave(air, forcing.cloud_fraction, clear.longwave);
     }
-    if (!std::isnan(forcing.cloud_fraction)) sky.clear_share = 1.0 - forcing.cloud_fraction;
+    if (clear.longwave_by_direction) {
+        // Overcast is even. Where only the flux was measured, Crawford and Duchon's cloud follows
+        // from it; a sky darker than clear air's is so in all directions.
+        const double black = stefan_boltzmann * power4(air.temperature);
+        const double cloudless = clear_longwave(air, clear.longwave);
+        double share = 1.0 - forcing.cloud_fraction;
+        if (!std::isnan(forcing.longwave_down)) {
+            share = sky.longwave_down < cloudless
+                        ? std::max(0.0, sky.longwave_down / cloudless)
+                        : std::max(0.0, (black - sky.longwave_down) / (black - cloudless));
+        }
+        if (std::isnan(share)) share = 1.0;
+        sky.tilted_longwave = std::clamp(share, 0.0, 1.0) * black;
+    }
     // Below 5 W/m² two pyranometers' offsets are larger than the albedo they would give.
     if (has_global && global > 5.0 && !std::isnan(forcing.shortwave_up)) {
         sky.albedo = std::clamp(forcing.shortwave_up / global, 0.0, 1.0);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "terrain/instant.hpp"
 #include "terrain/site.hpp"
@@ -22,7 +23,7 @@ struct ClearSky {
     double ground_albedo = 0.2;                   // of the surroundings, for the back-scattered sky
     double linke_turbidity = not_measured;        // at air mass 2; a number chooses Ineichen
     LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
-    /// Tilted facets see the sky brighter towards the horizon (tilted_sky_excess).
+    /// The sky is brighter towards the horizon, which tilted facets see (tilted_sky_excess).
     bool longwave_by_direction = true;
 };
 
@@ -54,11 +55,29 @@ double clear_longwave(const AirState& air, LongwaveFormula formula);
 /// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear.
 double cloudy_longwave(const AirState& air, double cloud_fraction,
                        LongwaveFormula formula = LongwaveFormula::dilley_obrien);
-/// What a facet tilted by `slope` [rad] receives from the clear sky it sees beyond its sky view
-/// times the horizontal's flux, per σT⁴ of the air: the sky's emissivity grows towards the horizon
-/// as ε(z) = ε + b (ln sec z − ½), b = 0.09 (Unsworth & Monteith 1975). Zero for a level facet,
-/// 0.05 for a wall.
-double tilted_sky_excess(double slope);
+/// What a facet tilted by `slope` [rad] receives from the part of the sky it sees, beyond its sky
+/// view times the horizontal's flux, per σT⁴ of the air. The clear sky's emissivity grows towards
+/// the horizon as ε(z) = ε + b (ln sec z − ½), b = 0.09 (Unsworth & Monteith 1975, Q. J. R.
+/// Meteorol. Soc. 101, 13). Where terrain hides more than the facet's own tilt, it hides the
+/// horizon first: a ring of one height all around. Zero for a level facet under the whole sky,
+/// ½ b (1 − V) ln(1 − V) for one that sees V, ½ b ln 2 = 0.031 for a wall (12 W/m²).
+double tilted_sky_excess(double slope, double sky_view = 1.0);
+
+/// The same for many facets, from a table: within 1e-4 of it.
+class TiltedSky {
+ public:
+    TiltedSky();
+    double excess(double up_cosine, double sky_view) const;
+
+ private:
+    struct Tilt {
+        std::vector<double> view, excess;  // (ring) up to there from the zenith
+    };
+    static Tilt tilt_of(double slope);
+    static double at(const Tilt& tilt, double share);
+    friend double tilted_sky_excess(double slope, double sky_view);
+    std::vector<Tilt> tilt_;  // every two degrees from 0 to 180
+};
 
 /// Diffuse share of global sunlight from the clearness index kt, Erbs et al. 1982.
 double erbs_diffuse_share(double clearness);
@@ -71,7 +90,7 @@ struct SkyState {
     double diffuse_horizontal = 0;         // [W m⁻²]
     double anisotropy = 0.0;               // Hay & Davies: direct over extraterrestrial, 0 to 1
     double longwave_down = 0.0;            // on the horizontal [W m⁻²]
-    double clear_share = 1.0;              // of the sky, for its longwave
+    double tilted_longwave = 0.0;          // what tilted_sky_excess multiplies [W m⁻²]
     double albedo = not_measured;          // measured up over down, replaces the material's
     double plane_of_array = not_measured;  // measured on the facet, replaces the transposition
 

@@ -1,5 +1,6 @@
 #include "thermal/point_facet.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -13,101 +14,85 @@ constexpr double shortest_step = 1e-3;        // [s]
 constexpr double heat_of_fusion = 3.337e5;    // [J kg⁻¹]
 constexpr double frost_melting_film = 100.0;  // [W m⁻² K⁻¹] from a warm surface into its frost
 
+Bottom bottom_of(const ThermalSurface& surface) {
+    // Behind a plate stands air; the grid then ends free.
+    return surface.back ? Bottom{FixedFlux{0.0}} : surface.bottom;
+}
+
+/// A value that repeats daily by local mean solar time, straight between its entries.
+double scheduled(const Schedule& s, double otherwise, double longitude_deg, Instant when) {
+    if (s.empty()) return otherwise;
+    const double seconds = std::chrono::duration<double>(when.time_since_epoch()).count();
+    double hour = std::fmod(seconds / 3600.0 + longitude_deg / 15.0, 24.0);
+    if (hour < 0.0) hour += 24.0;
+    if (hour < s.front()[0]) hour += 24.0;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const bool last = i + 1 == s.size();
+        const double from = s[i][0], to = last ? s.front()[0] + 24.0 : s[i + 1][0];
+        if (hour > to) continue;
+        const double next = last ? s.front()[1] : s[i + 1][1];
+        return to > from ? std::lerp(s[i][1], next, (hour - from) / (to - from)) : next;
+    }
+    return s.front()[1];
+}
+
+}  // namespace
+
 /// Fine enough for a minute's shock on a dry half-space, and never cut off: the span may be a year.
 /// A front of melting halts at every node it crosses, so water is cut less finely.
-GridOptions grid_of(const ThermalSurface& surface) {
+GridOptions point_grid(const ThermalSurface& surface) {
     const bool wet = std::any_of(surface.layers.begin(), surface.layers.end(), [](const Layer& l) {
         return std::holds_alternative<Freezing>(l.law) || std::holds_alternative<Melting>(l.law);
     });
     return {.first = wet ? 0.005 : 0.001, .growth = wet ? 0.1 : 0.055, .deepest = 1e9};
 }
 
-Bottom bottom_of(const ThermalSurface& surface) {
-    // Behind a plate stands air; the grid then ends free.
-    return surface.back ? Bottom{FixedFlux{0.0}} : surface.bottom;
-}
-
-/// A room's air at an instant, by local mean solar time.
-double scheduled(const Interior& room, double longitude_deg, Instant when) {
-    if (room.schedule.empty()) return room.air_temperature;
-    const double seconds = std::chrono::duration<double>(when.time_since_epoch()).count();
-    double hour = std::fmod(seconds / 3600.0 + longitude_deg / 15.0, 24.0);
-    if (hour < 0.0) hour += 24.0;
-    const auto& s = room.schedule;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-        const bool last = i + 1 == s.size();
-        const double from = s[i][0], to = last ? s[0][0] + 24.0 : s[i + 1][0];
-        const double at = hour < s[0][0] ? hour + 24.0 : hour;
-        if (at < from || at > to) continue;
-        const double next = last ? s[0][1] : s[i + 1][1];
-        return to > from ? std::lerp(s[i][1], next, (at - from) / (to - from)) : next;
-    }
-    return s[0][1];
-}
-
-}  // namespace
-
-PointFacet::PointFacet(const ColumnJob& job)
-    : column(job.surface.layers, bottom_of(job.surface), job.weather.at(job.start).air.temperature,
-             grid_of(job.surface)),
+PointFacet::PointFacet(PointSetup setup)
+    : column(setup.surface.layers, bottom_of(setup.surface), setup.reference, setup.grid),
       u(column.size(), 0.0),
-      job_(job),
-      sun_(job.site),
-      louis_(louis_form(job.surface.roughness_length, job.surface.heat_roughness_length,
-                        job.weather.wind_height, job.weather.air_height)),
-      normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
-      // Where terrain hides more than the facet's own tilt, it hides the horizon first.
-      sky_excess_(job.clear_sky.longwave_by_direction && job.slope_deg > 0.0 &&
-                          job.sky_view > 0.5 * (1.0 + normal_.z()) - 1e-3
-                      ? tilted_sky_excess(radians(job.slope_deg))
-                      : 0.0) {}
+      setup_(std::move(setup)) {}
 
-SurfaceConditions PointFacet::conditions(Instant when) {
-    Forcing forcing = job_.weather.at(when);
-    const ThermalSurface& surface = job_.surface;
-    const SkyState sky = sky_state(sun_.at(when), job_.elevation, forcing, job_.clear_sky);
+SurfaceConditions PointFacet::conditions(Instant when, const Standing& water) const {
+    const PointForcing forcing = setup_.forcing(when);
+    const ThermalSurface& surface = setup_.surface;
     // Measured light up over light down is the surface's albedo, wet or not.
-    double albedo = sky.albedo;
+    double albedo = forcing.albedo;
     if (std::isnan(albedo)) {
         albedo = surface.albedo;
         const WaterStore& store = surface.store;
         if (store.capacity_mm > 0.0 && store.wet_albedo >= 0.0) {
-            const double wet = std::min(1.0, standing.water / store.capacity_mm);
+            const double wet = std::min(1.0, water.water / store.capacity_mm);
             albedo += wet * (store.wet_albedo - albedo);
         }
     }
-    double sunlight = sky.plane_of_array;
-    if (std::isnan(sunlight)) {
-        sunlight = facet_sunlight(sky, normal_.dot(sky.to_sun), 1.0, job_.sky_view) +
-                   (1.0 - job_.sky_view) * albedo * sky.global_horizontal();
-    }
+    const double sunlight = forcing.sunlight + albedo * forcing.own_light;
     SurfaceConditions c;
-    if (job_.airspeed > 0.0) {
-        forcing.air.temperature = recovery_temperature(forcing.air.temperature, job_.airspeed);
-        forcing.wind_speed = job_.airspeed;
-    }
-    c.air = air_film(surface, louis_, forcing.air, forcing.wind_speed);
-    c.natural = natural_film(normal_.z());
+    c.air = air_film(surface, setup_.louis, forcing.air, forcing.wind_speed);
+    c.natural = natural_film(setup_.up_cosine);
     c.wind_speed = forcing.wind_speed;
-    c.wind_height = job_.weather.wind_height;
+    c.wind_height = setup_.wind_height;
     c.absorbed_solar = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * sunlight;
-    c.longwave_in = job_.sky_view * sky.longwave_down;
-    if (sky_excess_ != 0.0) {
-        c.longwave_in += sky.clear_share * sky_excess_ * stefan_boltzmann *
-                         power4(job_.weather.at(when).air.temperature);
-    }
-    c.own_view = 1.0 - job_.sky_view;
+    c.longwave_in = forcing.longwave_in;
+    c.own_view = forcing.own_view;
     c.emissivity = surface.emissivity;
-    c.internal = surface.internal_heat;
+    c.internal =
+        scheduled(surface.internal_schedule, surface.internal_heat, setup_.longitude_deg, when);
+    c.rain_mm_h = std::max(0.0, forcing.rain_mm_h);
     c.stores = surface.store.capacity_mm > 0.0;
     c.canopy = surface.canopy;
     return c;
 }
 
-double PointFacet::wet_share(double step) const {
-    const WaterStore& store = job_.surface.store;
+SurfaceTerms PointFacet::terms(Instant when) const {
+    SurfaceConditions c = conditions(when, standing);
+    c.wet_share = wet_share(standing, 0.0);
+    return surface_terms(c, column.temperature(0, u[0]));
+}
+
+double PointFacet::wet_share(const Standing& water, double step) const {
+    const WaterStore& store = setup_.surface.store;
     if (store.capacity_mm <= 0.0) return 0.0;
-    const double held = standing.water + standing.frost;
+    const double held = water.water + water.frost;
     const double drying = std::max(0.0, -wet_evaporation_) / 2.5e6;  // [kg m⁻² s⁻¹]
     return std::min(1.0, held / (store.capacity_mm + drying * step));
 }
@@ -116,17 +101,12 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
                                         std::vector<double>& state, Standing& water,
                                         Eigen::MatrixXd* map) {
     const std::array<Instant, 2> when{later(from, sdirk_gamma * step), later(from, step)};
-    std::array<SurfaceConditions, 2> c{conditions(when[0]), conditions(when[1])};
-    if (const auto* room = std::get_if<Interior>(&job_.surface.bottom)) {
-        if (!room->schedule.empty()) {
-            column.set_below(scheduled(*room, job_.site.longitude_deg, when[1]));
-        }
-    }
-    const WaterStore& store = job_.surface.store;
+    std::array<SurfaceConditions, 2> c{conditions(when[0], water), conditions(when[1], water)};
+    const WaterStore& store = setup_.surface.store;
     const bool stores = store.capacity_mm > 0.0;
     const Standing start = water;
     const std::vector<double> begin = state;
-    double share = stores ? wet_share(step) : 0.0;
+    double share = stores ? wet_share(start, step) : 0.0;
     Eigen::MatrixXd given;
     if (map && stores) given = *map;
     for (int attempt = 0;; ++attempt) {
@@ -146,10 +126,10 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
                 return BoundaryFlux{terms.into_ground, terms.into_ground_slope};
             }};
         std::array<Boundary, 2> back;
-        if (job_.surface.back) {
+        if (setup_.surface.back) {
             for (std::size_t k = 0; k < 2; ++k) {
                 back[k] = [&air = c[k].air, front = c[k].natural,
-                           emissivity = job_.surface.back->emissivity](double t) {
+                           emissivity = setup_.surface.back->emissivity](double t) {
                     const NaturalFilm film{front.cold, front.warm};  // seen from behind, up is down
                     const Film f = air.plate ? plate_film(air, film, t) : ground_film(air, t);
                     const double radiation = emissivity * stefan_boltzmann;
@@ -159,11 +139,20 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
                 };
             }
         }
-        const bool plate = job_.surface.back.has_value();
+        const auto* room = std::get_if<Interior>(&setup_.surface.bottom);
+        const bool timed = room && !setup_.surface.back && !room->schedule.empty();
+        for (std::size_t k = 0; timed && k < 2; ++k) {
+            back[k] = [film = room->film,
+                       air = scheduled(room->schedule, room->air_temperature, setup_.longitude_deg,
+                                       when[k])](double t) {
+                return BoundaryFlux{film * (air - t), -film};
+            };
+        }
+        const bool behind = setup_.surface.back || timed;
         Taken taken;
         taken.step =
             column.advance(step, gentle, {&top[0], &top[1]},
-                           {plate ? &back[0] : nullptr, plate ? &back[1] : nullptr}, state, map);
+                           {behind ? &back[0] : nullptr, behind ? &back[1] : nullptr}, state, map);
         taken.terms = step * (1e-3 + c[1].absorbed_solar + std::abs(c[1].internal) +
                               c[1].emissivity * stefan_boltzmann * power4(taken.step.surface[1]));
         if (!taken.step.solved || !stores) return taken;
@@ -188,8 +177,7 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
                 deposited += gain;
             }
         }
-        const Forcing weather = job_.weather.at(when[1]);
-        const double rain = std::max(0.0, weather.rain_mm_h) * step / 3600.0;
+        const double rain = c[1].rain_mm_h * step / 3600.0;
         const bool freezes = taken.step.surface[1] < zero_celsius;
         const double have = start.water + start.frost + rain + deposited + deposited_ice;
         if (evaporated > have && attempt < 4) {
@@ -234,14 +222,14 @@ void PointFacet::count_closure(const Taken& taken, const std::vector<double>& be
 
 double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
                            Eigen::MatrixXd* map) {
-    const auto& knots = job_.weather.instant;
+    const std::span<const Instant> knots = setup_.knot;
     double done = 0.0, melted = 0.0;
     const double span = seconds_between(from, to);
     std::vector<double> whole, halves, middle;
     bool stuck = false;  // the shortest step was not good enough
     while (done < span - 1e-6) {
         const Instant now = later(from, done);
-        double step = std::min(next_step_, job_.longest_step);
+        double step = std::min(next_step_, setup_.longest_step);
         // To the next sample of the weather, or half way there.
         const auto knot = std::upper_bound(knots.begin(), knots.end(), now);
         double limit = span - done;
@@ -283,8 +271,8 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
                 }
             }
         }
-        const double growth = error > 0.0 ? 0.9 * std::cbrt(job_.tolerance / error) : 4.0;
-        if (error > job_.tolerance && !last_resort) {
+        const double growth = error > 0.0 ? 0.9 * std::cbrt(setup_.tolerance / error) : 4.0;
+        if (error > setup_.tolerance && !last_resort) {
             ++count.rejected;
             stuck = step <= shortest_step;
             next_step_ = step * std::clamp(growth, 0.1, 0.7);
@@ -313,7 +301,7 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
         const double grown = step * std::clamp(growth, 0.2, 4.0);
         // A step cut short by a sample says little of how long the next may be.
         next_step_ = std::max(grown, cut ? std::min(next_step_, 10.0 * grown) : 0.0);
-        next_step_ = std::clamp(next_step_, shortest_step, job_.longest_step);
+        next_step_ = std::clamp(next_step_, shortest_step, setup_.longest_step);
     }
     return melted;
 }
@@ -336,35 +324,68 @@ void PointFacet::repeat(Instant from, const std::vector<double>& steps, Eigen::M
     }
 }
 
+void PointFacet::march(Instant from, Instant to, bool restart, Eigen::MatrixXd* map) {
+    constexpr double first = 10.0, growth = 3.0;  // [s]
+    if (restart) next_march_ = first;
+    const double span = seconds_between(from, to);
+    for (double done = 0.0; done < span - 1e-6;) {
+        double step = std::min(next_march_, setup_.longest_step);
+        if (span - done < 1.5 * step) step = span - done;
+        march_step(later(from, done), step, 0, map);
+        done += step;
+        next_march_ = std::min(growth * step, setup_.longest_step);
+    }
+}
+
+void PointFacet::march_step(Instant from, double step, int depth, Eigen::MatrixXd* map) {
+    constexpr int deepest = 10;
+    const std::vector<double> start = u;
+    const Standing before = standing;
+    const double evaporation = wet_evaporation_;
+    Eigen::MatrixXd given;
+    if (map) given = *map;
+    const bool gentle = depth == deepest;
+    const Taken taken = half_step(from, step, gentle, u, standing, map);
+    ++count.steps;
+    if (gentle) ++count.limited;
+    if (taken.step.solved) {
+        count_closure(taken, start, u);
+        column.drain(u);
+        return;
+    }
+    u = start;
+    standing = before;
+    wet_evaporation_ = evaporation;
+    if (map) *map = given;
+    if (gentle) return;
+    march_step(from, 0.5 * step, depth + 1, map);
+    march_step(later(from, 0.5 * step), 0.5 * step, depth + 1, map);
+}
+
+double PointFacet::close_period(const std::vector<double>& start, const Eigen::MatrixXd& map) {
+    const auto n = static_cast<Eigen::Index>(u.size());
+    Eigen::VectorXd change(n);
+    for (Eigen::Index i = 0; i < n; ++i) change[i] = u[std::size_t(i)] - start[std::size_t(i)];
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> period;
+    period.setThreshold(1e-9);  // a column that loses nothing keeps its mean
+    period.compute(Eigen::MatrixXd::Identity(n, n) - map);
+    // Where water freezes the map bends, and a whole step of Newton's may lead astray.
+    const Eigen::VectorXd move = period.solve(change);
+    const double far = move.cwiseAbs().maxCoeff();
+    const double share = column.linear() || far < 30.0 ? 1.0 : 30.0 / far;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        u[std::size_t(i)] = start[std::size_t(i)] + share * move[i];
+    }
+    keep_in_bounds();
+    return far;
+}
+
 void PointFacet::keep_in_bounds() {
     for (std::size_t i = 0; i < u.size(); ++i) {
         const double t = column.temperature(i, u[i]);
         if (t < 1.0 || t > 5000.0) u[i] = column.state_of(i, std::clamp(t, 1.0, 5000.0));
     }
     column.drain(u);
-}
-
-ColumnRow PointFacet::row(Instant when, double melt) {
-    SurfaceConditions c = conditions(when);
-    c.wet_share = wet_share(0.0);
-    const double ground = column.temperature(0, u[0]);
-    const SurfaceTerms terms = surface_terms(c, ground);
-    const HeatBalance& b = terms.balance;
-    return {.instant = when,
-            .surface_temperature = terms.radiometric,
-            .absorbed_solar = b.absorbed_solar,
-            .longwave_in = b.longwave_in,
-            .longwave_out = b.longwave_out,
-            .sensible = b.sensible,
-            .latent = b.latent,
-            // The ground takes what the other terms leave over.
-            .conducted = -b.sum(),
-            .back_temperature = column.temperature(column.size() - 1, u.back()),
-            .ground_temperature = ground,
-            .leaf_temperature = terms.leaf,
-            .water_mm = standing.water,
-            .frost_mm = standing.frost,
-            .melt = melt};
 }
 
 }  // namespace diurna

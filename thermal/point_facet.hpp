@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
+#include <span>
 #include <vector>
 
-#include "thermal/column_tool.hpp"
+#include "terrain/instant.hpp"
 #include "thermal/nonlinear_column.hpp"
-#include "thermal/sun_path.hpp"
 #include "thermal/surface_exchange.hpp"
+#include "thermal/weather.hpp"
 
 namespace diurna {
 
@@ -15,23 +17,57 @@ struct Standing {
     double water = 0.0, frost = 0.0;
 };
 
-/// The point tool's facet on its way through the weather: the column's state, what stands on it,
-/// and how it steps.
-///
-/// A step is SDIRK2 twice over its halves; once over its whole, for the error it is chosen by
-/// (ColumnJob::tolerance). Steps end on samples of the weather, so none looks past a kink.
+/// What reaches a facet at one instant, whatever its own state answers.
+struct PointForcing {
+    AirState air;  // as the surface meets it
+    double wind_speed = 1.0;
+    double rain_mm_h = 0.0;
+    double sunlight = 0.0;         // [W m⁻²] incident
+    double own_light = 0.0;        // [W m⁻²] the same from ground like itself, per unit albedo
+    double albedo = not_measured;  // measured, in place of the material's
+    double longwave_in = 0.0;      // [W m⁻²] irradiance from sky and other facets
+    double own_view = 0.0;         // of ground as warm as the facet itself, 0 to 1
+};
+
+/// A facet and how it is stepped. `surface`, `louis` and `knot` must outlive the PointFacet.
+struct PointSetup {
+    const ThermalSurface& surface;
+    const LouisForm& louis;
+    double up_cosine = 1.0;      // of its normal
+    double wind_height = 10.0;   // [m]
+    double longitude_deg = 0.0;  // for schedules, which follow local mean solar time
+    double reference = 290.0;    // [K] a temperature near those to come
+    GridOptions grid{};
+    double longest_step = 600.0;      // [s]
+    double tolerance = 0.002;         // [K] per step, from step doubling
+    std::span<const Instant> knot{};  // ascending; no step passes over one
+    std::function<PointForcing(Instant)> forcing;
+};
+
+/// A facet that needs more than a linear column and a dry or evenly wet surface, on its way through
+/// the weather: the column's state, what stands on it, and how it steps. The point tool's engine,
+/// and the facet solver's where a material asks for it (thermal/scene_points.hpp).
 class PointFacet {
  public:
-    explicit PointFacet(const ColumnJob& job);
+    explicit PointFacet(PointSetup setup);
 
+    /// Steps of SDIRK2 twice over its halves; once over its whole, for the error it is chosen by.
     /// Returns the heat that melted snow or frost [J m⁻²]. `steps` takes down the steps chosen;
     /// `map` carries the linearised span along.
     double advance(Instant from, Instant to, std::vector<double>* steps = nullptr,
                    Eigen::MatrixXd* map = nullptr);
     /// The same steps again.
     void repeat(Instant from, const std::vector<double>& steps, Eigen::MatrixXd& map);
-    ColumnRow row(Instant when, double melt);
+    /// The span in steps of `longest_step`, their error unchecked: a third of the work. `restart`
+    /// begins with 10 s, for after a jump; a step whose equations are not solved is halved.
+    void march(Instant from, Instant to, bool restart, Eigen::MatrixXd* map = nullptr);
+    /// Moves the state by (I − map)⁻¹ times the change since `start`: Newton on the periodic map.
+    /// Returns the largest move [K].
+    double close_period(const std::vector<double>& start, const Eigen::MatrixXd& map);
     void keep_in_bounds();
+
+    SurfaceConditions conditions(Instant when, const Standing& water) const;
+    SurfaceTerms terms(Instant when) const;
 
     struct Count {
         long long steps = 0, rejected = 0;
@@ -45,8 +81,7 @@ class PointFacet {
     Count count;
 
  private:
-    SurfaceConditions conditions(Instant when);
-    double wet_share(double step) const;
+    double wet_share(const Standing& water, double step) const;
     struct Taken {
         NonlinearColumn::Step step;
         double melted = 0.0;  // [J m⁻²]
@@ -54,16 +89,17 @@ class PointFacet {
     };
     Taken half_step(Instant from, double step, bool gentle, std::vector<double>& state,
                     Standing& water, Eigen::MatrixXd* map);
+    void march_step(Instant from, double step, int depth, Eigen::MatrixXd* map);
     void count_closure(const Taken& taken, const std::vector<double>& before,
                        const std::vector<double>& after);
 
-    const ColumnJob& job_;
-    SunPath sun_;
-    LouisForm louis_;
-    Eigen::Vector3d normal_;
-    double sky_excess_;
+    PointSetup setup_;
     double next_step_ = 0.05;       // [s]
+    double next_march_ = 10.0;      // [s]
     double wet_evaporation_ = 0.0;  // of the last step [W m⁻²] per unit wet share
 };
+
+/// The grid of a point's column: fine enough for a minute's shock, and never cut off.
+GridOptions point_grid(const ThermalSurface& surface);
 
 }  // namespace diurna

@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// What stands above one facet's ground at one instant: the point tool's surface, with all it may
+/// What stands above one facet's ground at one instant: a point's surface, with all it may
 /// carry (water, frost, leaves).
 struct SurfaceConditions {
     AirFilm air{};
@@ -18,8 +18,9 @@ struct SurfaceConditions {
     double longwave_in = 0.0;     // [W m⁻²] irradiance from the sky
     double own_view = 0.0;        // of ground as warm as the facet itself, 0 to 1
     double emissivity = 1.0;
-    double internal = 0.0;           // [W m⁻²]
-    double wet_share = 0.0;          // covered by standing water, evaporating freely
+    double internal = 0.0;   // [W m⁻²]
+    double wet_share = 0.0;  // covered by standing water, evaporating freely
+    double rain_mm_h = 0.0;
     bool stores = false;             // dew collects even on what does not evaporate by itself
     double frost_conductance = 0.0;  // [W m⁻² K⁻¹] by which lying frost melts above 273.15 K
     Canopy canopy;

@@ -80,14 +80,9 @@ void check(const Atmosphere& atmosphere) {
 
 namespace {
 
-/// Heights of a line's two ends, from the middles of its segments.
+/// Heights of a line's two ends.
 std::pair<double, double> ends_of(const SightLine& line) {
-    const std::vector<double>&z = line.height_km, &l = line.length_km;
-    const std::size_t n = line.size();
-    if (n == 1) return {z[0], z[0]};
-    const double start = (z[1] - z[0]) / (l[0] + l[1]),
-                 end = (z[n - 1] - z[n - 2]) / (l[n - 1] + l[n - 2]);
-    return {z[0] - start * l[0], z[n - 1] + end * l[n - 1]};
+    return {line.height_within(0, 0.0), line.height_within(line.size() - 1, 1.0)};
 }
 
 NodeSpectrum from_table(BinPath path) {
@@ -127,10 +122,8 @@ std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const Sig
         double range = 0.0;
         for (std::size_t i = 0; i < line.size(); ++i) {
             range += line.length_km[i];
-            const double next = i + 1 < line.size()
-                                    ? 0.5 * (line.height_km[i] + line.height_km[i + 1])
-                                    : ends_of(line).second;
-            paths[i] = from_table(table_path(*table, from, next, range, node_um));
+            paths[i] =
+                from_table(table_path(*table, from, line.height_within(i, 1.0), range, node_um));
         }
         return paths;
     }

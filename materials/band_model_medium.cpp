@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/fast_exp.hpp"
+#include "materials/monotone_cubic.hpp"
 #include "materials/units.hpp"
 
 namespace diurna {
@@ -324,26 +325,23 @@ Scatterers Medium::scatterers(double height_km) const {
 }
 
 std::array<std::vector<double>, 3> Medium::phase(double cosine) const {
-    const auto place = [](const std::vector<double>& grid, double x) {
-        const double clamped = std::clamp(x, grid.front(), grid.back());
-        const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, clamped);
-        const auto i = static_cast<std::size_t>(above - grid.begin()) - 1;
-        return std::pair(i, (clamped - grid[i]) / (grid[i + 1] - grid[i]));
-    };
-    const auto [angle, part] =
-        place(tables_.phase_deg, degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
+    const HermiteWeights angle =
+        hermite_weights(tables_.phase_deg, degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
     std::array<std::vector<double>, 3> phase;
     const std::array<const Tables::Aerosol*, 2> aerosols = {boundary_, tropospheric_};
+    const std::size_t angles = tables_.phase_deg.size();
     for (std::size_t k = 0; k < aerosols.size(); ++k) {
         if (aerosols[k] == nullptr) continue;
-        const std::vector<double>& ln = aerosols[k]->ln_phase;
-        const auto at = [&, angle = angle, part = part](std::size_t wavelength) {
-            const std::size_t row = wavelength * tables_.phase_deg.size() + angle;
-            return ln[row] + part * (ln[row + 1] - ln[row]);
-        };
+        std::vector<double> ln;  // (phase wavelength) at the angle
+        for (std::size_t row = 0; row < tables_.phase_um.size(); ++row) {
+            const double* const value = &aerosols[k]->ln_phase[row * angles + angle.low];
+            const double* const slope = &aerosols[k]->ln_phase_slope[row * angles + angle.low];
+            ln.push_back(angle.value_low * value[0] + angle.slope_low * slope[0] +
+                         angle.value_high * value[1] + angle.slope_high * slope[1]);
+        }
         for (std::size_t bin = bins_.first; bin < bins_.last; ++bin) {
-            const auto [i, t] = place(tables_.phase_um, tables_.middle_um[bin]);
-            phase[k].push_back(fast_exp(at(i) + t * (at(i + 1) - at(i))));
+            const HermiteWeights um = hermite_weights(tables_.phase_um, tables_.middle_um[bin]);
+            phase[k].push_back(fast_exp(ln[um.low] + um.t * (ln[um.low + 1] - ln[um.low])));
         }
     }
     constexpr double g = 0.9;  // of drops: Henyey and Greenstein's form

@@ -7,6 +7,7 @@
 
 #include "materials/error.hpp"
 #include "materials/files.hpp"
+#include "materials/monotone_cubic.hpp"
 #include "materials/spectrum.hpp"
 #include "materials/units.hpp"
 
@@ -152,6 +153,15 @@ void load_phase(Tables& tables) {
     }
     if (csv.rows.size() != tables.phase_um.size() * tables.phase_deg.size()) {
         throw InputError(csv.path.string(), "every wavelength needs the same angles");
+    }
+    const std::size_t angles = tables.phase_deg.size();
+    for (auto& [name, aerosol] : tables.aerosols) {
+        for (std::size_t row = 0; row < tables.phase_um.size(); ++row) {
+            const auto slopes = monotone_slopes(
+                tables.phase_deg, std::span(aerosol.ln_phase).subspan(row * angles, angles));
+            aerosol.ln_phase_slope.insert(aerosol.ln_phase_slope.end(), slopes.begin(),
+                                          slopes.end());
+        }
     }
 }
 

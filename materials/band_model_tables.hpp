@@ -39,9 +39,10 @@ struct BandModelTables {
             double ln_dryness;
             std::vector<double> ln_extinction, extinction, absorption;  // (bin)
         };
-        std::vector<Level> levels;      // dryness descending
-        std::vector<double> asymmetry;  // (bin) mean cosine of scattering
-        std::vector<double> ln_phase;   // (phase wavelength, phase angle)
+        std::vector<Level> levels;           // dryness descending
+        std::vector<double> asymmetry;       // (bin) mean cosine of scattering
+        std::vector<double> ln_phase;        // (phase wavelength, phase angle)
+        std::vector<double> ln_phase_slope;  // the same [1/deg]
     };
     std::map<std::string, Aerosol> aerosols;
     std::vector<double> phase_um, phase_deg;

@@ -26,7 +26,8 @@ struct SunFlux {
 /// air; delta-scaled, after Nakajima and Tanaka 1988), what scatters more often from
 /// two-stream fluxes in the same air. Clouds as BandModel::cloud says, in their share of the sky.
 ///
-/// Made once for an instant, then asked along many lines; safe to share between threads.
+/// Made once for an instant, then asked along many lines; safe to share between threads. Smooth in
+/// height, zenith angle and azimuth (continuous slopes), so that tables made of it stay small.
 /// The air is plane for multiple scattering, spherical and refracting for the beam; the sun stands
 /// under the same zenith angle along a whole line, so lines beyond 100 km under a low sun err.
 ///
@@ -45,6 +46,9 @@ class SunField {
     /// azimuth_from_sun_deg    of the line's azimuth from that of the sun, 0 towards it
     std::vector<double> path(const SightLine& line, double zenith_deg,
                              double azimuth_from_sun_deg) const;
+    /// The same under several azimuths, (azimuth)(node), for little more than the cost of one.
+    std::vector<std::vector<double>> paths(const SightLine& line, double zenith_deg,
+                                           std::span<const double> azimuths_from_sun_deg) const;
 
     /// Scattered radiance of the sky (path to the top of the air, or to the cloud layer and what
     /// shines through it), or of the air above the ground it ends on.
@@ -52,8 +56,9 @@ class SunField {
 
     SunFlux flux(double height_km) const;
 
+    struct State;  // sun_field_state.hpp
+
  private:
-    struct State;
     std::shared_ptr<const State> state_;
 };
 

@@ -57,6 +57,28 @@ double SightLine::range_km() const {
     return std::accumulate(length_km.begin(), length_km.end(), 0.0);
 }
 
+double SightLine::height_within(std::size_t segment, double share) const {
+    const double middle = height_km[segment];
+    if (!edge_km.empty()) {
+        const double low = edge_km[segment], high = edge_km[segment + 1];
+        const double u = 2.0 * share - 1.0;
+        return middle + 0.5 * u * (high - low) + 0.5 * u * u * (low + high - 2.0 * middle);
+    }
+    if (size() == 1) return middle;
+    const std::size_t a = std::min(share < 0.5 && segment > 0 ? segment - 1 : segment, size() - 2);
+    const double slope =
+        (height_km[a + 1] - height_km[a]) / (0.5 * (length_km[a] + length_km[a + 1]));
+    return middle + slope * (share - 0.5) * length_km[segment];
+}
+
+SightLine SightLine::first(std::size_t end) const {
+    const auto cut = [](const std::vector<double>& from, std::size_t count) {
+        return std::vector<double>(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    return {cut(height_km, end), cut(length_km, end),
+            edge_km.empty() ? std::vector<double>{} : cut(edge_km, end + 1)};
+}
+
 bool meets_ground(double height_km, double zenith_deg) {
     const Ray ray{earth_radius_km + height_km, cosine(zenith_deg)};
     return !std::isnan(to_ground(ray, height_km, 0.0));
@@ -131,11 +153,13 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
         if (std::isnan(length)) length = to_level;  // it falls by less before it turns
         length = std::min(length, end - s);
         if (end - s - length < 1e-9) length = end - s;
+        line.edge_km.push_back(here);
         line.height_km.push_back(here + onward.rise(0.5 * length));
         line.length_km.push_back(length);
         travelled += std::abs(onward.rise(length));
         s += length;
     }
+    if (line.size() > 0) line.edge_km.push_back(height_km + ray.rise(end));
     return line;
 }
 
@@ -174,6 +198,7 @@ SightLine refracted_line(const Profile& profile, double height_km, double zenith
         length = std::min(length, left);
         if (left - length < 1e-9) length = left;
         if (!(length > 0.0)) break;
+        line.edge_km.push_back(here);
         line.height_km.push_back(here + ray.rise(0.5 * length));
         line.length_km.push_back(length);
         const double rise = ray.rise(length);
@@ -184,6 +209,7 @@ SightLine refracted_line(const Profile& profile, double height_km, double zenith
         if (std::abs(here - floor_km) < 1e-9) here = floor_km;
         if (std::abs(here - aerosol_top_km) < 1e-9) here = aerosol_top_km;
     }
+    if (line.size() > 0) line.edge_km.push_back(here);
     return line;
 }
 

@@ -14,11 +14,17 @@ inline constexpr double aerosol_top_km = 2.0;
 
 /// A sight line over a spherical earth, sampled outward from the observer.
 struct SightLine {
-    std::vector<double> height_km;  // (segment) of its middle, above the sea
-    std::vector<double> length_km;  // (segment)
+    std::vector<double> height_km;     // (segment) of its middle, above the sea
+    std::vector<double> length_km;     // (segment)
+    std::vector<double> edge_km = {};  // (segment + 1) heights of the ends; empty: unknown
 
     std::size_t size() const { return length_km.size(); }
     double range_km() const;
+    /// Height after the part `share` of a segment: the parabola through its ends and middle, or
+    /// linear between middles where ends are unknown.
+    double height_within(std::size_t segment, double share) const;
+    /// The segments before `end` alone.
+    SightLine first(std::size_t end) const;
 };
 
 /// How finely a sight line is cut. A segment's change of height is at most `growth` times all the

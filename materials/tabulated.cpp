@@ -177,12 +177,14 @@ PathSource path_source(const BandModel& model) {
                 const int cuts = 24 + static_cast<int>(12.0 * std::abs(path.to_km - path.from_km));
                 const double sag = path.range_km * path.range_km / (2.0 * earth_radius_km);
                 const double rise = path.to_km - path.from_km - sag;
+                const auto height = [&](double t) { return path.from_km + t * (rise + t * sag); };
+                line.edge_km.push_back(path.from_km);
                 for (int i = 0; i < cuts; ++i) {
                     const double a = double(i) * i / (double(cuts) * cuts);
                     const double b = double(i + 1) * (i + 1) / (double(cuts) * cuts);
-                    const double middle = 0.5 * (a + b);
-                    line.height_km.push_back(path.from_km + middle * (rise + middle * sag));
+                    line.height_km.push_back(height(0.5 * (a + b)));
                     line.length_km.push_back((b - a) * path.range_km);
+                    line.edge_km.push_back(height(b));
                 }
             }
             NodeSpectrum spectrum = path_at_nodes(model, line, node);

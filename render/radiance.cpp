@@ -173,11 +173,13 @@ SightLine chord(double from_height_km, double to_height_km, double range_km, int
     }
     std::sort(edge.begin(), edge.end());
 
+    const auto height = [&](double t) { return from_height_km + t * (rise + t * sag); };
     SightLine line;
+    line.edge_km.push_back(from_height_km);
     for (std::size_t i = 1; i < edge.size(); ++i) {
-        const double middle = 0.5 * (edge[i - 1] + edge[i]);
-        line.height_km.push_back(from_height_km + middle * (rise + middle * sag));
+        line.height_km.push_back(height(0.5 * (edge[i - 1] + edge[i])));
         line.length_km.push_back((edge[i] - edge[i - 1]) * range_km);
+        line.edge_km.push_back(height(edge[i]));
     }
     return line;
 }

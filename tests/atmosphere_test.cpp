@@ -174,15 +174,19 @@ TEST_CASE("heights along a sight line are those of a sphere", "[materials][atmos
     const double zenith = GENERATE(0.0, 60.0, 89.0, 90.0, 91.0, 120.0);
     const SightLine line = sight_line(3.0, zenith, 40.0);
     const double r = earth_radius_km + 3.0, mu = std::cos(zenith * 3.14159265358979 / 180.0);
-    double s = 0.0, worst = 0.0;
+    double s = 0.0, worst = 0.0, worst_between = 0.0;
     for (std::size_t i = 0; i < line.size(); ++i) {
-        const double middle = s + 0.5 * line.length_km[i];
-        const double height =
-            std::sqrt(r * r + middle * middle + 2.0 * r * middle * mu) - earth_radius_km;
-        worst = std::max(worst, std::abs(height - line.height_km[i]));
+        for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+            const double at = s + share * line.length_km[i];
+            const double height = std::sqrt(r * r + at * at + 2.0 * r * at * mu) - earth_radius_km;
+            const double found = share == 0.5 ? line.height_km[i] : line.height_within(i, share);
+            double& error = share == 0.25 ? worst_between : worst;
+            error = std::max(error, std::abs(height - found));
+        }
         s += line.length_km[i];
     }
     CHECK(worst < 1e-9);
+    CHECK(worst_between < 1e-8);  // the parabola through them
 }
 
 TEST_CASE("no segment lies across the top of the aerosol", "[materials][atmosphere]") {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "materials/document.hpp"
@@ -120,6 +121,19 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
     std::vector<MaterialId> material;
     for (const std::string& name : object.material) material.push_back(materials.find(name));
     return placed_mesh(object.mesh, placing, material);
+}
+
+GroundPatch ground_patch(const ObjectInput& object) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : object.mesh.vertex) box.extend(v);
+    Eigen::Vector3d size = box.sizes() * object.placing.metres;
+    if (object.placing.up == UpAxis::y) std::swap(size.y(), size.z());
+    const double reach = 0.5 * size.head<2>().norm() + 2.0 * size.z();
+    GroundPatch patch{.ring = {}, .largest_edge = reach / 12.0};
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
+        patch.ring.push_back(object.place + reach * Eigen::Vector2d(x, y));
+    }
+    return patch;
 }
 
 }  // namespace diurna

@@ -31,4 +31,12 @@ ObjectInput read_object_input(const Section& section, const std::filesystem::pat
 ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
                        const MaterialLibrary& materials);
 
+/// Ground around an object that shall be fine enough for its shadow: a square as far as a sun 27
+/// degrees high casts it, about 24 triangles' edges across.
+struct GroundPatch {
+    std::vector<Eigen::Vector2d> ring;  // east, north [m]
+    double largest_edge;                // [m]
+};
+GroundPatch ground_patch(const ObjectInput& object);
+
 }  // namespace diurna

@@ -12,6 +12,7 @@
 #include "materials/units.hpp"
 #include "terrain/ground_mesh.hpp"
 #include "terrain/land_cover.hpp"
+#include "terrain/rings.hpp"
 
 namespace diurna {
 
@@ -152,6 +153,11 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
         material.push_back(polygons[i].material);
         object.push_back(polygons[i].material.empty() ? 0 : static_cast<int>(i) + 1);
     }
+    const std::size_t named = footprints.size();
+    for (const ObjectInput& input : scene.terrain.objects) {
+        const GroundPatch patch = ground_patch(input);
+        footprints.push_back({raster_places(dem, world.site, patch.ring), patch.largest_edge});
+    }
     const GroundMesh mesh =
         ground_mesh(dem, scene.terrain.tolerance, footprints, slack_of(scene, dem, world.site));
     world.ground_check = check_ground_mesh(dem, mesh);
@@ -159,12 +165,24 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
         local_vertices(dem, world.site, mesh.place, mesh.height);
     const auto cover = covered(scene, dem, mesh);
 
+    // A patch around an object is ground of what it lies on.
+    const auto footprint_of = [&](std::size_t t) {
+        std::int32_t f = mesh.footprint[t];
+        if (f < static_cast<std::int32_t>(named)) return f;
+        const auto& [a, b, c] = mesh.triangle[t];
+        const Eigen::Vector2d middle = (mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0;
+        for (f = static_cast<std::int32_t>(named) - 1; f >= 0; --f) {
+            if (contains(footprints[std::size_t(f)].ring, middle)) break;
+        }
+        return f;
+    };
+
     // One batch of triangles per object: the ground first, then each polygon.
     for (int batch = 0; batch <= static_cast<int>(polygons.size()); ++batch) {
         std::vector<std::array<std::uint32_t, 3>> triangles;
         std::vector<MaterialId> materials;
         for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-            const std::int32_t f = mesh.footprint[t];
+            const std::int32_t f = footprint_of(t);
             if ((f < 0 ? 0 : object[std::size_t(f)]) != batch) continue;
             const auto& [a, b, c] = mesh.triangle[t];
             triangles.push_back(mesh.triangle[t]);

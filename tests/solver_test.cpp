@@ -257,3 +257,47 @@ TEST_CASE("a solve refuses arrays that do not belong together", "[thermal][solve
                           {.start = june, .step = 0.0}),
                     InputError);
 }
+
+// Unsworth & Monteith (1975): beyond its view times the horizontal flux a wall sees ½ b ln 2 σ T⁴
+// of a clear sky, b = 0.09; level ground keeps the flux. Black plates that only radiate settle
+// where σ T⁴ is what arrives.
+TEST_CASE("a wall is warmed by the brighter sky near the horizon, level ground is not",
+          "[thermal][solver][tilt]") {
+    FacetSet facets;
+    const std::vector<Eigen::Vector3d> vertex{{0, 0, 0}, {1, 0, 0}, {0, 1, 0},
+                                              {5, 0, 0}, {6, 0, 0}, {5, 0, 1}};
+    const std::vector<std::array<std::uint32_t, 3>> triangle{{0, 1, 2}, {3, 4, 5}};
+    const std::vector<MaterialId> material{MaterialId{0}, MaterialId{0}};
+    append_facets(facets, vertex, triangle, material, ObjectId{0});
+    SkyView view;
+    view.sky_view = {1.0f, 0.5f};
+    view.below = {0.0f, 0.5f};
+    view.exchange.row = {0, 0, 0};
+    const MaterialLibrary materials({ground("plate", 0.0, 1.0, ConstantFilm{0.0},
+                                            {{0.01, 10.0, 1000.0, 1000.0}}, FixedFlux{0.0})});
+    Forcing forcing;
+    forcing.air = {.temperature = 290.0, .pressure = 1e5, .vapour_pressure = 1000.0};
+    forcing.shortwave_down = 0.0;
+    forcing.longwave_down = clear_longwave(forcing.air);
+    const auto settled = [&](bool by_direction) {
+        const SunExposure sun;
+        const SolveResult result = solve({.facets = facets,
+                                          .sky_view = view,
+                                          .sun = sun,
+                                          .materials = materials,
+                                          .weather = constant_weather(forcing),
+                                          .site = tennessee,
+                                          .elevation = 400.0,
+                                          .clear_sky = {.longwave_by_direction = by_direction}},
+                                         {.start = june, .exchange = false});
+        CHECK(result.report.converged);
+        const auto kelvin = result.temperature.at(5);
+        return std::array<double, 2>{stefan_boltzmann * power4(double(kelvin[0])),
+                                     stefan_boltzmann * power4(double(kelvin[1]))};
+    };
+    const auto even = settled(false), tilted = settled(true);
+    CHECK(even[0] == Approx(forcing.longwave_down).epsilon(1e-4));
+    CHECK(tilted[0] == Approx(even[0]).margin(0.01));
+    CHECK(tilted[1] - even[1] ==
+          Approx(0.5 * 0.09 * std::log(2.0) * stefan_boltzmann * power4(290.0)).epsilon(0.01));
+}

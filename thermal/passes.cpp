@@ -92,10 +92,12 @@ double absorptance_at(const Job& job, const Kind& kind, std::size_t i) {
 void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat) {
     const ThermalSurface& surface = kind.column.surface;
     const double absorptance = absorptance_at(job, kind, i);
+    const double tilted = surface.emissivity * job.sky[i].tilted_longwave;
     for (std::size_t l = 0; l < block.facet.size(); ++l) {
         const std::size_t at = i * job.facets + block.facet[l];
         heat[l] = absorptance * job.sunlight[at] + surface.internal_heat;
         if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
+        if (!job.tilt.empty()) heat[l] += tilted * job.tilt[block.facet[l]];
     }
 }
 

@@ -82,6 +82,7 @@ struct Job {
     std::vector<SkyState> sky;    // (instant)
     std::vector<float> sunlight;  // (instant, facet) incident
     std::vector<float> excess;    // (instant, facet) terrain longwave; empty without exchange
+    std::vector<float> tilt{};    // (facet) tilted_sky_excess; empty where the sky is even
     std::vector<float> kelvin;    // (instant, facet)
     std::vector<Block> block;
 

@@ -164,6 +164,23 @@ std::size_t coarse_stride(const Job& job) {
     return stride;
 }
 
+/// What each facet sees of a sky brighter towards the horizon, where any instant's is.
+std::vector<float> tilts(const Job& job) {
+    const bool even = std::all_of(job.sky.begin(), job.sky.end(),
+                                  [](const SkyState& sky) { return sky.tilted_longwave == 0.0; });
+    if (even) return {};
+    const TiltedSky table;
+    std::vector<float> tilt(job.facets);
+    for_each_index(
+        job.facets,
+        [&](std::size_t f) {
+            tilt[f] =
+                float(table.excess(job.input.facets.normal[f].z(), job.input.sky_view.sky_view[f]));
+        },
+        4096);
+    return tilt;
+}
+
 TemperatureField kept(const Job& job) {
     const auto every = std::max<std::size_t>(
         1, static_cast<std::size_t>(std::llround(job.options.keep_every / job.step)));
@@ -220,6 +237,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         job.sky.push_back(
             sky_state(input.site, input.elevation, when, input.weather.at(when), input.clear_sky));
     }
+    job.tilt = tilts(job);
     const std::vector<MaterialId> materials = group_by_material(job);
     Level fine = make_level(job, materials, 1, StepSetup{}.most_substeps);
 

@@ -47,17 +47,26 @@ SunField::SunField(const BandModel& model, const SunLight& sun, std::span<const 
 
 std::size_t SunField::nodes() const { return state_->node_bin.size(); }
 
-std::vector<std::vector<double>> SunField::paths(
-    const SightLine& line, double zenith_deg, std::span<const double> azimuths_from_sun_deg) const {
-    std::vector<std::vector<double>> radiance =
-        state_->mixed(line, zenith_deg, azimuths_from_sun_deg);
-    for (auto& values : radiance) values = state_->per_node(values);
-    return radiance;
-}
-
 std::vector<double> SunField::path(const SightLine& line, double zenith_deg,
                                    double azimuth_from_sun_deg) const {
-    return paths(line, zenith_deg, std::span(&azimuth_from_sun_deg, 1)).front();
+    const auto turn = state_->turns(zenith_deg, std::span(&azimuth_from_sun_deg, 1));
+    return state_->per_node(state_->mixed(line, turn).towards(0, std::cos(radians(zenith_deg))));
+}
+
+SunField::Apart SunField::path_apart(const SightLine& line,
+                                     std::span<const double> angle_deg) const {
+    std::vector<double> turn;
+    for (const double angle : angle_deg) turn.push_back(std::cos(radians(angle)));
+    const State::Scattered light = state_->mixed(line, turn);
+    Apart apart;
+    for (const auto& level : light.level) apart.at_angle.push_back(state_->per_node(level));
+    apart.by_cosine = state_->per_node(light.by_cosine);
+    return apart;
+}
+
+double SunField::angle_from_sun_deg(double zenith_deg, double azimuth_from_sun_deg) const {
+    return degrees(
+        std::acos(state_->turns(zenith_deg, std::span(&azimuth_from_sun_deg, 1)).front()));
 }
 
 std::vector<double> SunField::sky(double height_km, double zenith_deg,
@@ -66,18 +75,19 @@ std::vector<double> SunField::sky(double height_km, double zenith_deg,
     const CloudLayer& cloud = s.model.cloud;
     const SightLine line = line_of(s.model, height_km, zenith_deg);
     const bool ground = ends_on_ground(s.model, height_km, zenith_deg);
-    const std::span azimuth(&azimuth_from_sun_deg, 1);
     if (cloud.fraction > 0.0 && (height_km >= cloud.base_km || ground)) {
         return path(line, zenith_deg, azimuth_from_sun_deg);
     }
-    std::vector<double> radiance = s.along(line, zenith_deg, azimuth, false, ground).front();
+    const double cosine = std::cos(radians(zenith_deg));
+    const auto turn = s.turns(zenith_deg, std::span(&azimuth_from_sun_deg, 1));
+    std::vector<double> radiance = s.along(line, turn, false, ground).towards(0, cosine);
     if (cloud.fraction > 0.0) {
         std::size_t below_base = 0;
         while (below_base < line.size() && line.height_km[below_base] < cloud.base_km) {
             ++below_base;
         }
         const SightLine below = line.first(below_base);
-        const std::vector<double> under = s.along(below, zenith_deg, azimuth, true, true).front();
+        const std::vector<double> under = s.along(below, turn, true, true).towards(0, cosine);
         const std::vector<double> tau = transmittance(s.model, below, s.bins);
         const HermiteWeights w = s.at_height(cloud.base_km);
         for (std::size_t b = 0; b < radiance.size(); ++b) {

@@ -46,9 +46,15 @@ class SunField {
     /// azimuth_from_sun_deg    of the line's azimuth from that of the sun, 0 towards it
     std::vector<double> path(const SightLine& line, double zenith_deg,
                              double azimuth_from_sun_deg) const;
-    /// The same under several azimuths, (azimuth)(node), for little more than the cost of one.
-    std::vector<std::vector<double>> paths(const SightLine& line, double zenith_deg,
-                                           std::span<const double> azimuths_from_sun_deg) const;
+    /// The same taken apart for tables: at_angle[k] + cos(zenith) · by_cosine, where angle k lies
+    /// between the line and the direction to the sun. Several angles cost little more than one.
+    struct Apart {
+        std::vector<std::vector<double>> at_angle;  // (angle)(node)
+        std::vector<double> by_cosine;              // (node)
+    };
+    Apart path_apart(const SightLine& line, std::span<const double> angle_deg) const;
+    /// That angle [deg].
+    double angle_from_sun_deg(double zenith_deg, double azimuth_from_sun_deg) const;
 
     /// Scattered radiance of the sky (path to the top of the air, or to the cloud layer and what
     /// shines through it), or of the air above the ground it ends on.

@@ -25,7 +25,7 @@ double mean_between(double before, double after) {
     return std::abs(x) < 0.01 ? before * (1.0 - x * (0.5 - x * (1.0 / 6.0))) : (before - after) / x;
 }
 
-/// One azimuth of a line: how it turns sunlight.
+/// One direction to the sun: how the line turns its light.
 struct Direction {
     double turn;  // cosine of the angle by which light turns
     /// Share of the forward peak that is spread out again: light of the peak that is scattered
@@ -36,16 +36,9 @@ struct Direction {
     std::vector<double> excess;                // (bin) light the peak loses on its way
 };
 
-Direction direction_of(const Medium& medium, const SunLight& sun, double zenith_deg,
-                       double azimuth_deg) {
-    const double view = std::cos(radians(zenith_deg)), sin_view = std::sin(radians(zenith_deg));
+Direction direction_of(const Medium& medium, double turn) {
     Direction d;
-    // Light comes from the sun and goes on towards the eye: it turns by the angle between the
-    // direction to the sun and that of the line.
-    d.turn = std::clamp(
-        view * std::cos(radians(sun.zenith_deg)) +
-            sin_view * std::sin(radians(sun.zenith_deg)) * std::cos(radians(azimuth_deg)),
-        -1.0, 1.0);
+    d.turn = turn;
     const double t = std::clamp((degrees(std::acos(d.turn)) - 20.0) / 40.0, 0.0, 1.0);
     d.peaked = 1.0 - t * t * (3.0 - 2.0 * t);
     d.phase = medium.phase(d.turn);
@@ -55,21 +48,34 @@ Direction direction_of(const Medium& medium, const SunLight& sun, double zenith_
 
 }  // namespace
 
-std::vector<std::vector<double>> SunField::State::along(const SightLine& line, double zenith_deg,
-                                                        std::span<const double> azimuth_deg,
-                                                        bool under_cloud,
-                                                        bool something_behind) const {
+std::vector<double> SunField::State::turns(double zenith_deg,
+                                           std::span<const double> azimuth_deg) const {
+    // Light comes from the sun and goes on towards the eye: it turns by the angle between the
+    // direction to the sun and that of the line.
+    const double view = std::cos(radians(zenith_deg)), sin_view = std::sin(radians(zenith_deg));
+    const double sun_up = std::cos(radians(sun.zenith_deg)),
+                 sun_aside = std::sin(radians(sun.zenith_deg));
+    std::vector<double> turn;
+    for (const double azimuth : azimuth_deg) {
+        const double turned = view * sun_up + sin_view * sun_aside * std::cos(radians(azimuth));
+        turn.push_back(std::clamp(turned, -1.0, 1.0));
+    }
+    return turn;
+}
+
+SunField::State::Scattered SunField::State::along(const SightLine& line,
+                                                  std::span<const double> turn, bool under_cloud,
+                                                  bool something_behind) const {
     const std::size_t count = bins.size();
-    std::vector<std::vector<double>> radiance(azimuth_deg.size(), std::vector<double>(count, 0.0));
-    if (line.size() == 0 || count == 0) return radiance;
+    Scattered result{std::vector<std::vector<double>>(turn.size(), std::vector<double>(count, 0.0)),
+                     std::vector<double>(count, 0.0)};
+    if (line.size() == 0 || count == 0) return result;
     const Medium medium(model, bins);
     std::vector<Direction> directions;
-    for (const double azimuth : azimuth_deg) {
-        directions.push_back(direction_of(medium, sun, zenith_deg, azimuth));
+    for (const double angle_cosine : turn) {
+        directions.push_back(direction_of(medium, angle_cosine));
     }
-    const double view = std::cos(radians(zenith_deg));
     const DiffuseField& field = under_cloud ? cloudy : clear;
-    const double through = under_cloud ? beam_through_cloud : 1.0;
 
     const bool any_peaked = std::any_of(directions.begin(), directions.end(),
                                         [](const Direction& d) { return d.peaked > 0.0; });
@@ -101,17 +107,19 @@ std::vector<std::vector<double>> SunField::State::along(const SightLine& line, d
             beam_at(line.height_within(segment, (cut + 1.0) / cuts), single_after);
             medium.transmittances(seen, tau_after);
             const HermiteWeights w = at_height(z);
+            const double through =
+                under_cloud && z < model.cloud.base_km ? beam_through_cloud : 1.0;
             for (std::size_t b = 0; b < count; ++b) {
-                single[b] = length * mean_between(single_before[b], single_after[b]);
+                single[b] = through * length * mean_between(single_before[b], single_after[b]);
                 by_air[b] += air.whole.rayleigh[b] * single[b];
                 const double up = field.up.at(w, b), down = field.down.at(w, b);
-                // Eddington's radiance, scattered: light that comes down the line moves at -view.
+                // Eddington's radiance, scattered: light that comes down the line moves against
+                // it. Asymmetries are below a half, so that it is never negative.
                 const double mean_radiance = (up + down) * 0.5 * std::numbers::inv_pi;
-                const double tilt = 0.75 * std::numbers::inv_pi * (up - down) * -view;
-                often[b] +=
-                    length * mean_between(tau_before[b], tau_after[b]) *
-                    (air.whole.rayleigh[b] * mean_radiance +
-                     air.scattering[b] * std::max(0.0, mean_radiance + air.asymmetry[b] * tilt));
+                const double tilt = 0.75 * std::numbers::inv_pi * (down - up);
+                const double reach = length * mean_between(tau_before[b], tau_after[b]);
+                often[b] += reach * (air.whole.rayleigh[b] + air.scattering[b]) * mean_radiance;
+                result.by_cosine[b] += reach * air.scattering[b] * air.asymmetry[b] * tilt;
             }
             for (std::size_t k = 0; k < by_aerosol.size(); ++k) {
                 const std::vector<double>& part = air.whole.part[k];
@@ -122,8 +130,8 @@ std::vector<std::vector<double>> SunField::State::along(const SightLine& line, d
             for (std::size_t b = 0; any_peaked && b < count; ++b) {
                 const double before = std::exp(-peak_seen[b] - peak.at(w, b));
                 const double after = before * std::exp(-length * air.peak(b));
-                thinned[b] =
-                    length * mean_between(single_before[b] * before, single_after[b] * after);
+                thinned[b] = through * length *
+                             mean_between(single_before[b] * before, single_after[b] * after);
             }
             for (Direction& d : directions) {
                 if (d.peaked <= 0.0) continue;
@@ -150,9 +158,10 @@ std::vector<std::vector<double>> SunField::State::along(const SightLine& line, d
         const HermiteWeights w = at_height(line.height_within(line.size() - 1, 1.0));
         for (std::size_t b = 0; b < count; ++b) {
             const double up = field.up.at(w, b), down = field.down.at(w, b);
-            const double behind = std::max(
-                0.0, std::numbers::inv_pi * (0.5 * (up + down) - 0.75 * (up - down) * view));
-            often[b] += tau_before[b] * -std::expm1(-peak_seen[b]) * behind;
+            const double share =
+                tau_before[b] * -std::expm1(-peak_seen[b]) * 0.5 * std::numbers::inv_pi;
+            often[b] += share * (up + down);
+            result.by_cosine[b] += share * (down - up);
         }
     }
     for (std::size_t a = 0; a < directions.size(); ++a) {
@@ -163,24 +172,26 @@ std::vector<std::vector<double>> SunField::State::along(const SightLine& line, d
             for (std::size_t k = 0; k < by_aerosol.size(); ++k) {
                 if (!by_aerosol[k].empty()) once += by_aerosol[k][b] * d.phase[k][b];
             }
-            radiance[a][b] = above_air[b] * through * 0.25 * std::numbers::inv_pi * once + often[b];
+            result.level[a][b] = above_air[b] * 0.25 * std::numbers::inv_pi * once + often[b];
         }
     }
-    return radiance;
+    return result;
 }
 
-std::vector<std::vector<double>> SunField::State::mixed(const SightLine& line, double zenith_deg,
-                                                        std::span<const double> azimuth_deg) const {
-    std::vector<std::vector<double>> radiance = along(line, zenith_deg, azimuth_deg, false, true);
+SunField::State::Scattered SunField::State::mixed(const SightLine& line,
+                                                  std::span<const double> turn) const {
+    Scattered light = along(line, turn, false, true);
     const double covered = model.cloud.fraction;
-    if (covered <= 0.0) return radiance;
-    const std::vector<std::vector<double>> under = along(line, zenith_deg, azimuth_deg, true, true);
-    for (std::size_t a = 0; a < radiance.size(); ++a) {
-        for (std::size_t b = 0; b < radiance[a].size(); ++b) {
-            radiance[a][b] += covered * (under[a][b] - radiance[a][b]);
+    if (covered <= 0.0) return light;
+    const Scattered under = along(line, turn, true, true);
+    const auto mix = [covered](std::vector<double>& clear_part, const std::vector<double>& other) {
+        for (std::size_t b = 0; b < clear_part.size(); ++b) {
+            clear_part[b] += covered * (other[b] - clear_part[b]);
         }
-    }
-    return radiance;
+    };
+    for (std::size_t a = 0; a < turn.size(); ++a) mix(light.level[a], under.level[a]);
+    mix(light.by_cosine, under.by_cosine);
+    return light;
 }
 
 }  // namespace diurna

@@ -71,13 +71,24 @@ struct SunField::State {
     /// What the beam has met on its way to a height.
     Amounts amounts_to_sun(const Medium& medium, const HermiteWeights& w) const;
 
-    /// Radiance scattered into a line, (azimuth)(bin).
-    std::vector<std::vector<double>> along(const SightLine& line, double zenith_deg,
-                                           std::span<const double> azimuth_deg, bool under_cloud,
-                                           bool something_behind) const;
+    /// Cosines of the angles by which a line turns the sun's light, (azimuth).
+    std::vector<double> turns(double zenith_deg, std::span<const double> azimuth_deg) const;
+
+    /// Radiance scattered into a line, per bin: level[turn] + cos(zenith) · by_cosine.
+    struct Scattered {
+        std::vector<std::vector<double>> level;
+        std::vector<double> by_cosine;
+
+        std::vector<double> towards(std::size_t turn, double cosine) const {
+            std::vector<double> sum = level[turn];
+            for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += cosine * by_cosine[b];
+            return sum;
+        }
+    };
+    Scattered along(const SightLine& line, std::span<const double> turn, bool under_cloud,
+                    bool something_behind) const;
     /// Mean of the parts of the sky without and with cloud above the line.
-    std::vector<std::vector<double>> mixed(const SightLine& line, double zenith_deg,
-                                           std::span<const double> azimuth_deg) const;
+    Scattered mixed(const SightLine& line, std::span<const double> turn) const;
 
     std::vector<double> per_node(const std::vector<double>& per_bin) const {
         std::vector<double> values;

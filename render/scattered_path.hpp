@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "materials/band.hpp"
+#include "materials/scattering.hpp"
+#include "render/path_table.hpp"
+
+namespace diurna {
+
+/// Sunlight that the air scatters towards an observer before the places of a scene, in one band
+/// [W m⁻² sr⁻¹]: a table over range, height of the far end, and angle between the line of sight and
+/// the sun. The part that depends on the line's slope alone is linear in its cosine (SunField) and
+/// has a smaller table beside it.
+///
+/// Cubic in range^⅓ and angle; a parabola, or of fourth degree, in height. The spacings are halved
+/// until the scattered light errs by less than `tolerance` half-way between the nodes.
+class ScatteredPath {
+ public:
+    /// Angles at which a picture looks, from the sun.
+    struct Angles {
+        double least_deg = 0.0, most_deg = 180.0;
+    };
+
+    /// segments   of every line (chord_segments), so that radiance is smooth over the table
+    /// tolerance  of scattered radiance, as a share of it or of a fiftieth of its greatest value
+    ScatteredPath(const SunField& field, const Band& band, const PathExtent& extent,
+                  const Angles& angles, double tolerance = 4e-4);
+
+    /// A direction of sight: what of the table it needs.
+    struct Towards {
+        Stencil angle;
+        float cosine;  // of its zenith angle
+    };
+    Towards towards(double angle_from_sun_deg, double zenith_cosine) const;
+
+    /// range [m], height of the far end [km above the sea]
+    float operator()(const Towards& direction, float range, float height_km) const;
+
+    /// Estimated error, as `tolerance`.
+    double error() const { return error_; }
+    std::size_t ranges() const { return ranges_; }
+    std::size_t heights() const { return heights_; }
+    std::size_t angles() const { return angles_; }
+
+ private:
+    struct Node {
+        std::vector<float> at_angle;  // (angle)
+        float by_cosine = 0.0f;
+    };
+    Node make_node(double root, double height_km, const std::vector<double>& angle_deg) const;
+    void choose_angles();
+    void choose_heights();
+    void choose_ranges();
+    std::vector<double> angle_nodes(std::size_t count) const;
+    double root_at(std::size_t i, std::size_t count) const;
+    double height_at(std::size_t j, std::size_t count) const;
+
+    const SunField& field_;
+    const Band& band_;
+    PathExtent extent_;
+    Angles span_;
+    double tolerance_, error_ = 0.0, floor_ = 0.0;
+    int segments_;
+    double root_low_ = 0.0, root_high_ = 1.0;
+    std::size_t ranges_ = 9, heights_ = 2, angles_ = 9;
+    std::vector<float> at_angle_;   // (range, height, angle)
+    std::vector<float> by_cosine_;  // (range, height)
+};
+
+}  // namespace diurna

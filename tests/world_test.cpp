@@ -182,3 +182,56 @@ TEST_CASE("ground that was filled in is marked, facet by facet and in the pictur
     view.sky = {0.0f, 1.0f, 0.0f};
     CHECK(void_plane(view, world).pixel == std::vector<float>{1.0f, -1.0f, 0.0f});
 }
+
+TEST_CASE("a mesh of a file stands on the ground, on finer triangles", "[scenes][world][object]") {
+    const ScratchFolder folder("object");
+    // A slab 6 m long, 2 m wide and 2 m high; its lid is a part of its own.
+    write_text(folder.path / "slab.obj",
+               "v -1 0 -3\nv 1 0 -3\nv 1 0 3\nv -1 0 3\nv -1 2 -3\nv 1 2 -3\nv 1 2 3\nv -1 2 3\n"
+               "g hull\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\ng lid\nf 5 8 7 6\n");
+    const std::string object =
+        "\n[[object]]\nname = \"slab\"\nmesh = \"" + (folder.path / "slab.obj").string() +
+        "\"\nplace_m = [200.0, 200.0]\nheading_deg = 45.0\nmaterial = \"painted_steel\"\n"
+        "[object.parts]\nlid = \"glass\"\n";
+    const Built b = built(small_scene() + object);
+    const MaterialId glass = b.scene.materials.find("glass"),
+                     asphalt = b.scene.materials.find("asphalt");
+    double lid = 0.0, all = 0.0, patch = 0.0, largest = 0.0;
+    float lowest = 1e9f;
+    for (std::size_t f = 0; f < b.world.facets.size(); ++f) {
+        const std::string& name =
+            b.world.objects[static_cast<std::size_t>(b.world.facets.object[f])];
+        const double area = b.world.facets.area[f];
+        if (name == "slab") {
+            all += area;
+            if (b.world.facets.material[f] == glass) lid += area;
+            for (const auto corner : b.world.facets.corner[f]) {
+                lowest = std::min(lowest, b.world.facets.vertex[corner].z());
+            }
+        } else if ((b.world.facets.centroid[f].head<2>() - Eigen::Vector2f(200, 200)).norm() < 5) {
+            // It stands on the runway, which the finer ground stays.
+            CHECK(name == "runway");
+            CHECK(b.world.facets.material[f] == asphalt);
+            patch += area;
+            largest = std::max(largest, area);
+        }
+    }
+    CHECK(lid == Approx(12.0).epsilon(1e-3));
+    CHECK(all == Approx(2.0 * (12.0 + 12.0 + 4.0)).epsilon(1e-3));
+    CHECK(patch == Approx(3.14159 * 25.0).epsilon(0.05));
+    CHECK(largest < 0.6);  // edges of 7.2 m / 12
+    const Eigen::Vector3d ground =
+        ground_point(b.dem, b.world.site, Eigen::Vector2d(200.0, 200.0), "test");
+    CHECK(lowest == Approx(ground.z()).margin(1e-3));
+}
+
+TEST_CASE("a mistake in an object's parts names what there is", "[scenes][world][object]") {
+    const ScratchFolder folder("object-mistake");
+    write_text(folder.path / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\ng hull\nf 1 2 3\n");
+    const std::string object = "\n[[object]]\nname = \"a\"\nmesh = \"" +
+                               (folder.path / "a.obj").string() +
+                               "\"\nplace_m = [0.0, 0.0]\nmaterial = \"painted_steel\"\n"
+                               "[object.parts]\nhul = \"glass\"\n";
+    CHECK_THROWS_WITH(built(small_scene() + object),
+                      Catch::Contains("object[0].parts.hul") && Catch::Contains("hull"));
+}

@@ -103,6 +103,67 @@ Band flat_band(std::string name, double from_um, double to_um,
                          points_per_piece);
 }
 
+Spectrum read_response(const std::filesystem::path& path) {
+    const CsvTable table = read_csv(path);
+    const bool in_nm = table.has("wavelength_nm");
+    const std::size_t wavelength = table.column(in_nm ? "wavelength_nm" : "wavelength_um");
+    const std::size_t value = table.column("response");
+    if (table.header.size() != 2) {
+        throw InputError(path.string(),
+                         fmt::format("found {} columns, expected 2: wavelength_um and response",
+                                     table.header.size()));
+    }
+    Spectrum curve;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        const double um = table.number(row, wavelength) * (in_nm ? 1e-3 : 1.0);
+        const double response = table.number(row, value);
+        if (!(um >= 0.2 && um <= 100.0)) {
+            throw InputError(
+                table.where(row, wavelength), fmt::format("found {:g} µm, expected 0.2 to 100", um),
+                um > 100.0 && !in_nm ? "nanometres? call the column wavelength_nm" : "");
+        }
+        if (row > 0 && !(um > curve.wavelength_um.back())) {
+            throw InputError(table.where(row, wavelength),
+                             fmt::format("found {:g} µm after {:g}, expected ascending wavelengths",
+                                         um, curve.wavelength_um.back()));
+        }
+        if (!(response >= 0.0 && response <= 1.0)) {
+            throw InputError(table.where(row, value),
+                             fmt::format("found a response of {:g}, expected 0 to 1", response),
+                             response > 1.0 ? "divide by its greatest value" : "");
+        }
+        curve.wavelength_um.push_back(um);
+        curve.value.push_back(response);
+    }
+    std::size_t first = 0, last = curve.value.size();
+    while (first + 1 < last && curve.value[first] == 0.0 && curve.value[first + 1] == 0.0) ++first;
+    while (last > first + 1 && curve.value[last - 1] == 0.0 && curve.value[last - 2] == 0.0) --last;
+    if (last - first < 2 || !(integral(curve) > 0.0)) {
+        throw InputError(path.string(),
+                         "the response is zero everywhere, expected two or more points");
+    }
+    const auto part = [&](std::vector<double>& all) {
+        all = std::vector<double>(all.begin() + std::ptrdiff_t(first),
+                                  all.begin() + std::ptrdiff_t(last));
+    };
+    part(curve.wavelength_um);
+    part(curve.value);
+    return curve;
+}
+
+std::vector<Band> channel_bands(double from_um, double to_um, int count,
+                                std::span<const double> breakpoints_um) {
+    assert(count > 0);
+    std::vector<Band> bands;
+    const double width = (to_um - from_um) / count;
+    for (int i = 0; i < count; ++i) {
+        const double low = from_um + width * i, high = i + 1 < count ? low + width : to_um;
+        bands.push_back(
+            flat_band(fmt::format("{:.6g}um", 0.5 * (low + high)), low, high, breakpoints_um));
+    }
+    return bands;
+}
+
 Band parse_band(const std::string& text, std::span<const double> breakpoints_um) {
     const std::size_t cut = text.find_first_of(":-");
     double from = 0.0, to = 0.0;

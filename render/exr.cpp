@@ -117,6 +117,9 @@ void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompres
         for (const auto& [name, text] : frame.notes) {
             header.insert(std::string(note_prefix) + name, Imf::StringAttribute(text));
         }
+        for (const auto& [name, text] : frame.attributes) {
+            header.insert(name, Imf::StringAttribute(text));
+        }
         Imf::FrameBuffer buffer;
         for (const Plane& plane : frame.planes) {
             if (plane.pixel.size() != frame.pixels()) {
@@ -155,6 +158,9 @@ Frame read_exr(const std::filesystem::path& path) {
             if (name == observer_key) frame.observer = text->value();
             if (name.starts_with(note_prefix)) {
                 frame.notes.emplace(name.substr(note_prefix.size()), text->value());
+            } else if (name != instant_key && name != observer_key && name != "software" &&
+                       !name.starts_with(unit_prefix)) {
+                frame.attributes.emplace(name, text->value());
             }
         }
         Imf::FrameBuffer buffer;

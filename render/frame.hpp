@@ -31,7 +31,8 @@ struct Frame {
     Instant instant{};
     std::string observer;
     std::vector<Plane> planes;
-    std::map<std::string, std::string> notes;  // written to files as text attributes
+    std::map<std::string, std::string> notes;       // written to files as text attributes
+    std::map<std::string, std::string> attributes;  // the same, under these very names
 
     std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
     /// The plane of that name, or null.

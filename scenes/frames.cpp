@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "render/cube.hpp"
 #include "render/exr.hpp"
 #include "render/quicklook.hpp"
 #include "render/tracer.hpp"
@@ -27,12 +28,26 @@ std::string base_name(const std::string& observer, const std::string& band, Inst
     return "frames/" + frame_name(named, band);
 }
 
-/// Both files of every band of one frame are there.
-bool complete(const fs::path& out, const ObserverInput& observer, Instant instant) {
-    return std::all_of(observer.bands.begin(), observer.bands.end(), [&](const std::string& band) {
+/// The files of one frame: for every band and every cube.
+std::vector<std::string> files_of(const ObserverInput& observer, Instant instant) {
+    std::vector<std::string> files;
+    for (const std::string& band : observer.bands) {
         const std::string name = base_name(observer.name, band, instant);
-        return fs::exists(out / (name + ".exr")) && fs::exists(out / (name + ".png"));
-    });
+        files.push_back(name + ".exr");
+        files.push_back(name + ".png");
+    }
+    for (const std::string& cube : observer.cubes) {
+        const std::string name = base_name(observer.name, cube, instant);
+        for (const char* extension : {".exr", ".img", ".hdr"}) files.push_back(name + extension);
+    }
+    return files;
+}
+
+/// All of them are there.
+bool complete(const fs::path& out, const ObserverInput& observer, Instant instant) {
+    const std::vector<std::string> files = files_of(observer, instant);
+    return std::all_of(files.begin(), files.end(),
+                       [&](const std::string& file) { return fs::exists(out / file); });
 }
 
 /// A picture with a radiance that is no number is our mistake, and not to be written.
@@ -47,6 +62,17 @@ void check_finite(const Frame& frame, const std::vector<std::string>& bands) {
                                              frame_name(frame, band), band, pixel % frame.width,
                                              pixel / frame.width));
     }
+}
+
+const CubeInput& named_cube(const Scene& scene, const std::string& name) {
+    return *std::find_if(scene.cubes.begin(), scene.cubes.end(),
+                         [&](const CubeInput& cube) { return cube.name == name; });
+}
+
+/// In the spectral OpenEXR layout and for ENVI.
+void write_cube(const fs::path& base, const Cube& cube) {
+    write_exr(base.string() + ".exr", spectral_frame(cube), ExrCompression::piz);
+    write_envi(base.string() + ".img", cube);
 }
 
 void write_frame(const fs::path& out, const Frame& frame, const std::vector<std::string>& bands) {
@@ -64,11 +90,8 @@ std::vector<std::string> frame_files(const Prepared& prepared) {
     std::vector<std::string> files;
     for (const ObserverInput& observer : prepared.scene.observers) {
         for (const Instant instant : prepared.plan.frames) {
-            for (const std::string& band : observer.bands) {
-                const std::string name = base_name(observer.name, band, instant);
-                files.push_back(name + ".exr");
-                files.push_back(name + ".png");
-            }
+            const std::vector<std::string> some = files_of(observer, instant);
+            files.insert(files.end(), some.begin(), some.end());
         }
     }
     return files;
@@ -101,7 +124,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                                     {.samples = input.samples, .seed = scene.seed});
         std::vector<Band> bands;
         for (const std::string& band : input.bands)
-            bands.push_back(parse_band(band, bin_edges_um()));
+            bands.push_back(named_band(scene.bands, band, bin_edges_um()));
 
         const LitFacets lit = lit_facets({.facets = world.facets,
                                           .sky_view = sky_view,
@@ -123,22 +146,31 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
             }
             const std::vector<float> temperature = field.interpolate(instant);
             const Atmosphere atmosphere = atmosphere_at(scene, world, prepared.weather, instant);
-            Frame frame = render(view, observer, bands,
-                                 {.facets = world.facets,
-                                  .sky_view = sky_view,
-                                  .materials = scene.materials,
-                                  .atmosphere = atmosphere,
-                                  .temperature = temperature,
-                                  .sun_fraction = fraction,
-                                  .to_sun = sun_direction(sun),
-                                  .sun_zenith_deg = 90.0 - sun.elevation_deg,
-                                  .sun_distance_au = sun.distance_au,
-                                  .ground_height_km = world.sea_level_height / 1000.0,
-                                  .instant = instant},
+            const RadianceInput now{.facets = world.facets,
+                                    .sky_view = sky_view,
+                                    .materials = scene.materials,
+                                    .atmosphere = atmosphere,
+                                    .temperature = temperature,
+                                    .sun_fraction = fraction,
+                                    .to_sun = sun_direction(sun),
+                                    .sun_zenith_deg = 90.0 - sun.elevation_deg,
+                                    .sun_distance_au = sun.distance_au,
+                                    .ground_height_km = world.sea_level_height / 1000.0,
+                                    .instant = instant};
+            Frame frame = render(view, observer, bands, now,
                                  {.truth = true, .terms = input.terms, .lit = &lit});
             check_finite(frame, input.bands);
             if (!world.filled.empty()) frame.planes.push_back(void_plane(view, world));
             write_frame(out, frame, input.bands);
+            for (const std::string& name : input.cubes) {
+                const CubeInput& cube = named_cube(scene, name);
+                const auto channels =
+                    channel_bands(cube.from_um, cube.to_um, cube.channels, bin_edges_um());
+                write_cube(out / base_name(input.name, name, instant),
+                           cube_of(render(view, observer, channels, now,
+                                          {.truth = false, .terms = false, .lit = &lit}),
+                                   channels));
+            }
             progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
         };
         for_each_index(wanted.size(), render_one, 1);

@@ -20,6 +20,9 @@ std::vector<fs::path> input_files(const Scene& scene) {
     if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     for (const ObjectInput& object : scene.terrain.objects) files.push_back(object.file);
+    for (const BandInput& band : scene.bands) {
+        if (!band.file.empty()) files.push_back(band.file);
+    }
     std::vector<fs::path> data;
     for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
         const std::string extension = entry.path().extension();

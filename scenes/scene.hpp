@@ -9,6 +9,7 @@
 
 #include "materials/atmosphere.hpp"
 #include "materials/library.hpp"
+#include "scenes/bands.hpp"
 #include "scenes/land.hpp"
 #include "scenes/objects.hpp"
 #include "terrain/dem.hpp"
@@ -90,7 +91,8 @@ struct ObserverInput {
     double horizontal_fov_deg = 20.0;
     int width = 640, height = 512;
     int samples = 16;
-    std::vector<std::string> bands;  // "3-5", "8-12"
+    std::vector<std::string> bands;  // "3-5", "8-12", "lwir", a name of Scene::bands
+    std::vector<std::string> cubes;  // names of Scene::cubes
     bool terms = false;              // planes for the terms of the radiance, one by one
 };
 
@@ -104,6 +106,8 @@ struct Scene {
     WeatherInput weather;
     AirInput air;
     TimeInput time;
+    std::vector<BandInput> bands;
+    std::vector<CubeInput> cubes;
     std::vector<ObserverInput> observers;
     int sky_rays = 64;    // per facet
     int sun_samples = 4;  // per facet and instant

@@ -214,7 +214,7 @@ TimeInput read_time(const Section& section) {
     return time;
 }
 
-ObserverInput read_observer(const Section& section) {
+ObserverInput read_observer(const Section& section, const Scene& scene) {
     ObserverInput observer;
     observer.name = section.text("name");
     observer.place = place(section, "place_m");
@@ -234,10 +234,19 @@ ObserverInput read_observer(const Section& section) {
     observer.bands = section.texts_or("bands", {"3-5", "8-12"});
     for (const std::string& band : observer.bands) {
         try {
-            parse_band(band);
+            named_band(scene.bands, band);
         } catch (const InputError& error) {
             section.mistake("bands", error.mistakes().front().problem,
                             error.mistakes().front().hint);
+        }
+    }
+    observer.cubes = section.texts_or("cubes", {});
+    std::vector<std::string> cubes;
+    for (const CubeInput& cube : scene.cubes) cubes.push_back(cube.name);
+    for (const std::string& cube : observer.cubes) {
+        if (std::find(cubes.begin(), cubes.end(), cube) == cubes.end()) {
+            section.mistake("cubes", fmt::format("no cube \"{}\" in [[cubes]]", cube),
+                            did_you_mean(cube, cubes));
         }
     }
     return observer;
@@ -292,8 +301,10 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
     scene.weather = read_weather_input(root.section("weather", true), reading);
     scene.air = read_air(root.section("atmosphere"));
     scene.time = read_time(root.section("time", true));
+    scene.bands = read_bands(root, reading.folder);
+    scene.cubes = read_cubes(root);
     for (const Section& observer : root.sections("observer")) {
-        scene.observers.push_back(read_observer(observer));
+        scene.observers.push_back(read_observer(observer, scene));
     }
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");

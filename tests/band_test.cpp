@@ -2,9 +2,11 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 
 #include "materials/error.hpp"
 #include "materials/planck.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace diurna;
 
@@ -72,4 +74,54 @@ TEST_CASE("bands are read from text, nonsense is refused", "[materials][band]") 
     }
     CHECK_THROWS_AS(response_band("dark", {{3.0, 5.0}, {0.0, 0.0}}), InputError);
     CHECK_THROWS_AS(response_band("point", {{3.0}, {1.0}}), InputError);
+}
+
+namespace {
+
+Spectrum response_of(const std::string& text) {
+    const ScratchFolder folder("band");
+    std::ofstream(folder.path / "response.csv") << text;
+    return read_response(folder.path / "response.csv");
+}
+
+std::string refusal(const std::string& text) {
+    try {
+        response_of(text);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+}  // namespace
+
+TEST_CASE("a response file is a band, in micrometres or nanometres", "[materials][band]") {
+    const Spectrum um =
+        response_of("# camera\nwavelength_um,response\n7,0\n7.5,0\n8,1\n12,1\n13,0\n14,0\n");
+    CHECK(um.wavelength_um == std::vector<double>{7.5, 8.0, 12.0, 13.0});  // zeros cut off
+    CHECK(response_band("lwir", um).width_um() == Approx(0.25 + 4.0 + 0.5).epsilon(1e-12));
+    const Spectrum nm = response_of("wavelength_nm,response\n400,0.5\n700,1\n");
+    CHECK(nm.wavelength_um[1] == Approx(0.7));
+    // A flat response is the flat band: radiance of 8-12 µm at 300 K from the radiometry tables.
+    const Spectrum flat = response_of("wavelength_um,response\n8,1\n12,1\n");
+    CHECK(band_radiance(response_band("flat", flat), 300.0) == Approx(38.5004239333).epsilon(1e-7));
+}
+
+TEST_CASE("a response file's mistakes are told with their place", "[materials][band]") {
+    CHECK_THAT(refusal("um,response\n8,1\n12,1\n"), Catch::Contains("wavelength_um"));
+    CHECK_THAT(refusal("wavelength_um,response\n8,1\n12,1.2\n"), Catch::Contains(":3:"));
+    CHECK_THAT(refusal("wavelength_um,response\n8,1\n8,1\n"), Catch::Contains("ascending"));
+    CHECK_THAT(refusal("wavelength_um,response\n400,1\n700,1\n"), Catch::Contains("wavelength_nm"));
+    CHECK_THAT(refusal("wavelength_um,response\n8,0\n12,0\n"), Catch::Contains("zero everywhere"));
+    CHECK_THAT(refusal("wavelength_um,response,x\n8,1,1\n12,1,1\n"), Catch::Contains("3 columns"));
+    CHECK_THAT(refusal("wavelength_um,response\n8,one\n12,1\n"), Catch::Contains(":2:"));
+}
+
+TEST_CASE("the channels of a cube add up to its range", "[materials][band]") {
+    const std::vector<Band> channels = channel_bands(3.0, 5.0, 40);
+    REQUIRE(channels.size() == 40);
+    double sum = 0.0;
+    for (const Band& channel : channels) sum += band_radiance(channel, 300.0);
+    CHECK(sum == Approx(1.86595620816).epsilon(1e-9));  // radiometry tables, 3-5 µm at 300 K
+    CHECK(channels[0].name == "3.025um");
 }

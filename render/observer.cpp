@@ -28,7 +28,12 @@ void check_observer(const Observer& observer) {
     within("azimuth_deg", observer.azimuth_deg, -360.0, 360.0);
     within("elevation_deg", observer.elevation_deg, -90.0, 90.0);
     within("roll_deg", observer.roll_deg, -360.0, 360.0);
-    within("horizontal_fov_deg", observer.horizontal_fov_deg, 1e-3, 170.0);
+    if (observer.projection == Projection::orthographic) {
+        within("picture_width_m", observer.picture_width, 1e-3, 2e5);
+    } else {
+        within("horizontal_fov_deg", observer.horizontal_fov_deg, 1e-3,
+               observer.projection == Projection::pinhole ? 170.0 : 360.0);
+    }
     within("width", observer.width, 1, 16384);
     within("height", observer.height, 1, 16384);
     if (!mistakes.empty()) throw InputError(std::move(mistakes));
@@ -77,8 +82,28 @@ Observer looking_at(Observer observer, const Eigen::Vector3d& target) {
     return observer;
 }
 
+double field_of_view_deg(int width, double pitch_um, double focal_length_mm) {
+    return 2.0 * degrees(std::atan(0.5 * width * pitch_um * 1e-3 / focal_length_mm));
+}
+
 Eigen::Vector3d PixelRays::towards(double at_column, double at_row) const {
-    return (corner + at_column * column + at_row * row).normalized();
+    if (flat) return (corner + at_column * column + at_row * row).normalized();
+    if (projection == Projection::orthographic) return axis;
+    const double x = (at_column - middle_column) * per_pixel;
+    const double y = (at_row - middle_row) * per_pixel;
+    if (projection == Projection::panorama) {
+        return std::cos(y) * (std::cos(x) * axis + std::sin(x) * right) + std::sin(y) * down;
+    }
+    const double r = std::hypot(x, y);
+    if (r < 1e-12) return axis;
+    const double angle =
+        projection == Projection::equidistant ? r : 2.0 * std::asin(std::min(1.0, 0.5 * r));
+    return std::cos(angle) * axis + std::sin(angle) / r * (x * right + y * down);
+}
+
+Eigen::Vector3d PixelRays::start(double at_column, double at_row) const {
+    if (projection != Projection::orthographic) return Eigen::Vector3d::Zero();
+    return per_pixel * ((at_column - middle_column) * right + (at_row - middle_row) * down);
 }
 
 PixelRays pixel_rays(const Observer& observer) {
@@ -89,12 +114,33 @@ PixelRays pixel_rays(const Observer& observer) {
     const double roll = radians(observer.roll_deg);
     const Eigen::Vector3d right = std::cos(roll) * level_right + std::sin(roll) * level_down;
     const Eigen::Vector3d down = std::cos(roll) * level_down - std::sin(roll) * level_right;
+    if (observer.projection != Projection::pinhole) {
+        const double fov = radians(observer.horizontal_fov_deg);
+        const double across =
+            observer.projection == Projection::orthographic ? observer.picture_width
+            : observer.projection == Projection::equisolid  ? 4.0 * std::sin(0.25 * fov)
+                                                            : fov;
+        return {.corner = axis,
+                .column = Eigen::Vector3d::Zero(),
+                .row = Eigen::Vector3d::Zero(),
+                .flat = false,
+                .projection = observer.projection,
+                .axis = axis,
+                .right = right,
+                .down = down,
+                .middle_column = 0.5 * observer.width,
+                .middle_row = 0.5 * observer.height,
+                .per_pixel = across / observer.width};
+    }
     const double pitch =
         2.0 * std::tan(0.5 * radians(observer.horizontal_fov_deg)) / observer.width;
     return {.corner = axis - 0.5 * pitch * (observer.width * right + observer.height * down),
             .column = pitch * right,
             .row = pitch * down,
-            .flat = true};
+            .flat = true,
+            .axis = axis,
+            .right = right,
+            .down = down};
 }
 
 }  // namespace diurna

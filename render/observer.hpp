@@ -8,18 +8,37 @@
 
 namespace diurna {
 
-/// A pinhole camera that stands still: pose, field of view and size of its picture.
+/// How directions become places in the picture; θ is the angle from the optical axis, r the
+/// distance from the picture's middle.
+enum class Projection {
+    pinhole,       // r = f tan θ
+    equidistant,   // r = f θ: a fisheye in which angles are true
+    equisolid,     // r = 2 f sin(θ/2): a fisheye whose pixels have equal solid angles
+    panorama,      // columns are azimuths, rows elevations, in equal steps; the axis' elevation and
+                   // roll turn it as a whole
+    orthographic,  // parallel rays from a plane through the position, across the axis
+};
+
+/// A camera that stands still: pose, projection, field of view and size of its picture.
 ///
-/// Pixels are square. Column 0, row 0 is the upper left one; its centre lies at (0.5, 0.5).
+/// Pixels are square. Column 0, row 0 is the upper left one; its centre lies at (0.5, 0.5). The
+/// corners of a fisheye's picture lie outside its circle and go on by the same law, behind the
+/// camera at last.
 struct Observer {
     std::string name = "observer";
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  // east, north, up [m]
     double azimuth_deg = 0.0;          // of the optical axis, clockwise from true north
     double elevation_deg = 0.0;        // above the horizontal, −90 to 90
     double roll_deg = 0.0;             // the camera turned clockwise about its axis
-    double horizontal_fov_deg = 20.0;  // from the left edge to the right, 0.001 to 170
+    double horizontal_fov_deg = 20.0;  // from the left edge to the right, 0.001 to 170 (pinhole),
+                                       // to 360 (fisheyes: to 180 as a rule, panorama)
     int width = 640, height = 512;     // [pixels]
+    Projection projection = Projection::pinhole;
+    double picture_width = 0.0;  // [m] orthographic: from the left edge to the right
 };
+
+/// The field of view [deg] of a focal plane: width · pitch behind a lens of a focal length.
+double field_of_view_deg(int width, double pitch_um, double focal_length_mm);
 
 /// Throws InputError if a value is not finite or out of its range.
 void check_observer(const Observer& observer);
@@ -38,8 +57,18 @@ struct PixelRays {
     Eigen::Vector3d row;     // added for each row downward
     bool flat = true;        // directions are linear in the place before normalisation
 
+    // Of the other projections.
+    Projection projection = Projection::pinhole;
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitY(), right = Eigen::Vector3d::UnitX(),
+                    down = -Eigen::Vector3d::UnitZ();  // unit, at right angles
+    double middle_column = 0.0, middle_row = 0.0;      // of the picture [pixels]
+    double per_pixel = 1.0;  // [rad], of r/f (fisheyes) or of angle; [m] orthographic
+
     /// Unit vector towards a place in the picture, in pixels from its upper left corner.
     Eigen::Vector3d towards(double at_column, double at_row) const;
+    /// Where the ray through that place begins, seen from the observer's position [m]: zero but for
+    /// the orthographic projection.
+    Eigen::Vector3d start(double at_column, double at_row) const;
 };
 PixelRays pixel_rays(const Observer& observer);
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "materials/finish.hpp"
 #include "materials/spectrum.hpp"
 
 namespace diurna {
@@ -127,14 +128,19 @@ struct ThermalSurface {
 };
 
 /// A kind of matter: its spectra for the picture, its thermal surface for the balance. Opaque or
-/// partly transparent, Lambertian. Kirchhoff holds by construction: ε(λ) = 1 − ρ(λ) − τ(λ).
+/// partly transparent. Kirchhoff holds by construction: ε(λ) = 1 − ρ(λ) − τ(λ), at every angle
+/// (materials/finish.hpp).
 struct Material {
     std::string name;
     Spectrum reflectance;    // directional-hemispherical ρ(λ), 0.3 to 20 µm
     Spectrum transmittance;  // τ(λ); empty means opaque
     ThermalSurface thermal;
+    Finish finish{};           // the law of angle
+    bool see_through = false;  // rays go on behind it: panes, nets; else it has a room behind
 
     double emissivity(double wavelength_um) const;  // 1 − ρ − τ
+    /// The picture needs the angle at which this is seen, or what lies behind it.
+    bool needs_rays() const { return see_through || finish.index() != 0; }
 };
 
 }  // namespace diurna

@@ -96,9 +96,9 @@ TEST_CASE("a day under a film, stepped in modes, is the closed form's at any ste
     ModeBatch batch;
     batch.count = 1;
     batch.state.assign(std::size_t(column.modes()) * lanes, 0.0);
-    const double heat = 0.0;
+    const double heat[lanes] = {};
     AirFilm air = still_air(290.0 + swing, film);
-    begin_modes(steps, air, &heat, 0.0, batch);
+    begin_modes(steps, air, heat, 0.0, batch);
     const std::complex<double> admittance =
         std::sqrt(std::complex<double>(0.0, omega) * 1.0 * 1600.0 * 1200.0);
     const std::complex<double> answer = swing * film / (film + admittance);
@@ -110,8 +110,8 @@ TEST_CASE("a day under a film, stepped in modes, is the closed form's at any ste
         air = still_air(290.0 + swing * std::cos(omega * i * step), film);
         advance_modes(
             steps,
-            {.air_before = before, .air = air, .heat_before = &heat, .heat = &heat, .jumps = {}},
-            0.0, batch, record);
+            {.air_before = before, .air = air, .heat_before = heat, .heat = heat, .jumps = {}}, 0.0,
+            batch, record);
         if (i < count - int(day / step)) continue;
         const double exact =
             290.0 + (answer * std::exp(std::complex<double>(0.0, omega * i * step))).real();
@@ -149,24 +149,26 @@ TEST_CASE("light that goes and comes within a step is met to hundredths of a kel
             batch.natural[0] = natural_film(1.0);
             batch.state.assign(std::size_t(column.modes()) * lanes, 0.0);
             const double sky = surface.emissivity * 350.0;
-            double heat = sky + shining(8.0 * 3600.0), before;
-            begin_modes(steps, air, &heat, surface.emissivity, batch);
+            double heat[lanes], before[lanes];
+            std::fill_n(heat, lanes, sky + shining(8.0 * 3600.0));
+            begin_modes(steps, air, heat, surface.emissivity, batch);
             StepRecord record;
             std::vector<double> result;
             for (double t = 8.0 * 3600.0; t < 16.0 * 3600.0 - 0.5; t += step) {
-                before = heat;
-                heat = sky + shining(t + step);
+                std::copy_n(heat, lanes, before);
+                std::fill_n(heat, lanes, sky + shining(t + step));
                 std::vector<HeatJump> jumps;
-                if (heat != before && step > 1.0) {
+                if (heat[0] != before[0] && step > 1.0) {
                     const double at = t + step > back && t < back ? back : gone;
-                    jumps.push_back({0, (at - t) / step, heat - before});
+                    jumps.push_back({0, (at - t) / step, heat[0] - before[0]});
                 }
-                if (heat != before && step == 1.0) jumps.push_back({0, 1e-3, heat - before});
+                if (heat[0] != before[0] && step == 1.0)
+                    jumps.push_back({0, 1e-3, heat[0] - before[0]});
                 advance_modes(steps,
                               {.air_before = air,
                                .air = air,
-                               .heat_before = &before,
-                               .heat = &heat,
+                               .heat_before = before,
+                               .heat = heat,
                                .jumps = jumps},
                               surface.emissivity, batch, record);
                 slopes += batch.slope[0] * step;

@@ -8,7 +8,8 @@
 
 namespace diurna {
 
-MaterialColumn material_column(const ThermalSurface& surface, const StepSetup& setup) {
+MaterialColumn material_column(const ThermalSurface& surface, const StepSetup& setup,
+                               const LouisForm* louis) {
     // Behind a plate a typical film stands in the grid, for first guesses and the period's matrix;
     // its steps take the true one.
     constexpr double film_behind = 15.0;
@@ -16,8 +17,9 @@ MaterialColumn material_column(const ThermalSurface& surface, const StepSetup& s
         surface.back ? Bottom{Interior{setup.reference, film_behind}} : surface.bottom;
     MaterialColumn material{
         .surface = surface,
-        .louis = louis_form(surface.roughness_length, surface.heat_roughness_length,
-                            setup.wind_height, setup.air_height),
+        .louis = louis ? *louis
+                       : louis_form(surface.roughness_length, surface.heat_roughness_length,
+                                    setup.wind_height, setup.air_height),
         .grid = column_grid(surface.layers, bottom, setup.grid),
         .stage = {},
         .reference = setup.reference,

@@ -29,33 +29,16 @@ HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissiv
     return balance;
 }
 
-namespace {
-
-const SurfaceKernel& kernel() {
+bool wide_vectors() {
     static const bool wide =
         __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl");
-    return wide ? surface_avx512 : surface_avx2;
+    return wide;
 }
-
-}  // namespace
 
 SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface) {
-    return kernel().solve(air, surface);
-}
-
-SurfaceCount solve_surface_near(const AirFilm& air, const SurfaceLanes& surface) {
-    constexpr double near = 1e-4;  // [K]
-    if (air.plate) return solve_surface(air, surface);
-    double guess[lanes];
-    std::copy_n(surface.temperature, surface.count, guess);
-    const double last = kernel().two_steps(air, surface);
-    if (last <= near) return {.iterations = 2, .bisections = 0};
-    if (last > 1.0) std::copy_n(guess, surface.count, surface.temperature);
-    SurfaceCount count = solve_surface(air, surface);
-    count.iterations += 2;
-    return count;
+    return (wide_vectors() ? surface_avx512 : surface_avx2).solve(air, surface);
 }
 
 }  // namespace diurna

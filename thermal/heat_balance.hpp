@@ -55,8 +55,4 @@ struct SurfaceCount {
 /// and radiation outweigh.
 SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface);
 
-/// The same from a guess within tenths of a kelvin: two plain steps of Newton's for ground, which
-/// are the answer to 1e-10 K if the second was below 1e-4 K; else as above.
-SurfaceCount solve_surface_near(const AirFilm& air, const SurfaceLanes& surface);
-
 }  // namespace diurna

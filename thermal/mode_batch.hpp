@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "thermal/batch.hpp"
+#include "thermal/mode_kernel.hpp"
 #include "thermal/reduced_column.hpp"
 
 namespace diurna {
@@ -21,12 +22,14 @@ struct ModeStep {
     double step, film, reference, flux_below;            // [s], [W m⁻² K⁻¹], [K], [W m⁻²]
     double response;                                     // Σ surface · to [K m² W⁻¹]
     std::vector<double> rate, surface, decay, from, to;  // (mode)
+    std::vector<double> carry;                           // (mode) decay · to + from
 
     std::size_t modes() const { return rate.size(); }
+    ModeCoefficients coefficients(double emissivity) const;
 };
 ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step);
 
-/// Up to `lanes` facets of one material.
+/// `lanes` facets of one material, of which `count` are wanted; those beyond repeat the first.
 struct ModeBatch {
     std::size_t count = 0;
     std::vector<double> state;                // [mode][lane]
@@ -44,7 +47,7 @@ struct HeatJump {
     double heat;   // [W m⁻²] what it rises by
 };
 
-/// Air and heat [lane] (absorbed sun and longwave, internal) at the instants a step joins.
+/// Air and heat [lanes] (absorbed sun and longwave, internal) at the instants a step joins.
 struct ModeForcing {
     const AirFilm &air_before, &air;
     const double *heat_before, *heat;
@@ -55,10 +58,15 @@ struct ModeForcing {
 void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
                  ModeBatch& batch);
 
-/// One step. `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what
-/// the surface takes in at the step's end less what the modes got, over the sum of its terms. The
-/// modes themselves keep every joule (tests/reduced_column_test).
+/// One step. The lanes whose heat jumps, and where the surface is quick those whose heat did so in
+/// the step before, go their own way: to the jump, then in five parts of growing length.
+/// `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what the
+/// surface takes in at the step's end less what the modes got, over the sum of its terms. The modes
+/// themselves keep every joule (tests/reduced_column_test).
+///
+/// Between begin_modes and end_modes the state lacks the last drive's own part.
 void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,
                    ModeBatch& batch, StepRecord& record);
+void end_modes(const ModeStep& step, ModeBatch& batch);
 
 }  // namespace diurna

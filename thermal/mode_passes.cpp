@@ -38,9 +38,10 @@ void run_modes(Job& job, const Level& level, Block& block) {
     StepRecord record;
 
     // Heat of sun, terrain and what is inside at the step's ends; with the sky's at the substep's.
-    double before[lanes], after[lanes], heat_before[lanes], heat[lanes], jump[lanes] = {};
+    alignas(64) double before[lanes], after[lanes], heat_before[lanes], heat[lanes];
+    double jump[lanes] = {};
     facet_heat(job, block, kind, 0, before);
-    for (std::size_t l = 0; l < count; ++l) {
+    for (std::size_t l = 0; l < lanes; ++l) {
         heat[l] = before[l] + emissivity * kind.forcing[0].sky_longwave;
     }
     begin_modes(step, kind.forcing[0].air, heat, emissivity, batch);
@@ -63,7 +64,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
             const StageForcing& forcing = kind.forcing[at];
             const double sky = emissivity * forcing.sky_longwave;
             const double share = double(s + 1) / substeps;
-            for (std::size_t l = 0; l < count; ++l) {
+            for (std::size_t l = 0; l < lanes; ++l) {
                 heat_before[l] = heat[l];
                 heat[l] = before[l] + share * (after[l] - before[l] - jump[l]) + sky;
             }
@@ -90,6 +91,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
         std::swap(before, after);
     }
+    end_modes(step, batch);
     block.slope[0] = block.slope[at];  // of a span that repeats
     block.record = record;
     block.change.resize(block.start.size());

@@ -99,6 +99,7 @@ void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_
         if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
         if (!job.tilt.empty()) heat[l] += tilted * job.tilt[block.facet[l]];
     }
+    std::fill(heat + block.facet.size(), heat + lanes, heat[0]);
 }
 
 void run_layered(Job& job, const Level& level, Block& block) {
@@ -152,7 +153,7 @@ void run_layered(Job& job, const Level& level, Block& block) {
 }
 
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
-                 int most_substeps) {
+                 int most_substeps, const Level* finer) {
     const Weather& weather = job.input.weather;
     const double step = job.step * double(stride);
     Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
@@ -168,17 +169,20 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                                  .reference = weather.at(job.options.start).air.temperature,
                                  .most_substeps = most_substeps,
                                  .refinement = job.options.refinement,
-                                 .grid = job.options.grid});
+                                 .grid = job.options.grid},
+                                finer ? &finer->kind[m].column.louis : nullptr);
             const auto add = [&](Instant when) {
                 const Forcing forcing = weather.at(when);
-                const SkyState sky = sky_state(job.input.site, job.input.elevation, when, forcing,
-                                               job.input.clear_sky);
+                // Its longwave needs no sun; to find that one costs more than a step of the facets.
+                const SkyState sky = sky_state(SunPosition{0.0, -90.0, 1.0}, job.input.elevation,
+                                               forcing, job.input.clear_sky);
                 kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
                                                  forcing.air, forcing.wind_speed),
                                         sky.longwave_down});
             };
             if (job.options.method == Method::modes && !kind.column.surface.back) {
-                kind.modes = mode_column(job, kind.column.surface, kind.column.reference);
+                kind.modes = finer ? finer->kind[m].modes
+                                   : mode_column(job, kind.column.surface, kind.column.reference);
                 add(job.instant[0]);
             }
             const int substeps = kind.column.substeps;

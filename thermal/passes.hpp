@@ -97,9 +97,9 @@ inline double level_step(const Job& job, const Level& level) {
     return job.step * double(level.stride);
 }
 
-/// The materials' columns and forcing for steps of `stride` instants.
+/// The materials' columns and forcing for steps of `stride` instants; modes from a finer level.
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
-                 int most_substeps);
+                 int most_substeps, const Level* finer = nullptr);
 
 /// First guess: every facet's steady state under its mean forcing over the span.
 void settle(Job& job, Level& level);
@@ -110,7 +110,7 @@ void run_modes(Job& job, const Level& level, Block& block);
 
 /// Share of sunlight that a material takes in at an instant.
 double absorptance_at(const Job& job, const Kind& kind, std::size_t i);
-/// Heat at an instant that differs from facet to facet: sun, terrain longwave, internal.
+/// Heat [lanes] at an instant that differs from facet to facet: sun, terrain longwave, internal.
 void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat);
 
 /// Puts a typical film on a material's modes.

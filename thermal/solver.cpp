@@ -270,7 +270,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         // A day in hours, twice, leaves a few tenths of a kelvin to the passes that count.
         const auto stepping = Clock::now();
         const double cpu = cpu_seconds();
-        Level coarse = make_level(job, materials, stride, 1);
+        Level coarse = make_level(job, materials, stride, 1, &fine);
         for (int i = 0; i < 3; ++i) {
             exchange();
             set_films(coarse, i == 0 ? fine : coarse);

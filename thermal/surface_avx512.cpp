@@ -1,7 +1,8 @@
-#include "thermal/surface_loops.hpp"
+#include "thermal/mode_loops.hpp"
 
 namespace diurna {
 
-const SurfaceKernel surface_avx512{solve, near_steps};
+const SurfaceKernel surface_avx512{solve};
+const ModeKernel modes_avx512{advance_all, split_some};
 
 }  // namespace diurna

@@ -4,11 +4,13 @@
 
 namespace diurna {
 
-/// What a width offers: solve_surface and the two plain steps of solve_surface_near.
+/// What a width of vectors offers.
 struct SurfaceKernel {
     SurfaceCount (*solve)(const AirFilm&, const SurfaceLanes&);
-    double (*two_steps)(const AirFilm&, const SurfaceLanes&);
 };
 extern const SurfaceKernel surface_avx2, surface_avx512;
+
+/// Whether the processor has AVX-512; else it has AVX2.
+bool wide_vectors();
 
 }  // namespace diurna

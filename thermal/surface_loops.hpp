@@ -43,30 +43,6 @@ template <bool Plate, bool Wet>
     return at;
 }
 
-/// Two steps of Newton's from a good guess, nothing kept in between; returns the largest second
-/// correction [K]. Smooth ground: 1e-4 K leaves 1e-10.
-template <bool Wet>
-double two_steps(const AirFilm& given, const SurfaceLanes& s) {
-    const AirFilm air = given;
-    const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;
-    double largest = 0.0;
-#pragma omp simd reduction(max : largest)
-    for (std::size_t l = 0; l < s.count; ++l) {
-        const double heat = s.heat[l], a = s.a[l] + b * reference, t = s.temperature[l];
-        const FluxAt first = flux_at_surface<false, Wet>(air, {}, radiation, heat, t);
-        const double next = t + (first.flux + a - b * t) / (b - first.slope);
-        const FluxAt second = flux_at_surface<false, Wet>(air, {}, radiation, heat, next);
-        const double last = (second.flux + a - b * next) / (b - second.slope);
-        s.temperature[l] = next + last;
-        s.flux[l] = second.flux + second.slope * last;
-        s.slope[l] = second.slope;
-        const double size = std::abs(last);
-        // Comparisons with NaN are false: it counts as far away.
-        largest = size < 1e9 ? std::max(largest, size) : 1e9;
-    }
-    return largest;
-}
-
 template <bool Plate, bool Wet>
 SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
     constexpr double settled = settled_at<Plate, Wet>;
@@ -131,10 +107,6 @@ SurfaceCount solve(const AirFilm& air, const SurfaceLanes& surface) {
     if (air.plate)
         return wet ? newton<true, true>(air, surface) : newton<true, false>(air, surface);
     return wet ? newton<false, true>(air, surface) : newton<false, false>(air, surface);
-}
-
-double near_steps(const AirFilm& air, const SurfaceLanes& surface) {
-    return air.wetness > 0.0 ? two_steps<true>(air, surface) : two_steps<false>(air, surface);
 }
 
 }  // namespace

@@ -1,0 +1,111 @@
+#include "thermal/mode_batch.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "materials/library.hpp"
+#include "materials/units.hpp"
+#include "thermal/heat_balance.hpp"
+#include "thermal/surface_kernel.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// Facets of one material under sun from none to 1100 W/m², stepped away from one temperature near
+/// the air's, so that dew and drying, warm and cold ground are all among the lanes.
+struct Case {
+    ModeStep step;
+    ModeBatch batch;
+    AirFilm before, air;
+    double heat_before[lanes], heat[lanes];
+
+    Case(const ThermalSurface& surface, double wind, double vapour_pressure) {
+        const ReducedColumn column = reduce_column(surface.layers, surface.bottom, 290.0);
+        step = make_mode_step(column, close_column(column, 20.0), 600.0);
+        const LouisForm louis =
+            louis_form(surface.roughness_length, surface.heat_roughness_length, 10.0, 2.0);
+        AirState state;
+        state.temperature = 291.0;
+        state.pressure = 97000.0;
+        state.vapour_pressure = vapour_pressure;
+        before = air_film(surface, louis, state, wind);
+        state.temperature = 291.2;
+        air = air_film(surface, louis, state, 1.05 * wind);
+        batch.count = lanes;
+        batch.state.assign(step.modes() * lanes, 0.0);
+        batch.natural.fill(natural_film(1.0));
+        for (std::size_t l = 0; l < lanes; ++l) {
+            heat_before[l] = surface.emissivity * 300.0 + 35.0 * double(l);
+            heat[l] = heat_before[l] * 1.02;
+        }
+    }
+};
+
+}  // namespace
+
+// The kernel says in short loops what heat_balance says in one line. A step's closure, and the
+// temperatures of lanes of all kinds, hold against that line, not against the loops themselves.
+TEST_CASE("the surfaces of a step in modes are in balance to 1e-9", "[thermal][modes][energy]") {
+    const MaterialLibrary library = default_material_library();
+    const double wind = GENERATE(0.3, 3.0, 20.0), vapour = GENERATE(300.0, 2050.0);
+    for (std::size_t i = 0; i < library.size(); ++i) {
+        const Material& material = library[MaterialId(i)];
+        if (material.thermal.back) continue;
+        CAPTURE(material.name, wind, vapour);
+        const double emissivity = material.thermal.emissivity;
+        Case c(material.thermal, wind, vapour);
+        begin_modes(c.step, c.before, c.heat_before, emissivity, c.batch);
+        StepRecord record;
+        for (int n = 0; n < 6; ++n) {
+            advance_modes(c.step,
+                          {.air_before = c.before,
+                           .air = c.air,
+                           .heat_before = c.heat_before,
+                           .heat = c.heat,
+                           .jumps = {}},
+                          emissivity, c.batch, record);
+            for (std::size_t l = 0; l < lanes; ++l) {
+                CAPTURE(n, l);
+                const double t = c.batch.temperature[l], theta = t - c.step.reference;
+                const HeatBalance balance =
+                    heat_balance(c.air, c.batch.natural[l], emissivity, c.heat[l], 0.0, 0.0, t);
+                const double taken = c.batch.drive[l] - c.step.film * theta - c.step.flux_below;
+                const double terms = c.heat[l] - balance.longwave_out + std::abs(balance.sensible) +
+                                     std::abs(balance.latent);
+                REQUIRE(std::abs(balance.sum() - taken) < 1e-9 * terms);
+            }
+        }
+    }
+}
+
+TEST_CASE("both widths of vectors step the same day to the last digits", "[thermal][modes]") {
+    if (!wide_vectors()) {
+        WARN("this processor has no AVX-512: nothing to compare");
+        return;
+    }
+    const MaterialLibrary library = default_material_library();
+    for (const char* name : {"grass", "asphalt", "painted_steel"}) {
+        CAPTURE(name);
+        const ThermalSurface& surface = library[library.find(name)].thermal;
+        Case a(surface, 3.0, 2050.0), b(surface, 3.0, 2050.0);
+        const auto run = [&](Case& c, const ModeKernel& kernel) {
+            begin_modes(c.step, c.before, c.heat_before, surface.emissivity, c.batch);
+            for (int n = 0; n < 144; ++n) {
+                kernel.advance(c.before, c.air, c.step.coefficients(surface.emissivity),
+                               {.natural = c.batch.natural.data(),
+                                .heat_before = c.heat_before,
+                                .heat = c.heat,
+                                .state = c.batch.state.data(),
+                                .temperature = c.batch.temperature.data(),
+                                .drive = c.batch.drive.data(),
+                                .slope = c.batch.slope.data()});
+            }
+        };
+        run(a, modes_avx2);
+        run(b, modes_avx512);
+        for (std::size_t l = 0; l < lanes; ++l) {
+            REQUIRE(std::abs(a.batch.temperature[l] - b.batch.temperature[l]) < 1e-9);
+        }
+    }
+}

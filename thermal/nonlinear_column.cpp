@@ -181,6 +181,18 @@ double NonlinearColumn::molten(std::span<const double> u) const {
     return sum;
 }
 
+double NonlinearColumn::up_to_kink(std::size_t i, double from, double to) const {
+    constexpr double past = 1e-9;
+    const NodeHeat& node = node_[i];
+    if (node.latent == 0.0) return to;
+    if (from < 0.0 && to > 0.0) return past;
+    if (from > 0.0 && from <= 1.0 && to < 0.0) return -past;
+    if (node.drains) return to;
+    if (from >= 0.0 && from < 1.0 && to > 1.0) return 1.0 + past;
+    if (from > 1.0 && to < 1.0) return 1.0 - past;
+    return to;
+}
+
 double NonlinearColumn::drain(std::vector<double>& u) const {
     double sum = 0.0;
     for (std::size_t i = 0; i < size(); ++i) {

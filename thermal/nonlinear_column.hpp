@@ -41,6 +41,9 @@ class NonlinearColumn {
     double total_heat(std::span<const double> u) const;
     /// Heat of melting held by all nodes [J m⁻²].
     double molten(std::span<const double> u) const;
+    /// The way from one state of a node to another, as far as the first place where melting begins
+    /// or ends.
+    double up_to_kink(std::size_t node, double from, double to) const;
     /// Lets meltwater above what snow holds run off; returns the heat it had taken to melt [J m⁻²].
     double drain(std::vector<double>& u) const;
 

@@ -85,28 +85,37 @@ SurfaceConditions PointFacet::conditions(Instant when, const Standing& water) co
 
 SurfaceTerms PointFacet::terms(Instant when) const {
     SurfaceConditions c = conditions(when, standing);
-    c.wet_share = wet_share(standing, 0.0);
+    c.wet_share = wet_share(standing, 0.0, 0.0);
     return surface_terms(c, column.temperature(0, u[0]));
 }
 
-double PointFacet::wet_share(const Standing& water, double step) const {
+double PointFacet::wet_share(const Standing& water, double rain, double step) const {
     const WaterStore& store = setup_.surface.store;
     if (store.capacity_mm <= 0.0) return 0.0;
-    const double held = water.water + water.frost;
+    const double held = water.water + water.frost + 0.5 * rain;
     const double drying = std::max(0.0, -wet_evaporation_) / 2.5e6;  // [kg m⁻² s⁻¹]
-    return std::min(1.0, held / (store.capacity_mm + drying * step));
+    return std::min(1.0, held / (store.capacity_mm + 0.5 * drying * step));
 }
 
 PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
                                         std::vector<double>& state, Standing& water,
                                         Eigen::MatrixXd* map) {
     const std::array<Instant, 2> when{later(from, sdirk_gamma * step), later(from, step)};
-    std::array<SurfaceConditions, 2> c{conditions(when[0], water), conditions(when[1], water)};
     const WaterStore& store = setup_.surface.store;
     const bool stores = store.capacity_mm > 0.0;
     const Standing start = water;
     const std::vector<double> begin = state;
-    double share = stores ? wet_share(start, step) : 0.0;
+    // Share and albedo are those of the step's middle.
+    double share = 0.0;
+    Standing middle = start;
+    if (stores) {
+        const double rain =
+            std::max(0.0, setup_.forcing(later(from, 0.5 * step)).rain_mm_h) * step / 3600.0;
+        share = wet_share(start, rain, step);
+        const double dried = share * std::max(0.0, -wet_evaporation_) / 2.5e6 * step;
+        middle.water = std::clamp(start.water + 0.5 * (rain - dried), 0.0, store.capacity_mm);
+    }
+    std::array<SurfaceConditions, 2> c{conditions(when[0], middle), conditions(when[1], middle)};
     Eigen::MatrixXd given;
     if (map && stores) given = *map;
     for (int attempt = 0;; ++attempt) {
@@ -177,7 +186,7 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
                 deposited += gain;
             }
         }
-        const double rain = c[1].rain_mm_h * step / 3600.0;
+        const double rain = std::lerp(c[0].rain_mm_h, c[1].rain_mm_h, sdirk_gamma) * step / 3600.0;
         const bool freezes = taken.step.surface[1] < zero_celsius;
         const double have = start.water + start.frost + rain + deposited + deposited_ice;
         if (evaporated > have && attempt < 4) {
@@ -371,11 +380,14 @@ double PointFacet::close_period(const std::vector<double>& start, const Eigen::M
     period.compute(Eigen::MatrixXd::Identity(n, n) - map);
     // Where water freezes the map bends, and a whole step of Newton's may lead astray.
     const Eigen::VectorXd move = period.solve(change);
-    const double far = move.cwiseAbs().maxCoeff();
-    const double share = column.linear() || far < 30.0 ? 1.0 : 30.0 / far;
+    constexpr double farthest = 20.0;
     for (Eigen::Index i = 0; i < n; ++i) {
-        u[std::size_t(i)] = start[std::size_t(i)] + share * move[i];
+        const double from = start[std::size_t(i)];
+        const double most = column.linear() ? 1e4 : farthest;
+        const double to = from + std::clamp(move[i], -most, most);
+        u[std::size_t(i)] = column.up_to_kink(std::size_t(i), from, to);
     }
+    const double far = move.cwiseAbs().maxCoeff();
     keep_in_bounds();
     return far;
 }

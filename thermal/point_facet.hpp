@@ -81,7 +81,7 @@ class PointFacet {
     Count count;
 
  private:
-    double wet_share(const Standing& water, double step) const;
+    double wet_share(const Standing& water, double rain, double step) const;
     struct Taken {
         NonlinearColumn::Step step;
         double melted = 0.0;  // [J m⁻²]

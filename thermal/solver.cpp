@@ -11,6 +11,7 @@
 #include "materials/error.hpp"
 #include "terrain/parallel.hpp"
 #include "thermal/passes.hpp"
+#include "thermal/scene_points.hpp"
 
 namespace diurna {
 
@@ -288,6 +289,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         report.step_cpu_seconds += cpu_seconds() - cpu;
     }
 
+    ScenePoints points(job);
     constexpr double usual_passes = 3.0;
     while (!report.converged && report.passes < options.max_passes) {
         // The change just made tells how far the pass before was from its surroundings.
@@ -296,6 +298,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         const double cpu = cpu_seconds();
         const double done = std::min(0.95, report.passes / usual_passes);
         pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
+        points.pass(job, fine);
         ++report.passes;
         if (options.periodic) {
             if (report.passes == 1) renew_matrices(job, fine);
@@ -307,15 +310,22 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
             report.periodic_residual = std::max(report.periodic_residual, block.residual);
             report.estimated_error = std::max(report.estimated_error, block.largest_move);
         }
+        const ScenePoints::Summary single = points.summary();
+        report.periodic_residual = std::max(report.periodic_residual, single.residual);
+        report.estimated_error = std::max(report.estimated_error, single.largest_move);
         report.step_seconds += seconds_since(stepping);
         report.step_cpu_seconds += cpu_seconds() - cpu;
-        report.converged = report.periodic_residual <= options.tolerance &&
-                           report.estimated_error <= 0.01 &&
-                           report.exchange_change <= settled_exchange;
+        report.converged =
+            report.periodic_residual <= options.tolerance && report.estimated_error <= 0.01 &&
+            report.exchange_change <= settled_exchange && !(single.fresh && exchanging);
     }
     StepRecord record;
     for (const Block& block : job.block) record.merge(block.record);
-    report.worst_energy_closure = record.worst_closure;
+    const ScenePoints::Summary single = points.summary();
+    report.points = points.size();
+    report.point_passes = single.worst_passes;
+    report.limited = single.limited;
+    report.worst_energy_closure = std::max(record.worst_closure, single.worst_closure);
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;

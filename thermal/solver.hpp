@@ -79,6 +79,9 @@ struct SolveReport {
     double newton_iterations = 0.0;     // mean per stage
     int worst_newton_iterations = 0;
     std::size_t bisections = 0;         // lanes × iterations that left the bracket
+    std::size_t points = 0;             // facets solved one by one (thermal/scene_points.hpp)
+    int point_passes = 0;               // over the span, the worst of them
+    int limited = 0;                    // their steps that had to be taken otherwise than asked
     double coldest = 0.0, warmest = 0;  // [K] surface
     double shortwave_seconds = 0.0, exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
     double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock
@@ -99,7 +102,9 @@ struct SolveResult {
 /// stepped more often. The surface equation is solved by Newton within a bracket to 1e-12 K, by
 /// either method together with the column. A periodic span is found by Newton on
 /// the period map, with one monodromy matrix per material. What neighbours send in longwave follows
-/// from pass to pass. The result has the same bytes for any number of threads.
+/// from pass to pass. The result has the same bytes for any number of threads. Facets whose
+/// material asks for more than a linear column under a dry or evenly wet surface (freezing ground,
+/// snow, canopy, store of water, schedules) are solved one by one: thermal/scene_points.hpp.
 ///
 /// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
 /// tells. Throws InputError if arrays do not match.

@@ -113,14 +113,17 @@ int main(int argc, char** argv) {
     row("occluded16", "16 fixed rays", fixed, 0.0);
     row("occluded16", "16 rays of the sky view", drawn, 0.0);
 
-    const SkyView fine = sky_view(facets, scene, {.rays = 1024, .seed = 7});
+    const SkyView fine = sky_view(facets, scene, {.rays = 1024, .seed = 7, .exchange = false});
     for (const int rays : {16, 64, 256}) {
-        SkyView view;
-        const double cpu = seconds([&] { view = sky_view(facets, scene, {.rays = rays}); });
-        row("sky_view", fmt::format("{} rays", rays), cpu, rms(view.sky_view, fine.sky_view));
-        if (rays == 16) {
-            fmt::print(stderr, "16 rays: {:.1f} M rays/s, {:.0f} % of the best bare rate\n",
-                       16e-6 * double(facets.size()) / cpu, 100.0 * std::min(fixed, drawn) / cpu);
+        for (const bool exchange : {false, true}) {
+            SkyView view;
+            const double cpu = seconds(
+                [&] { view = sky_view(facets, scene, {.rays = rays, .exchange = exchange}); });
+            row(exchange ? "sky_view_and_exchange" : "sky_view", fmt::format("{} rays", rays), cpu,
+                rms(view.sky_view, fine.sky_view));
+            fmt::print(stderr, "{} rays{}: {:.1f} M rays/s, {:.0f} % of the best bare rate\n", rays,
+                       exchange ? " and exchange" : "", rays * 1e-6 * double(facets.size()) / cpu,
+                       100.0 * std::min(fixed, drawn) / cpu * rays / 16);
         }
     }
     for (const double elevation_deg : {5.0, 20.0, 45.0}) {

@@ -79,13 +79,16 @@ void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet
     const auto [along_d, across_d] = tangents(from.normal);
     const Eigen::Vector3f along = along_d.cast<float>(), across = across_d.cast<float>(),
                           normal = facets.normal[facet];
-    const double ax = from.corner.x(), ay = from.corner.y(), az = from.corner.z();
-    const double bx = from.to_b.x(), by = from.to_b.y(), bz = from.to_b.z();
-    const double cx = from.to_c.x(), cy = from.to_c.y(), cz = from.to_c.z();
     const std::uint64_t key = mixed(seed_ ^ mixed(facet)), start = mixed(key);
     const auto jitter = static_cast<std::uint32_t>(key);
-    const auto start_x = static_cast<std::uint32_t>(start);
-    const auto start_y = static_cast<std::uint32_t>(start >> 32);
+    const auto at = [&](std::uint32_t random, std::uint32_t step) {
+        return ((random + step * static_cast<std::uint32_t>(packet)) >> 8) * 0x1p-24;
+    };
+    const Eigen::Vector3f origin = from.at(at(static_cast<std::uint32_t>(start), r2_x),
+                                           at(static_cast<std::uint32_t>(start >> 32), r2_y));
+    rays.origin_x.fill(origin.x());
+    rays.origin_y.fill(origin.y());
+    rays.origin_z.fill(origin.z());
     const float* column = &column_[width * packet];
     const float* row = &row_[width * packet];
     const float across_cell = 2.0f / static_cast<float>(columns_);
@@ -115,14 +118,6 @@ void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet
         rays.direction_x[i] = x * along.x() + y * across.x() + z * normal.x();
         rays.direction_y[i] = x * along.y() + y * across.y() + z * normal.y();
         rays.direction_z[i] = x * along.z() + y * across.z() + z * normal.z();
-
-        const float p = static_cast<float>(static_cast<int>((start_x + r2_x * k) >> 8)) * 0x1p-24f;
-        const float q = static_cast<float>(static_cast<int>((start_y + r2_y * k) >> 8)) * 0x1p-24f;
-        const float root = std::sqrt(p);
-        const double to_b = 1.0 - double{root}, to_c = double{root} * q;
-        rays.origin_x[i] = static_cast<float>(ax + to_b * bx + to_c * cx);
-        rays.origin_y[i] = static_cast<float>(ay + to_b * by + to_c * cy);
-        rays.origin_z[i] = static_cast<float>(az + to_b * bz + to_c * cz);
     }
 }
 

@@ -11,9 +11,9 @@
 
 namespace diurna {
 
-/// Stratified, cosine-weighted directions about a facet's normal from points spread over it,
-/// sixteen at a time: all sixteen lanes are worked out together, since Embree itself takes less
-/// time for such rays than drawing them one by one would.
+/// Stratified, cosine-weighted directions about a facet's normal, sixteen from each of some points
+/// spread over it: rays from one point share their way through the tree, and all sixteen lanes are
+/// worked out together, since Embree takes less time for them than drawing them one by one would.
 class SkyRays {
  public:
     SkyRays(int rays, std::uint64_t seed);

@@ -9,6 +9,7 @@
 
 #include "materials/units.hpp"
 #include "terrain/parallel.hpp"
+#include "terrain/sky_bound.hpp"
 #include "terrain/sky_rays.hpp"
 #include "terrain/sun.hpp"
 
@@ -17,6 +18,7 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t facets_per_block = 128;
+constexpr std::size_t facets_per_bound = 32;  // neighbours along Morton's curve
 
 /// A stream of uniform numbers in [0, 1) of one facet.
 class Uniform {
@@ -56,7 +58,7 @@ struct ExchangeRows {
     std::vector<float> factor;
 
     /// Appends a row from the facets that were hit, one entry each, by rising number.
-    void append(std::vector<FacetId>& seen, double weight) {
+    void append(std::span<FacetId> seen, double weight) {
         std::sort(seen.begin(), seen.end());
         const std::size_t before = facet.size();
         for (std::size_t i = 0; i < seen.size();) {
@@ -68,6 +70,104 @@ struct ExchangeRows {
         }
         length.push_back(static_cast<std::uint32_t>(facet.size() - before));
     }
+};
+
+/// Rays of many facets one behind the other, handed on sixteen at a time.
+struct RayQueue {
+    static constexpr std::size_t room = 32;
+    std::array<float, room> origin_x, origin_y, origin_z, direction_x, direction_y, direction_z;
+    std::array<std::uint32_t, room> owner;
+    std::size_t size = 0;
+
+    void put(const RayPacket& rays, std::size_t k, std::uint32_t from, bool wanted) {
+        origin_x[size] = rays.origin_x[k];
+        origin_y[size] = rays.origin_y[k];
+        origin_z[size] = rays.origin_z[k];
+        direction_x[size] = rays.direction_x[k];
+        direction_y[size] = rays.direction_y[k];
+        direction_z[size] = rays.direction_z[k];
+        owner[size] = from;
+        size += wanted;
+    }
+
+    /// Takes out the first `count`, at most 16.
+    void take(std::size_t count, RayPacket& rays, std::array<std::uint32_t, 16>& owners) {
+        const auto first = [&](auto& all, auto& some) {
+            std::copy_n(all.begin(), 16, some.begin());
+            std::copy_n(all.begin() + 16, 16, all.begin());
+        };
+        first(origin_x, rays.origin_x);
+        first(origin_y, rays.origin_y);
+        first(origin_z, rays.origin_z);
+        first(direction_x, rays.direction_x);
+        first(direction_y, rays.direction_y);
+        first(direction_z, rays.direction_z);
+        first(owner, owners);
+        size -= count;
+    }
+};
+
+/// What the rays of one block of facets meet. Those above everything round about meet the sky. Of
+/// the others first is asked whether anything stands in their way, the cheapest question; only
+/// where it does, for the nearest facet.
+class BlockRays {
+ public:
+    BlockRays(const RayScene& scene, bool nearest) : scene_(scene), nearest_(nearest) {}
+
+    /// `sines`: of the elevations above which there is only sky.
+    void trace(const RayPacket& rays, int lanes, std::uint32_t from, const SkyBound::Sines& sines) {
+        const auto count = static_cast<std::size_t>(lanes);
+        const std::size_t before = doubtful_.size;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t octant = SkyBound::octant(rays.direction_x[k], rays.direction_y[k]);
+            doubtful_.put(rays, k, from, rays.direction_z[k] <= sines[octant]);
+        }
+        sky[from] += lanes - static_cast<int>(doubtful_.size - before);
+        if (doubtful_.size >= 16) ask_whether(16);
+    }
+
+    void finish() {
+        if (doubtful_.size > 0) ask_whether(doubtful_.size);
+        if (blocked_.size > 0) ask_which(blocked_.size);
+    }
+
+    std::array<int, facets_per_block> sky{}, below{};  // (facet of the block) rays
+    std::vector<std::uint32_t> owner;                  // (hit) rising
+    std::vector<FacetId> facet;                        // (hit)
+
+ private:
+    void escaped(std::uint32_t from, float up) { ++(up >= 0.0f ? sky : below)[from]; }
+
+    void ask_whether(std::size_t count) {
+        doubtful_.take(count, packet_, owners_);
+        std::array<std::uint8_t, 16> blocked;
+        scene_.occluded(packet_, static_cast<int>(count), blocked);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!blocked[k]) escaped(owners_[k], packet_.direction_z[k]);
+            blocked_.put(packet_, k, owners_[k], blocked[k] && nearest_);
+        }
+        if (blocked_.size >= 16) ask_which(16);
+    }
+
+    void ask_which(std::size_t count) {
+        blocked_.take(count, packet_, owners_);
+        std::array<std::uint32_t, 16> nearest;
+        scene_.closest(packet_, static_cast<int>(count), nearest);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (nearest[k] == index(no_facet)) {
+                escaped(owners_[k], packet_.direction_z[k]);
+                continue;
+            }
+            owner.push_back(owners_[k]);
+            facet.push_back(FacetId{nearest[k]});
+        }
+    }
+
+    const RayScene& scene_;
+    bool nearest_;
+    RayQueue doubtful_{}, blocked_{};
+    RayPacket packet_{};
+    std::array<std::uint32_t, 16> owners_{};
 };
 
 Exchange joined(const std::vector<ExchangeRows>& blocks, std::size_t facets) {
@@ -93,6 +193,7 @@ Exchange joined(const std::vector<ExchangeRows>& blocks, std::size_t facets) {
 SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOptions& options) {
     assert(options.rays > 0);
     const SkyRays sampler(options.rays, options.seed);
+    const SkyBound bound(facets);
     const double weight = 1.0 / options.rays;
 
     SkyView view;
@@ -102,27 +203,26 @@ SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOpt
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
-        std::array<std::uint32_t, 16> facet;
-        std::vector<FacetId> seen;
-        ExchangeRows& block = blocks[begin / facets_per_block];
+        BlockRays found(scene, options.exchange);
+        SkyBound::Sines sines = SkyBound::unknown;
         for (std::size_t f = begin; f < end; ++f) {
-            int sky = 0, below = 0;
-            seen.clear();
+            if ((f - begin) % facets_per_bound == 0) {
+                sines = bound.sines(facets, f, std::min(end, f + facets_per_bound));
+            }
             for (std::size_t p = 0; p < sampler.packets(); ++p) {
                 sampler.fill(facets, f, p, rays);
-                const int lanes = sampler.lanes(p);
-                scene.closest(rays, lanes, facet);
-                for (std::size_t k = 0; k < static_cast<std::size_t>(lanes); ++k) {
-                    if (facet[k] != index(no_facet)) {
-                        seen.push_back(FacetId{facet[k]});
-                    } else {
-                        ++(rays.direction_z[k] >= 0.0f ? sky : below);
-                    }
-                }
+                found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines);
             }
-            view.sky_view[f] = static_cast<float>(weight * sky);
-            view.below[f] = static_cast<float>(weight * below);
-            block.append(seen, weight);
+        }
+        found.finish();
+        std::size_t hit = 0;
+        for (std::size_t f = begin; f < end; ++f) {
+            const std::size_t first = hit;
+            while (hit < found.owner.size() && found.owner[hit] == f - begin) ++hit;
+            blocks[begin / facets_per_block].append(
+                std::span(found.facet).subspan(first, hit - first), weight);
+            view.sky_view[f] = static_cast<float>(weight * found.sky[f - begin]);
+            view.below[f] = static_cast<float>(weight * found.below[f - begin]);
         }
     });
     view.exchange = joined(blocks, facets.size());

@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "materials/band_model_medium.hpp"
 #include "materials/band_model_tables.hpp"
 #include "materials/fast_exp.hpp"
 #include "materials/planck.hpp"
@@ -28,16 +29,29 @@ struct Nodes {
     std::size_t size() const { return bin.size(); }
 };
 
-/// radiance += B(λ, T) (before − after), the emission of one segment. Air is no hotter than 1500 K,
-/// so that exp − 1 loses nothing below 20 µm.
-void add_emission(const Nodes& nodes, double temperature, std::span<const double> before,
-                  std::span<const double> after, std::span<double> radiance) {
+/// Planck's law at the nodes. Air is no hotter than 1500 K, so that exp − 1 loses nothing below
+/// 20 µm.
+void black_bodies(const Nodes& nodes, double temperature, std::span<double> black) {
     const double inverse = 1.0 / temperature;
     const std::size_t count = nodes.size();
 #pragma omp simd
     for (std::size_t i = 0; i < count; ++i) {
-        radiance[i] +=
-            nodes.c1[i] / (fast_exp(nodes.c2[i] * inverse) - 1.0) * (before[i] - after[i]);
+        black[i] = nodes.c1[i] / (fast_exp(nodes.c2[i] * inverse) - 1.0);
+    }
+}
+
+/// radiance += emission of one segment, Planck's law linear in optical depth x between its ends:
+/// (near + (far − near) f) (before − after), f = 1/x − 1/(eˣ − 1) to 1 % of far − near.
+void add_emission(std::span<const double> near, std::span<const double> far,
+                  std::span<const double> depth_before, std::span<const double> depth_after,
+                  std::span<const double> before, std::span<const double> after,
+                  std::span<double> radiance) {
+    const std::size_t count = radiance.size();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = depth_after[i] - depth_before[i];
+        const double f = (0.5 + 0.06 * x) / (1.0 + x * ((1.0 / 6.0 + 0.12) + 0.06 * x));
+        radiance[i] += (near[i] + (far[i] - near[i]) * f) * (before[i] - after[i]);
     }
 }
 
@@ -45,19 +59,48 @@ NodeSpectrum clear(std::size_t nodes) {
     return {std::vector<double>(nodes, 1.0), std::vector<double>(nodes, 0.0)};
 }
 
-/// Calls `at_end(segment, spectrum)` with the path up to the far end of each segment.
+/// Calls `at_end(segment, spectrum)` with the path up to the far end of each segment. A line that
+/// does not know its ends has in each segment the temperature of its middle.
 template <class AtEnd>
 NodeSpectrum along(const BandModel& model, const SightLine& line, std::span<const double> node_um,
                    AtEnd&& at_end) {
     const Nodes nodes(node_um);
-    const CumulativeTransmittance path = cumulative_transmittance(model, line, nodes.bins);
-    NodeSpectrum spectrum = clear(nodes.size());
-    std::vector<double> after(nodes.size());
-    for (std::size_t segment = 0; segment < path.segments(); ++segment) {
-        const std::span<const double> row = path.row(segment);
-        for (std::size_t i = 0; i < after.size(); ++i) after[i] = row[nodes.bin[i]];
-        add_emission(nodes, path.temperature[segment], spectrum.transmittance, after,
+    const std::size_t count = nodes.size();
+    const Medium medium(model, nodes.bins);
+    const bool ends_known = !line.edge_km.empty();
+    NodeSpectrum spectrum = clear(count);
+    std::vector<double> bin_depth(nodes.bins.size()), bin_after(nodes.bins.size());
+    std::vector<double> depth(count, 0.0), depth_after(count), after(count), near(count),
+        far(count);
+    if (ends_known) {
+        black_bodies(nodes, pressure_and_temperature_at(model.profile, line.edge_km[0]).second,
+                     near);
+    }
+    Amounts amounts = medium.none();
+    for (std::size_t segment = 0; segment < line.size(); ++segment) {
+        medium.add(line, segment, amounts);
+        medium.spread(amounts);
+        medium.depths(amounts, bin_depth);
+        bin_after = bin_depth;
+        negative_exponentials(bin_after);
+        for (std::size_t i = 0; i < count; ++i) {
+            depth_after[i] = bin_depth[nodes.bin[i]];
+            after[i] = bin_after[nodes.bin[i]];
+        }
+        if (ends_known) {
+            black_bodies(
+                nodes, pressure_and_temperature_at(model.profile, line.edge_km[segment + 1]).second,
+                far);
+        } else {
+            black_bodies(nodes,
+                         pressure_and_temperature_at(model.profile, line.height_km[segment]).second,
+                         near);
+            far = near;
+        }
+        add_emission(near, far, depth, depth_after, spectrum.transmittance, after,
                      spectrum.radiance);
+        near.swap(far);
+        depth.swap(depth_after);
         spectrum.transmittance.swap(after);
         at_end(segment, spectrum);
     }
@@ -162,9 +205,11 @@ bool ends_on_ground(const BandModel& model, double height_km, double zenith_deg)
                             : meets_ground(height_km, zenith_deg);
 }
 
-SightLine line_of(const BandModel& model, double height_km, double zenith_deg, double range_km) {
-    return model.refraction ? refracted_line(model.profile, height_km, zenith_deg, range_km)
-                            : sight_line(height_km, zenith_deg, range_km);
+SightLine line_of(const BandModel& model, double height_km, double zenith_deg, double range_km,
+                  const Segmentation& segmentation) {
+    return model.refraction
+               ? refracted_line(model.profile, height_km, zenith_deg, range_km, segmentation)
+               : sight_line(height_km, zenith_deg, range_km, segmentation);
 }
 
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,

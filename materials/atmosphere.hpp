@@ -29,9 +29,11 @@ double air_temperature_at(const Atmosphere& atmosphere, double height_km);
 /// Transmittance and thermal radiance of a path at given wavelengths.
 ///
 /// Transmittance is constant within a bin of the band model; Planck's law is evaluated at the
-/// wavelength itself. So a Band whose breakpoints include bin_edges_um() integrates both to its
-/// quadrature's accuracy, and air at one temperature in front of a black body of that temperature
-/// is that black body: radiance + transmittance · B(T) = B(T) at every wavelength.
+/// wavelength itself, within a segment linear in optical depth between its ends' temperatures (of
+/// its middle's, for a line that does not know its ends). So a Band whose breakpoints include
+/// bin_edges_um() integrates both to its quadrature's accuracy, and air at one temperature in front
+/// of a black body of that temperature is that black body: radiance + transmittance · B(T) = B(T)
+/// at every wavelength.
 struct NodeSpectrum {
     std::vector<double> transmittance;  // (node) 0 to 1
     std::vector<double> radiance;       // (node) [W m⁻² sr⁻¹ µm⁻¹]
@@ -46,7 +48,8 @@ std::vector<NodeSpectrum> paths_at_nodes(const Atmosphere& atmosphere, const Sig
 
 /// Lines from a height as the model's air bends them, or straight if it has no refraction.
 SightLine line_of(const BandModel& model, double height_km, double zenith_deg,
-                  double range_km = std::numeric_limits<double>::infinity());
+                  double range_km = std::numeric_limits<double>::infinity(),
+                  const Segmentation& segmentation = {});
 bool ends_on_ground(const BandModel& model, double height_km, double zenith_deg);
 
 /// Radiance of the sky at each node [W m⁻² sr⁻¹ µm⁻¹], seen from `height_km` under `zenith_deg`:

@@ -69,7 +69,10 @@ CumulativeTransmittance cumulative_transmittance(const BandModel& model, const S
     const Medium medium(model, bins);
     Amounts amounts = medium.none();
     for (std::size_t i = 0; i < line.size(); ++i) {
-        result.temperature[i] = medium.add(line.height_km[i], line.length_km[i], amounts);
+        result.temperature[i] =
+            pressure_and_temperature_at(model.profile, line.height_km[i]).second;
+        medium.add(line, i, amounts);
+        medium.spread(amounts);
         medium.transmittances(
             amounts, std::span(result.transmittance).subspan(i * bins.size(), bins.size()));
     }
@@ -80,8 +83,9 @@ std::vector<double> transmittance(const BandModel& model, const SightLine& line,
     const Medium medium(model, bins);
     Amounts amounts = medium.none();
     for (std::size_t i = 0; i < line.size(); ++i) {
-        medium.add(line.height_km[i], line.length_km[i], amounts);
+        medium.add(line, i, amounts);
     }
+    medium.spread(amounts);
     std::vector<double> result(bins.size(), 1.0);
     if (line.size() > 0) medium.transmittances(amounts, result);
     return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "materials/error.hpp"
@@ -79,12 +80,17 @@ void load_gases(Tables& tables) {
                   [](const Line& x, const Line& y) { return x.bin < y.bin; });
         for (std::size_t i = 0; i < lines.size(); ++i) {
             if (i == 0 || lines[i].bin != lines[i - 1].bin + 1) {
-                tables.runs.push_back({tables.groups.size(), lines[i].bin, {}, {}});
+                tables.runs.push_back({tables.groups.size(), lines[i].bin, 0, {}, {}});
             }
-            tables.runs.back().ln_c.push_back(lines[i].ln_c);
-            tables.runs.back().a.push_back(lines[i].a);
+            tables.runs.back().ln_c.push_back(static_cast<float>(lines[i].ln_c));
+            tables.runs.back().a.push_back(static_cast<float>(lines[i].a));
         }
         tables.groups.push_back({gas, pressure, temperature});
+    }
+    for (Tables::Run& run : tables.runs) {
+        run.bins = run.a.size();
+        run.ln_c.resize(run.bins + Tables::run_padding, -1e4f);
+        run.a.resize(run.bins + Tables::run_padding, 1.0f);
     }
 }
 
@@ -121,6 +127,22 @@ void load_extinction(Tables& tables, const char* file) {
             tables.aerosols[name].levels.push_back({std::log(100.0 - percent), std::move(ln),
                                                     std::move(values),
                                                     at_bins(tables, curve.second)});
+        }
+    }
+}
+
+/// Extinction between the humidities of the table, for polynomials in ln dryness.
+void make_nodes(Tables::Aerosol& aerosol) {
+    if (aerosol.levels.size() == 1) aerosol.node = {aerosol.levels[0].extinction};
+    for (std::size_t i = 0; i + 1 < aerosol.levels.size(); ++i) {
+        const std::vector<double>&from = aerosol.levels[i].ln_extinction,
+              &to = aerosol.levels[i + 1].ln_extinction;
+        for (std::size_t k = 0; k < Tables::interval_nodes; ++k) {
+            const double t = chebyshev_node(k, Tables::interval_nodes);
+            std::vector<double>& extinction = aerosol.node.emplace_back();
+            for (std::size_t b = 0; b < from.size(); ++b) {
+                extinction.push_back(std::exp(from[b] + t * (to[b] - from[b])));
+            }
         }
     }
 }
@@ -197,6 +219,10 @@ void load_sun(Tables& tables) {
 
 }  // namespace
 
+double chebyshev_node(std::size_t k, std::size_t count) {
+    return 0.5 - 0.5 * std::cos(std::numbers::pi * (double(k) + 0.5) / double(count));
+}
+
 const BandModelTables& band_model_tables() {
     static const Tables tables = [] {
         Tables loaded;
@@ -204,6 +230,7 @@ const BandModelTables& band_model_tables() {
         load_gases(loaded);
         load_extinction(loaded, "aerosol_shettle_fenn.csv");
         load_extinction(loaded, "aerosol_desert.csv");
+        for (auto& [name, aerosol] : loaded.aerosols) make_nodes(aerosol);
         load_asymmetry(loaded);
         load_phase(loaded);
         load_haze(loaded);

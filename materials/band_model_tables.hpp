@@ -17,14 +17,18 @@ struct BandModelTables {
         double n, m;  // exponents of pressure and temperature
     };
     /// Neighbouring bins of a group: depth of bin `first + k` is exp(a[k] (ln C[k] + ln W)).
+    /// `run_padding` values that make a depth of nothing follow the last.
     struct Run {
         std::size_t group;
-        std::size_t first;
-        std::vector<double> ln_c, a;
+        std::size_t first, bins;
+        std::vector<float> ln_c, a;
     };
+    static constexpr std::size_t run_padding = 8;
     /// Bin values that are multiplied by an amount: self continuum, its change with temperature,
     /// foreign continuum, nitrogen, Rayleigh, ozone (visible), nitric acid.
     static constexpr std::size_t linear_count = 7;
+
+    static constexpr std::size_t interval_nodes = 6;
 
     std::vector<double> edge_um;    // (bin + 1)
     std::vector<double> middle_um;  // (bin), of the middle wavenumber
@@ -39,7 +43,10 @@ struct BandModelTables {
             double ln_dryness;
             std::vector<double> ln_extinction, extinction, absorption;  // (bin)
         };
-        std::vector<Level> levels;           // dryness descending
+        std::vector<Level> levels;  // dryness descending
+        /// Extinction (bin) at the Chebyshev nodes of each interval between levels, (interval,
+        /// node); of an aerosol of one level that one alone. Their polynomial is within 2e-7.
+        std::vector<std::vector<double>> node;
         std::vector<double> asymmetry;       // (bin) mean cosine of scattering
         std::vector<double> ln_phase;        // (phase wavelength, phase angle)
         std::vector<double> ln_phase_slope;  // the same [1/deg]
@@ -60,6 +67,9 @@ struct BandModelTables {
 
     std::size_t bins() const { return middle_um.size(); }
 };
+
+/// Node k of `count` between 0 and 1.
+double chebyshev_node(std::size_t k, std::size_t count);
 
 /// Loaded once, at the first call, from data_folder()/atmosphere; throws InputError if a file is
 /// missing or damaged.

@@ -93,24 +93,41 @@ void check(const Profile& profile) {
     }
 }
 
+namespace {
+
+/// Interpolation at one height.
+struct Between {
+    std::size_t low;
+    double t;
+
+    Between(const Profile& profile, double height_km) {
+        const std::vector<double>& z = profile.height_km;
+        const double h = std::clamp(height_km, z.front(), z.back());
+        const auto above = std::upper_bound(z.begin() + 1, z.end() - 1, h);
+        low = static_cast<std::size_t>(above - z.begin()) - 1;
+        t = (h - z[low]) / (z[low + 1] - z[low]);
+    }
+    double linear(const std::vector<double>& v) const { return v[low] + t * (v[low + 1] - v[low]); }
+    double logarithmic(const std::vector<double>& v) const {
+        const double from = std::max(v[low], 1e-12), to = std::max(v[low + 1], 1e-12);
+        return from == to ? from : from * std::exp(t * std::log(to / from));
+    }
+};
+
+}  // namespace
+
+std::pair<double, double> pressure_and_temperature_at(const Profile& profile, double height_km) {
+    const Between at(profile, height_km);
+    return {at.logarithmic(profile.pressure_hPa), at.linear(profile.temperature)};
+}
+
 AirSample air_at(const Profile& profile, double height_km) {
-    const std::vector<double>& z = profile.height_km;
-    const double h = std::clamp(height_km, z.front(), z.back());
-    const auto above = std::upper_bound(z.begin() + 1, z.end() - 1, h);
-    const auto i = static_cast<std::size_t>(above - z.begin());
-    const double t = (h - z[i - 1]) / (z[i] - z[i - 1]);
-    const auto linear = [&](const std::vector<double>& v) {
-        return v[i - 1] + t * (v[i] - v[i - 1]);
-    };
-    const auto logarithmic = [&](const std::vector<double>& v) {
-        const double low = std::max(v[i - 1], 1e-12), high = std::max(v[i], 1e-12);
-        return low == high ? low : low * std::exp(t * std::log(high / low));
-    };
-    AirSample air{.pressure_hPa = logarithmic(profile.pressure_hPa),
-                  .temperature = linear(profile.temperature),
+    const Between at(profile, height_km);
+    AirSample air{.pressure_hPa = at.logarithmic(profile.pressure_hPa),
+                  .temperature = at.linear(profile.temperature),
                   .mixing_ratio_ppm = {}};
     for (std::size_t gas = 0; gas < gas_count; ++gas) {
-        air.mixing_ratio_ppm[gas] = logarithmic(profile.mixing_ratio_ppm[gas]);
+        air.mixing_ratio_ppm[gas] = at.logarithmic(profile.mixing_ratio_ppm[gas]);
     }
     return air;
 }

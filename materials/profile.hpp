@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace diurna {
@@ -48,6 +49,8 @@ struct AirSample {
     std::array<double, gas_count> mixing_ratio_ppm;  // by volume
 };
 AirSample air_at(const Profile& profile, double height_km);
+/// The first two of them alone: a quarter of the work.
+std::pair<double, double> pressure_and_temperature_at(const Profile& profile, double height_km);
 
 /// Throws InputError unless levels ascend, lengths agree, pressures and temperatures are positive
 /// and mixing ratios are not negative.

@@ -86,8 +86,8 @@ bool meets_ground(double height_km, double zenith_deg) {
 
 double refractivity(const Profile& profile, double height_km) {
     if (height_km >= atmosphere_top_km) return 0.0;
-    const AirSample air = air_at(profile, height_km);
-    return 77.6e-6 * air.pressure_hPa / air.temperature;
+    const auto [pressure_hPa, temperature] = pressure_and_temperature_at(profile, height_km);
+    return 77.6e-6 * pressure_hPa / temperature;
 }
 
 bool meets_ground(const Profile& profile, double height_km, double zenith_deg) {
@@ -188,11 +188,13 @@ SightLine refracted_line(const Profile& profile, double height_km, double zenith
         if (to_aerosol_top > 1e-6) allowed = std::min(allowed, to_aerosol_top);
         if (!falls) allowed = std::min(allowed, atmosphere_top_km - here + 1e-9);
         const double low = falls ? here - allowed : here, high = falls ? here : here + allowed;
-        // ln(n r) over the segment's heights makes Bouguer's law exact at its ends.
+        // A sphere on which r grows over the segment as n r does: Bouguer's law holds at its ends,
+        // and without air the line is straight.
         const double n_low = refractivity(profile, low), n_high = refractivity(profile, high);
-        const double slope = (std::log1p(n_high) - std::log1p(n_low)) / (high - low);
-        const double curvature = 1.0 / (earth_radius_km + 0.5 * (low + high)) + slope;
-        const Ray ray{1.0 / std::max(curvature, 1e-9), mu};
+        const double growth = std::log1p(n_high) - std::log1p(n_low) +
+                              std::log1p((high - low) / (earth_radius_km + low));
+        const double r_low = (high - low) / std::expm1(std::max(growth, 1e-9 * (high - low)));
+        const Ray ray{falls ? r_low + (high - low) : r_low, mu};
         double length = falls ? ray.near(ray.r - allowed) : ray.far(ray.r + allowed);
         if (std::isnan(length)) length = -ray.r * mu;  // it turns before it has fallen so far
         length = std::min(length, left);

@@ -10,8 +10,6 @@ namespace diurna {
 
 namespace {
 
-constexpr Segmentation beam_segments{
-    .first_km = 0.05, .growth = 0.5, .ceiling_km = 0.5, .thinning_km = 8.0};
 constexpr double least_cosine = 0.01;
 
 }  // namespace
@@ -60,10 +58,7 @@ void SunField::State::follow_beam(const Medium& medium, std::vector<std::vector<
         if (!lit.back()) continue;
         if (z < atmosphere_top_km) {
             constexpr double no_end = std::numeric_limits<double>::infinity();
-            const SightLine line =
-                model.refraction
-                    ? refracted_line(model.profile, z, sun.zenith_deg, no_end, beam_segments)
-                    : sight_line(z, sun.zenith_deg, no_end, beam_segments);
+            const SightLine line = line_of(model, z, sun.zenith_deg, no_end, beam_segmentation);
             for (std::size_t s = 0; s < line.size(); ++s) {
                 const ScaledAerosol here = scaled_aerosol(medium, line.height_km[s]);
                 medium.add(line.height_km[s], line.length_km[s], here.extinction, to_sun[i]);

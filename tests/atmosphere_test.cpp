@@ -186,7 +186,7 @@ TEST_CASE("heights along a sight line are those of a sphere", "[materials][atmos
         s += line.length_km[i];
     }
     CHECK(worst < 1e-9);
-    CHECK(worst_between < 1e-8);  // the parabola through them
+    CHECK(worst_between < 3e-8);  // the parabola through them
 }
 
 TEST_CASE("no segment lies across the top of the aerosol", "[materials][atmosphere]") {

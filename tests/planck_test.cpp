@@ -167,3 +167,15 @@ TEST_CASE("the vector exponential is exact to 5e-16", "[materials][planck]") {
     CHECK(std::isfinite(fast_exp(1e9)));
     CHECK(std::isnan(fast_exp(std::nan(""))));
 }
+
+TEST_CASE("the single-precision exponential is good to 3e-7", "[materials][planck]") {
+    double worst = 0.0;
+    for (float x = -86.0f; x < 87.0f; x += 0.0037f) {
+        const double exact = std::exp(double{x});
+        worst = std::max(worst, std::abs(double{fast_exp(x)} / exact - 1.0));
+    }
+    CHECK(worst < 3e-7);
+    CHECK(fast_exp(0.0f) == 1.0f);
+    CHECK(fast_exp(-1e9f) < 1e-37f);
+    CHECK(std::isfinite(fast_exp(1e9f)));
+}

@@ -35,7 +35,7 @@ TEST_CASE("the setting sun stands where the almanacs say", "[materials][sight_li
     // 1010 hPa, 10 C) is 0.98' at 45 degrees, 5.3' at 80, 9.9' at 85, 18.2' at 88.
     Profile air = afgl_profile("US76");
     const double here = 77.6e-6 * air.pressure_hPa[0] / air.temperature[0];
-    for (const double altitude : {45.0, 10.0, 5.0, 2.0}) {
+    for (const double altitude : {45.0, 10.0, 5.0, 2.0, 0.0}) {  // 34.5' on the horizon
         const double zenith = 90.0 - altitude;
         const SightLine line =
             refracted_line(air, 0.0, zenith, std::numeric_limits<double>::infinity(),
@@ -49,7 +49,8 @@ TEST_CASE("the setting sun stands where the almanacs say", "[materials][sight_li
         const double bennett = 1.0 / std::tan(radians(altitude + 7.31 / (altitude + 4.4))) *
                                (77.6 / 79.0) * (1013.25 / 1010.0) * (283.15 / air.temperature[0]);
         CAPTURE(altitude, line.size());
-        CHECK(found == Approx(bennett).epsilon(0.02).margin(0.07));
+        // On the horizon the lowest air's lapse rate decides.
+        CHECK(found == Approx(bennett).epsilon(altitude > 0.0 ? 0.02 : 0.03).margin(0.07));
     }
 }
 
@@ -60,8 +61,7 @@ TEST_CASE("without air a line is straight", "[materials][sight_line]") {
         const SightLine bent = refracted_line(thin, 3.0, zenith);
         const SightLine straight = sight_line(3.0, zenith);
         CAPTURE(zenith);
-        // Curvature is constant within a segment.
-        CHECK(bent.range_km() == Approx(straight.range_km()).epsilon(1e-4));
+        CHECK(bent.range_km() == Approx(straight.range_km()).epsilon(1e-8));
         CHECK(meets_ground(thin, 3.0, zenith) == meets_ground(3.0, zenith));
     }
 }

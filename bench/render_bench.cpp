@@ -244,7 +244,7 @@ int main(int argc, char** argv) {
             median_time(threads, 3, [&] { view = cast_view(scene, facets, aerial, {}); });
         row("cast", "cast_view", setting, threads, cast[threads], 1e-6 * rays / cast[threads],
             "Mray/s");
-        const LitFacets lit = lit_facets(input(temperature), view.facet);
+        const LitFacets lit = lit_facets(input(temperature), view.facet, lw);
         Frame picture;
         frame[threads] = median_time(threads, 7, [&] {
             picture = render(view, aerial, lw, input(temperature), {.truth = false});
@@ -277,7 +277,7 @@ int main(int argc, char** argv) {
     start = now();
     const View still = cast_view(scene, facets, camera, {});
     const double still_cast = now() - start;
-    const LitFacets lit = lit_facets(input(temperature), still.facet);
+    const LitFacets lit = lit_facets(input(temperature), still.facet, both);
     for_each_index(
         24,
         [&](std::size_t hour) {

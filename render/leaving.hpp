@@ -1,104 +1,82 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
-#include "render/mode_table.hpp"
-#include "render/radiance.hpp"
+#include "render/band_table.hpp"
+#include "render/lit_facets.hpp"
+#include "render/node_optics.hpp"
+#include "render/scratch.hpp"
+#include "render/spectral_basis.hpp"
 
 namespace diurna {
 
-/// The facets a picture depends on (those seen, those that shine on them, and those that shine on
-/// these in turn) and who shines on whom: all that stays the same while nothing moves.
-struct LitFacets {
-    static constexpr std::uint32_t absent = 0xFFFFFFFFu;
-    std::vector<FacetId> facet;         // ascending
-    std::vector<std::uint32_t> place;   // (facet of the scene) index above, or absent
-    std::vector<std::uint32_t> row;     // (lit + 1) light received: [row[i], row[i + 1])
-    std::vector<std::uint32_t> source;  // index of a lit facet
-    std::vector<float> factor;          // of each source; a row adds up to 1 − sky view
-    std::vector<std::uint8_t> shining;  // (lit) shines on a facet that is seen
-    std::vector<float> height;          // (lit) −1 to 1 from the lowest to the highest
-    std::array<double, 3> height_km{};  // least, middle, most of them
-    std::vector<bool> material_used;    // (material)
-};
-LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen);
+/// Weights of the least, middle and greatest height for a height of −1 to 1: a quadratic, as
+/// optical depths fall off exponentially with height.
+inline std::array<float, 3> height_weights(float y) {
+    return {0.5f * y * (y - 1.0f), 1.0f - y * y, 0.5f * y * (y + 1.0f)};
+}
 
-/// Range of the temperatures of the facets lit [K].
-struct TemperatureExtent {
-    float coldest = 300.0f, hottest = 300.0f;
-};
-/// Throws InputError if one is not finite or outside 1 to 5000 K.
-TemperatureExtent temperature_extent(const RadianceInput& input, const LitFacets& lit);
-
-/// Reflected light of one band: reflectance × light per material and height.
-struct ReflectedLight {
-    std::vector<std::array<std::vector<float>, 3>> sun, sky;  // (material)(height)(channel)
-};
-ReflectedLight reflected_light(const Band& band, const Channels& channels,
-                               const MaterialLibrary& materials, const std::vector<bool>& used,
-                               std::span<const Light, 3> light);
-ReflectedLight in_modes(const ReflectedLight& light, const ModeBasis& basis);
-
-/// Floats without a value yet, from memory that earlier frames have used and given back: what the
-/// system would have to hand out and clear anew costs more than to fill it.
-class Scratch {
- public:
-    explicit Scratch(std::size_t size);
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
-    float& operator[](std::size_t i) { return memory_[i]; }
-    const float& operator[](std::size_t i) const { return memory_[i]; }
-
- private:
-    std::unique_ptr<float[]> memory_;
-    std::size_t size_;
+/// What surfaces send to each other, in modes (spectral_basis.hpp) of all bands side by side, so
+/// that one walk along a facet's neighbours serves every band. A band's modes fill whole groups of
+/// four lanes, all bands together whole groups of eight; lanes to spare hold zeros.
+struct LightTables {
+    struct OfMaterial {
+        // (cell, power, lane) cubics in temperature: ε B with what shines through, and ρ B
+        std::vector<float> emitted, reflected;
+        // (lane) at the three heights: ρ × mean radiance of the sky, ρ × irradiance of the sun
+        std::array<std::vector<float>, 3> sky, sun;
+        std::vector<std::vector<float>>
+            reflection;  // (band)(mode in, lane out) multiplication by ρ
+    };
+    TemperatureGrid grid;
+    std::size_t lanes = 0;
+    std::vector<std::size_t> first;  // (band + 1) its lanes are [first[b], first[b + 1])
+    std::vector<std::size_t> size;   // (band) modes
+    std::vector<float> black;        // (cell, power, lane) B
+    std::vector<OfMaterial> material;
 };
 
-/// How much of the reflected light of surroundings is followed.
+/// light  (band) at the three heights of LitFacets
+LightTables light_tables(std::span<const Band> bands, std::span<const SpectralBasis> basis,
+                         std::span<const std::vector<NodeOptics>> optics,
+                         std::span<const std::array<Light, 3>> light, const TemperatureGrid& grid);
+
+/// How much of the reflected light of surroundings is followed, per band.
 struct BounceOptions {
-    int bounces = 2;  // 1: what surroundings reflect of each other counts as black
-    /// [K] of apparent temperature at the scene's cold end. A neighbour's second bounce is left out
-    /// where it changes no facet seen by more, as told by the temperatures around it and by
-    /// `sunlight`; what all neighbours of a facet leave out together is no more than this.
-    float tolerance = 3e-4f;
-    float sunlight = 0.0f;     // [K] of a white surface in the sun, over the slope at the cold end
-    float skylight = 0.0f;     // [K] of scattered sunlight from a whole open sky, likewise
+    int bounces = 2;           // 1: what surroundings reflect of each other counts as black
+    float tolerance = 3e-4f;   // [K] a second bounce is left out where it changes less
     float most_change = 1e3f;  // [K] no neighbour differs by more, sunlight included
 };
 
-/// leaving_radiance() in modes, for many facets at a time.
+/// What every facet lit sends to the others, in modes.
 ///
-/// With two bounces, what a neighbour reflects of its own neighbours is followed; those neighbours'
-/// neighbours count as black at their temperature. `left` bounds the rest.
-class Leaving {
+/// Light of the sky, of the sun, its own heat and, with two bounces, what it reflects of its
+/// neighbours; their neighbours count as black at the receiver's temperature, so that an isothermal
+/// enclosure is exactly black. A facet without sources is closed likewise.
+class SentLight {
  public:
-    Leaving(const RadianceInput& input, const LitFacets& lit, const ModeTable& table,
-            const ReflectedLight& light, std::span<const float> reflectance,
-            const BounceOptions& options);
+    SentLight(const LitFacets& lit, const LitState& state, const LightTables& tables,
+              std::span<const BounceOptions> bounces);
 
-    /// Coefficients of what leaves a facet that is seen: the sum of all terms.
-    void total(FacetId facet, float* out) const;
-    /// The terms one by one, (term, mode) padded.
-    void terms(FacetId facet, float* out) const;
-    std::size_t padded() const { return table_.padded(); }
-    std::size_t followed() const { return second_.size(); }  // facets with a second bounce
+    /// Black body at a facet's temperature, (lane).
+    void black(std::size_t lit, float* out) const;
+    /// Light that falls on it from its surroundings: Σ F_j J_j, over a hemisphere 1 − sky view.
+    void around(std::size_t lit, const float* black, float* out) const;
+    std::size_t followed() const { return followed_; }  // facets with a second bounce
 
  private:
-    void first(std::size_t i, float* sum) const;
-    void around(std::size_t i, float* out) const;
+    void first(std::size_t lit, float* out) const;
+    void second(std::size_t lit, float* out) const;
 
-    const RadianceInput& input_;
     const LitFacets& lit_;
-    const ModeTable& table_;
-    const ReflectedLight& light_;
-    std::vector<float> sent_;             // (lit, mode) what each lit facet sends
-    std::vector<std::uint8_t> followed_;  // (lit) `sent_` holds its second bounce
-    std::vector<std::uint32_t> second_;   // lit facets whose second bounce is followed, ascending
+    const LitState& state_;
+    const LightTables& tables_;
+    Scratch sent_;  // (lit, lane)
+    std::size_t followed_ = 0;
 };
 
 }  // namespace diurna

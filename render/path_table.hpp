@@ -52,6 +52,11 @@ class PathTable {
     /// Place of a range [km, its cube root] on the grid, and places per unit of it.
     double place(double range_root) const { return (range_root - u_low_) * places_per_root(); }
     double places_per_root() const { return double(ranges_ - 1) / (u_high_ - u_low_); }
+    /// The lowest of its heights [km above the sea], and how many of their steps a kilometre holds.
+    double least_height_km() const { return extent_.least_height_km; }
+    double places_per_height_km() const {
+        return double(heights_ - 1) / (extent_.most_height_km - extent_.least_height_km);
+    }
     /// Weights of the heights (two, three or five of them) and their derivatives [1/km].
     void height_weights(float height_km, std::array<float, 5>& weight,
                         std::array<float, 5>& slope) const;

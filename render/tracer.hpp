@@ -4,7 +4,7 @@
 
 #include "materials/band.hpp"
 #include "render/frame.hpp"
-#include "render/leaving.hpp"
+#include "render/lit_facets.hpp"
 #include "render/observer.hpp"
 #include "render/radiance.hpp"
 #include "render/view.hpp"
@@ -15,29 +15,33 @@ struct FrameOptions {
     bool truth = true;        // temperature, range, facet, object, material, normal
     bool terms = false;       // the terms of the radiance one by one
     double tolerance = 1e-3;  // [K] aimed at by the tables, in apparent temperature
-    int bounces = 2;          // of light between surfaces, 1 or 2 (render/leaving.hpp)
-    /// lit_facets(input, view.facet), for a series of frames in which nothing moves.
+    int bounces = 2;          // of light between surfaces, 1 or 2 (leaving.hpp)
+    /// lit_facets(input, view.facet, bands), for a series of frames in which nothing moves.
     const LitFacets* lit = nullptr;
 };
 
 /// The picture of an instant in every band: radiance.BAND and apparent_temperature.BAND, truth,
 /// terms (render/frame.hpp). A pixel averages radiance, never temperature.
 ///
-/// Per target seen, radiance leaves in channels (runs of a band's nodes in one bin of the
-/// atmosphere, inside which its transmittance is constant), or in fewer modes (mode_table.hpp). It
-/// is carried to the eye at the target's middle with slopes by range and height, from a grid in
-/// range (uniform in range^⅓) and height that is refined until the error estimated from its own
-/// halving is below `tolerance`. Against the node-by-node reference (radiance_at_eye): within 2 mK
-/// in 3-5, 8-12 and 8-14 µm and, without air, 1.5-1.8 µm, 2.6 mK in 0.4-0.7 µm; with sunlight that
-/// the air scatters, within 0.2 % of radiance below 2.5 µm (tests/tracer_test.cpp).
+/// What leaves a facet is a short row of numbers: its heat and the light of its surroundings in a
+/// few modes (spectral_basis.hpp), sky view, sunlight. What each of them is worth at the eye is a
+/// table over range and height per material (eye_table.hpp), made at the band's nodes where
+/// surface, air and response belong together. The radiance of a target is their dot product, with
+/// slopes by range and height for the pixels that see it elsewhere than at its middle. The grid is
+/// refined until the error estimated from its own halving is below `tolerance`.
+///
+/// Against the node-by-node reference (radiance_at_eye): within 2 mK in 3-5, 8-12 and 8-14 µm and,
+/// without air, 1.5-1.8 µm, 2.6 mK in 0.4-0.7 µm; with sunlight that the air scatters, within 0.2 %
+/// of radiance below 2.5 µm (tests/tracer_test.cpp).
 ///
 /// By day and below 5 µm the air's scattered sunlight (materials/scattering.hpp) falls on surfaces
 /// and is seen in the sky and before the far plain beyond the scene's edge; what the air scatters
 /// between a facet and the eye is not added.
 ///
-/// Notes of the frame: for each band the error estimate and the size of the grid. The same bytes
-/// for any number of threads. Throws InputError if spans do not fit the facets or a temperature
-/// of a facet in the picture is not finite.
+/// Notes of the frame: for each band the error estimate, the size of the grid, and a bound on what
+/// the bounces of light that are not followed would add. The same bytes for any number of threads.
+/// Throws InputError if spans do not fit the facets or a temperature of a facet in the picture is
+/// not finite.
 Frame render(const View& view, const Observer& observer, std::span<const Band> bands,
              const RadianceInput& input, const FrameOptions& options = {});
 

@@ -189,6 +189,40 @@ void name_targets(std::size_t facet_count, View& view) {
     }
 }
 
+/// Azimuths of sky, cube roots and extents: what every frame would otherwise
+/// work out anew.
+void finish(const Observer& observer, const PixelRays& eye, View& view) {
+    view.range_root.resize(view.range.size());
+    for_each_index(view.range.size(), [&](std::size_t t) {
+        view.range_root[t] = static_cast<float>(std::cbrt(double{view.range[t]}));
+    });
+    ViewExtent& extent = view.extent;
+    if (!view.range.empty()) {
+        const auto [near, far] = std::minmax_element(view.range.begin(), view.range.end());
+        const auto [low, high] =
+            std::minmax_element(view.target_height.begin(), view.target_height.end());
+        extent = {.near = *near, .far = *far, .low = *low, .high = *high};
+    }
+    view.sky_azimuth_deg.assign(view.pixels(), 0.0f);
+    const auto width = static_cast<std::size_t>(view.width);
+    for_each_index(view.pixels(), [&](std::size_t p) {
+        if (!(view.sky[p] > 0.0f)) return;
+        const Eigen::Vector3d to = eye.towards(double(p % width) + 0.5, double(p / width) + 0.5);
+        view.sky_azimuth_deg[p] = static_cast<float>(
+            std::remainder(degrees(std::atan2(to.x(), to.y())) - observer.azimuth_deg, 360.0));
+    });
+    const auto include = [&](std::array<float, 2>& range, float value) {
+        if (extent.sky_pixels == 0) range = {value, value};
+        range = {std::min(range[0], value), std::max(range[1], value)};
+    };
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        if (!(view.sky[p] > 0.0f)) continue;
+        include(extent.sky_zenith_deg, view.sky_zenith_deg[p]);
+        include(extent.sky_azimuth_deg, view.sky_azimuth_deg[p]);
+        ++extent.sky_pixels;
+    }
+}
+
 /// Zenith angle [deg] of a unit vector's upward part.
 double zenith_of(float up) { return degrees(std::acos(std::clamp(double{up}, -1.0, 1.0))); }
 
@@ -355,6 +389,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     for_each_index(tiles.size(), cast_tile, 1);
     join(tiles, tile_columns, view);
     name_targets(facets.size(), view);
+    finish(observer, eye, view);
     return view;
 }
 

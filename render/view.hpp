@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,6 +23,14 @@ struct Sighting {
     float higher = 0.0f;       // [m] height above the target's
 };
 
+/// Least and greatest of what a view sees.
+struct ViewExtent {
+    float near = 0.0f, far = 0.0f;  // [m] ranges of targets
+    float low = 0.0f, high = 0.0f;  // [m] their heights
+    std::size_t sky_pixels = 0;     // that see sky
+    std::array<float, 2> sky_zenith_deg{}, sky_azimuth_deg{};
+};
+
 /// What every pixel of an observer sees, cast once and good for every instant and band while
 /// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
 ///
@@ -30,18 +39,22 @@ struct Sighting {
 /// and 16 m of height. What a target sends to the eye is thus worked out once, with two slopes.
 struct View {
     int width = 0, height = 0;
-    std::vector<FacetId> facet;         // (target) ascending
-    std::vector<float> range;           // (target) [m] mean over its sightings
-    std::vector<float> target_height;   // (target) [m] above the origin's level surface, earth's
-                                        // curvature included; mean over its sightings
-    std::vector<std::uint32_t> row;     // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
-    std::vector<Sighting> sighting;     // of a pixel: ascending facet
-    std::vector<float> sky;             // (pixel) share that sees no facet
-    std::vector<float> sky_zenith_deg;  // (pixel) mean direction of that share; 0 if none
-    std::vector<FacetId> centre;        // (pixel) facet at the pixel's centre, or no_facet
-    std::vector<float> centre_range;    // (pixel) [m]; NaN where no facet
-    double observer_height = 0.0;       // [m] above the origin's level surface
-    std::uint64_t rays = 0;             // cast to make it
+    std::vector<FacetId> facet;          // (target) ascending
+    std::vector<float> range;            // (target) [m] mean over its sightings
+    std::vector<float> range_root;       // (target) [m^⅓] its cube root
+    std::vector<float> target_height;    // (target) [m] above the origin's level surface, earth's
+                                         // curvature included; mean over its sightings
+    std::vector<std::uint32_t> row;      // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
+    std::vector<Sighting> sighting;      // of a pixel: ascending facet
+    std::vector<float> sky;              // (pixel) share that sees no facet
+    std::vector<float> sky_zenith_deg;   // (pixel) mean direction of that share; 0 if none
+    std::vector<float> sky_azimuth_deg;  // (pixel) of the pixel's middle from the optical axis,
+                                         // −180 to 180; 0 where no sky
+    std::vector<FacetId> centre;         // (pixel) facet at the pixel's centre, or no_facet
+    std::vector<float> centre_range;     // (pixel) [m]; NaN where no facet
+    double observer_height = 0.0;        // [m] above the origin's level surface
+    std::uint64_t rays = 0;              // cast to make it
+    ViewExtent extent;
 
     std::size_t pixels() const { return sky.size(); }
     float range_of(const Sighting& s) const { return range[s.target] + s.deeper; }

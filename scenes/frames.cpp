@@ -132,7 +132,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                                           .atmosphere = Vacuum{},
                                           .temperature = {},
                                           .ground_height_km = world.sea_level_height / 1000.0},
-                                         view.facet);
+                                         view.facet, bands);
         progress.stage("frames of " + input.name);
         std::atomic<std::size_t> done = 0;
         const auto render_one = [&](std::size_t i) {

@@ -9,7 +9,7 @@
 #include "terrain/site.hpp"
 #include "tests/render_scene.hpp"
 
-#include "render/leaving.hpp"
+#include "render/lit_facets.hpp"
 
 using namespace diurna;
 
@@ -118,7 +118,7 @@ TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress]") 
         radiance_at_eye(without.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
     CHECK(total(found) == Approx(total(expected)).epsilon(1e-12));
     const std::vector<FacetId> seen = {FacetId{0}, FacetId{1}};
-    CHECK(lit_facets(pair.input(cold_space), seen).factor.empty());
+    CHECK(lit_facets(pair.input(cold_space), seen, {}).factor.empty());
 }
 
 TEST_CASE("ground beyond the scene's edge looks like the surroundings that are there",

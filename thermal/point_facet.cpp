@@ -173,8 +173,7 @@ PointFacet::Taken PointFacet::half_step(Instant from, double step, bool gentle,
             const double weight = gentle ? step : step * (k == 0 ? 1.0 - sdirk_gamma : sdirk_gamma);
             const double t = taken.step.surface[k];
             const SurfaceTerms terms = surface_terms(c[k], t);
-            const double heat = latent_heat_of_vaporisation(c[k].air.air_temperature) *
-                                (terms.leaf < zero_celsius ? 2.834 / 2.501 : 1.0);
+            const double heat = heat_of_vapour(c[k].air.air_temperature, terms.leaf);
             const double gain = weight * terms.wet_evaporation / heat;
             free += weight * terms.wet_evaporation / step;
             melt += -weight * terms.frost_melt;

@@ -10,7 +10,7 @@ namespace diurna {
 namespace {
 
 constexpr double melting_point = zero_celsius;
-constexpr double sublimation_over_vaporisation = 2.834 / 2.501;
+constexpr double freezing_span = 2.0;  // [K] over which vapour's heat turns to that of ice
 
 /// Saturation pressure over ice below the triple point, where the two meet, over water above;
 /// and its slope.
@@ -36,17 +36,15 @@ struct Part {
     double resistance = 0.0, wetness = 0.0;
     double sides = 1.0;      // that radiate
     double other = 0.0;      // [W m⁻²] absorbed longwave from the other part
-    double soil_film = 0.0;  // [W m⁻² K⁻¹] in place of the air's film
+    double shelter = 0.0;    // share of it that leaves keep from the open air's film
+    double soil_film = 0.0;  // [W m⁻² K⁻¹] of the sheltered share
 };
 
 Exchange exchange(const SurfaceConditions& c, const Part& part, double t) {
     const double excess = t - c.air.air_temperature;
-    Film film;
-    if (part.soil_film > 0.0) {
-        film = {part.soil_film, 0.0, 0.0};
-    } else {
-        film = c.air.plate ? plate_film(c.air, c.natural, t) : ground_film(c.air, t);
-    }
+    Film film = c.air.plate ? plate_film(c.air, c.natural, t) : ground_film(c.air, t);
+    const double open = 1.0 - part.shelter;
+    film = {open * film.h + part.shelter * part.soil_film, open * film.rise, open * film.slope};
     // Ground as warm as itself fills what is not sky.
     const double self = 1.0 - c.own_view * (1.0 - c.emissivity);
     const double black = stefan_boltzmann * power4(t);
@@ -112,13 +110,31 @@ LatentHeat latent_heat_or_frost(const AirFilm& air, const Film& film, double wet
     const double excess = saturation_over(temperature, slope) - air.vapour_pressure;
     const bool drying = excess > 0.0;
     const double r = drying ? resistance : 0.0;
-    const double frozen = std::clamp((melting_point - temperature) / 0.5, 0.0, 1.0);
-    const double heat = air.latent * (1.0 + frozen * (sublimation_over_vaporisation - 1.0));
-    const double share = heat * (drying ? wetness : 1.0);
+    const double frozen = std::clamp((melting_point - temperature) / freezing_span, 0.0, 1.0);
+    const double over_ice = latent_heat_of_sublimation(air.air_temperature) /
+                            latent_heat_of_vaporisation(air.air_temperature);
+    const double heat = air.latent * (1.0 + frozen * (over_ice - 1.0));
+    const bool blends = frozen > 0.0 && frozen < 1.0;
+    const double heat_slope = blends ? -air.latent * (over_ice - 1.0) / freezing_span : 0.0;
+    const double wet = drying ? wetness : 1.0;
     const double in_series = 1.0 / (air.heat_capacity + r * film.h);
     const double conductance = film.h * in_series;
     const double steeper = air.heat_capacity * in_series * in_series * film.slope;
-    return {-share * conductance * excess, -share * (conductance * slope + steeper * excess)};
+    return {-wet * heat * conductance * excess,
+            -wet * (heat * (conductance * slope + steeper * excess) +
+                    heat_slope * conductance * excess)};
+}
+
+double latent_heat_of_sublimation(double temperature) {
+    const double t = std::clamp(temperature - melting_point, -100.0, 0.0);
+    return 2.8341e6 - 290.0 * t - 4.0 * t * t;
+}
+
+double heat_of_vapour(double air_temperature, double surface_temperature) {
+    const double frozen =
+        std::clamp((melting_point - surface_temperature) / freezing_span, 0.0, 1.0);
+    return std::lerp(latent_heat_of_vaporisation(air_temperature),
+                     latent_heat_of_sublimation(air_temperature), frozen);
 }
 
 double recovery_temperature(double air_temperature, double speed) {
@@ -193,6 +209,7 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
                     .wetness = c.air.wetness,
                     .sides = 1.0,
                     .other = 0.0,
+                    .shelter = cover,
                     .soil_film = soil_film};
     SurfaceConditions under = c;
     under.wet_share = 0.0;

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "materials/air.hpp"
 #include "materials/error.hpp"
 #include "materials/units.hpp"
 #include "tests/scratch_folder.hpp"
@@ -224,6 +225,147 @@ TEST_CASE("a thin plate with air behind loses heat on both sides",
     CHECK(row.back_temperature < row.surface_temperature);
     CHECK(result.worst_energy_closure < 1e-10);
     CHECK(result.periodic_residual < 1e-6);
+}
+
+TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
+          "[thermal][column_tool][store]") {
+    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 12.0, 0.95);
+    job.spin_up = SpinUp::none;
+    job.initial_temperature = 295.0;
+    job.step = 120.0;
+    job.surface.albedo = 0.2;
+    job.surface.store = {.capacity_mm = 2.0, .wet_albedo = 0.1};
+    drive(
+        job,
+        [](double t) { return 700.0 * std::max(0.0, -std::cos(2.0 * std::numbers::pi * t / day)); },
+        [](double) { return 295.0; }, 330.0, 1800.0);
+    for (Forcing& f : job.weather.sample) f.air.vapour_pressure = 900.0;
+    job.weather.sample[4].rain_mm_h =
+        3.0;  // around 2 h, straight down to nothing half an hour off:
+    job.weather.sample[5].rain_mm_h = 0.0;  // 1.5 mm in all
+    const ColumnResult result = run_column(job);
+    REQUIRE(result.has_store);
+    double rain = 0.0, evaporated = 0.0, most = 0.0;
+    for (std::size_t i = 1; i < result.row.size(); ++i) {
+        const ColumnRow &a = result.row[i - 1], &b = result.row[i];
+        rain += 0.5 * job.step / 3600.0 *
+                (job.weather.at(a.instant).rain_mm_h + job.weather.at(b.instant).rain_mm_h);
+        // Latent heat is all the store's: the surface itself is dry.
+        evaporated -= 0.5 * job.step * (a.latent + b.latent) / latent_heat_of_vaporisation(295.0);
+        most = std::max(most, b.water_mm);
+        CHECK(b.frost_mm == 0.0);
+        CHECK(b.water_mm == Approx(rain - evaporated).margin(0.02));
+    }
+    CHECK(rain == Approx(1.5).epsilon(1e-9));
+    CHECK(evaporated == Approx(1.5).epsilon(0.01));
+    CHECK(most > 1.2);
+    CHECK(result.row.back().water_mm < 0.01);  // the evening's dew
+    // Wet ground is darker by the wet share: half full, half way from 0.2 to 0.1.
+    for (const ColumnRow& row : result.row) {
+        const double sun = job.weather.at(row.instant).shortwave_down;
+        const double wet = std::min(1.0, row.water_mm / 2.0);
+        CHECK(row.absorbed_solar == Approx((0.8 + 0.1 * wet) * sun).margin(0.5));
+    }
+    CHECK(result.worst_energy_closure < 1e-9);
+    // What is more than it holds runs off.
+    job.weather.sample[4].rain_mm_h = 30.0;
+    double highest = 0.0;
+    for (const ColumnRow& row : run_column(job).row) highest = std::max(highest, row.water_mm);
+    CHECK(highest == Approx(2.0).epsilon(1e-6));
+}
+
+TEST_CASE("moist air lays frost on a cold roof, the morning takes it off",
+          "[thermal][column_tool][frost]") {
+    ColumnJob job = facet_over({{0.01, 1.0, 2000.0, 1000.0}}, FixedFlux{0.0}, 8.0, 0.95);
+    job.spin_up = SpinUp::none;
+    job.initial_temperature = 271.0;
+    job.step = 300.0;
+    job.surface.store = {.capacity_mm = 1.0};
+    drive(
+        job, [](double t) { return t > 43200.0 ? 400.0 : 0.0; }, [](double) { return 272.0; },
+        200.0);
+    for (Forcing& f : job.weather.sample) {
+        f.air.vapour_pressure = 0.95 * saturation_vapour_pressure(272.0);
+    }
+    const ColumnResult result = run_column(job);
+    double laid = 0.0;
+    for (std::size_t i = 1; i <= 144; ++i) {
+        laid += 0.5 * job.step * (result.row[i - 1].latent + result.row[i].latent) / 2.8345e6;
+    }
+    const ColumnRow& noon = result.row[144];
+    CHECK(noon.surface_temperature < 271.0);
+    CHECK(noon.frost_mm > 0.1);
+    CHECK(noon.frost_mm == Approx(laid).epsilon(0.02));
+    CHECK(noon.water_mm == 0.0);
+    CHECK(result.row.back().frost_mm == Approx(0.0).margin(1e-9));
+    // Melting takes its heat once: what frost melted, 0.3337 MJ/kg.
+    double melted = 0.0;
+    for (const ColumnRow& row : result.row) melted += row.melt * job.step;
+    CHECK(melted > 0.0);
+    CHECK(melted <= noon.frost_mm * 3.337e5 * 1.01);
+    CHECK(result.limited == 0);
+}
+
+TEST_CASE("a thin wall follows its room's and its heater's schedule",
+          "[thermal][column_tool][interior]") {
+    // No mass to speak of: h_out (T − T_a) = (T_room − T) / (1/8 + 0.05/0.1) + q.
+    ColumnJob job = facet_over({{0.05, 0.1, 10.0, 100.0}}, FixedFlux{0.0}, 12.0, 0.0);
+    job.site.longitude_deg = 30.0;  // local mean solar time is two hours ahead
+    job.step = 1800.0;
+    job.surface.bottom =
+        Interior{.air_temperature = 300.0, .film = 8.0, .schedule = {{6.0, 288.0}, {10.0, 296.0}}};
+    job.surface.internal_schedule = {{0.0, 0.0}, {12.0, 60.0}, {24.0, 0.0}};
+    drive(
+        job, [](double) { return 0.0; }, [](double) { return 280.0; }, 0.0);
+    const ColumnResult result = run_column(job);
+    for (std::size_t i = 0; i < 48; ++i) {
+        const double hour = std::fmod(0.5 * double(i) + 2.0, 24.0);
+        const double later_hour = hour < 6.0 ? hour + 24.0 : hour;
+        const double room = later_hour < 10.0 ? 288.0 + 2.0 * (later_hour - 6.0)
+                                              : 296.0 - 8.0 * (later_hour - 10.0) / 20.0;
+        const double heat = 5.0 * (hour < 12.0 ? hour : 24.0 - hour);
+        const double u = 1.0 / (1.0 / 8.0 + 0.05 / 0.1);
+        CAPTURE(hour);
+        CHECK(result.row[i].surface_temperature ==
+              Approx((12.0 * 280.0 + u * room + heat) / (12.0 + u)).margin(0.02));
+    }
+}
+
+TEST_CASE("a pane takes in what it neither reflects nor lets through",
+          "[thermal][column_tool][glass]") {
+    // 6 mm of glass, both sides in air: 2 h (T − T_a) + ε σ (2 T⁴ − T_a⁴) − ε L = (1 − ρ − τ) S.
+    ColumnJob job = facet_over({{0.006, 1.0, 2528.0, 880.0}}, FixedFlux{0.0}, 9.0, 0.84);
+    job.surface.albedo = 0.08;
+    job.surface.solar_transmittance = 0.77;
+    job.surface.back = ExposedBack{.emissivity = 0.84, .albedo = 0.08};
+    drive(
+        job, [](double) { return 800.0; }, [](double) { return 295.0; }, 380.0);
+    double low = 280.0, high = 340.0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.5 * (low + high);
+        const double lost = 18.0 * (t - 295.0) +
+                            0.84 * (stefan_boltzmann * (2.0 * power4(t) - power4(295.0)) - 380.0);
+        (lost < 0.15 * 800.0 ? low : high) = t;
+    }
+    const ColumnRow row = run_column(job).row.back();
+    CHECK(row.absorbed_solar == Approx(120.0).epsilon(1e-6));
+    CHECK(0.5 * (row.surface_temperature + row.back_temperature) == Approx(low).margin(0.02));
+}
+
+TEST_CASE("a lake's mixed layer swings as a slab of closed form", "[thermal][column_tool][water]") {
+    // Stirred water of 2 m over a bed without flux: |T| = |q / (h + k g tanh(g L))|, g = √(iωC/k).
+    ColumnJob job = facet_over({{2.0, 500.0, 998.0, 4182.0}}, FixedFlux{0.0}, 15.0, 0.0);
+    job.step = 900.0;
+    drive(
+        job, [](double t) { return 300.0 + 300.0 * std::cos(2.0 * std::numbers::pi * t / day); },
+        [](double) { return 290.0; }, 0.0);
+    const std::complex<double> g =
+        std::sqrt(std::complex<double>(0.0, 2.0 * std::numbers::pi / day * 998.0 * 4182.0 / 500.0));
+    const std::complex<double> exact = 300.0 / (15.0 + 500.0 * g * std::tanh(2.0 * g));
+    const auto wave = harmonic(run_column(job));
+    CHECK(std::abs(wave) == Approx(std::abs(exact)).epsilon(0.003));
+    CHECK(-std::arg(wave) == Approx(-std::arg(exact)).margin(0.005));
+    CHECK(std::abs(wave) < 1.0);  // dry ground swings by ten times as much
 }
 
 TEST_CASE("a column file with mistakes is answered with places, ranges and nearest keys",

@@ -87,6 +87,22 @@ TEST_CASE("plate films are those of TARP and MoWiTT", "[thermal][turbulence][a14
               .epsilon(1e-5));
 }
 
+TEST_CASE("no calm is stiller than drift", "[thermal][turbulence]") {
+    // Wind below 0.3 m/s counts as 0.3: TARP's 2.537 · 0.75 · 1.67 √(0.4 · 0.3) = 1.1007,
+    // MoWiTT's 3.26 · 0.3^0.89 = 1.1165 W/m²K.
+    const AirState air{.temperature = 290.0, .pressure = 1e5, .vapour_pressure = 500.0};
+    const LouisForm form = louis_form(0.01, 0.001, 10.0, 2.0);
+    for (const double wind : {0.0, 0.1, 0.3}) {
+        CHECK(air_film(surface_of(Tarp{}), form, air, wind).neutral ==
+              Approx(1.1007).epsilon(1e-4));
+        CHECK(air_film(surface_of(Mowitt{}), form, air, wind).neutral ==
+              Approx(1.1165).epsilon(1e-4));
+        CHECK(air_film(surface_of(Louis{}), form, air, wind).neutral ==
+              air_film(surface_of(Louis{}), form, air, 0.3).neutral);
+    }
+    CHECK(air_film(surface_of(Tarp{}), form, air, 0.4).neutral > 1.2);
+}
+
 TEST_CASE("calm air over hot ground convects by itself", "[thermal][turbulence]") {
     // Free convection goes as ΔT^(4/3) to ΔT^(3/2); it must neither vanish nor blow up in a calm.
     const AirFilm calm = louis_film(0.0);

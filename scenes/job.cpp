@@ -95,8 +95,10 @@ Prepared prepare(Scene scene) {
 }
 
 SkyView scene_sky_view(const Prepared& prepared) {
-    SkyView view =
-        light_of(prepared).sky_view({.rays = prepared.scene.sky_rays, .seed = prepared.scene.seed});
+    SkyView view = light_of(prepared).sky_view({.rays = prepared.scene.sky_rays,
+                                                .first_object = prepared.world.ground_facets,
+                                                .object_rays = prepared.scene.object_sky_rays,
+                                                .seed = prepared.scene.seed});
     make_reciprocal(prepared.world.facets, view);
     return view;
 }

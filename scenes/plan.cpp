@@ -51,7 +51,9 @@ Plan make_plan(const Scene& scene, const World& world) {
         // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
         if (sun_position(world.site, step).elevation_deg > -0.84) plan.sunlit_steps.push_back(step);
     }
-    plan.sky_rays = plan.facets * static_cast<std::size_t>(scene.sky_rays);
+    plan.sky_rays =
+        world.ground_facets * static_cast<std::size_t>(scene.sky_rays) +
+        (plan.facets - world.ground_facets) * static_cast<std::size_t>(scene.object_sky_rays);
     plan.sun_rays =
         plan.facets * plan.sunlit_steps.size() * static_cast<std::size_t>(scene.sun_samples);
     std::size_t bands = 0;

@@ -47,7 +47,13 @@ struct TerrainInput {
     std::vector<std::filesystem::path> tiles;  // more of it, on the same lattice
     DemOptions reading;
     double tolerance = 1.0;  // vertical [m]
-    double coarsest = 0.0;   // of the tolerance where no observer looks closely; 0: the same [m]
+    /// The full grid as quads of two triangles instead of a network within the tolerance: always,
+    /// or where it has no more than `most_grid_triangles`.
+    enum class Mesh { network, grid, grid_where_it_fits };
+    Mesh mesh = Mesh::network;
+    static constexpr std::size_t most_grid_triangles = 500'000;
+    double refraction = 0.0;  // k of lines of sight (Site)
+    double coarsest = 0.0;    // of the tolerance where no observer looks closely; 0: the same [m]
     std::string default_material;
     std::vector<GroundRule> rules;  // the first that fits wins
     std::vector<GroundPolygon> polygons;
@@ -109,8 +115,9 @@ struct Scene {
     std::vector<BandInput> bands;
     std::vector<CubeInput> cubes;
     std::vector<ObserverInput> observers;
-    int sky_rays = 64;    // per facet
-    int sun_samples = 4;  // per facet and instant
+    int sky_rays = 64;          // per facet of the ground
+    int object_sky_rays = 256;  // per facet of buildings and objects
+    int sun_samples = 4;        // per facet and instant
     std::uint64_t seed = 1;
     bool exact = false;  // skip nothing
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "materials/document.hpp"
@@ -126,6 +127,19 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     terrain.default_material = reading.material(section, "material");
     const std::string voids = section.word_or("voids", "refuse", {"refuse", "fill"});
     terrain.reading.voids = voids == "fill" ? VoidPolicy::fill : VoidPolicy::refuse;
+    const std::string mesh = section.word_or("mesh", "network", {"network", "grid", "auto"});
+    terrain.mesh = mesh == "grid"   ? TerrainInput::Mesh::grid
+                   : mesh == "auto" ? TerrainInput::Mesh::grid_where_it_fits
+                                    : TerrainInput::Mesh::network;
+    terrain.refraction = section.number_or("refraction", 0.0, 0.0, 0.5);
+    const std::map<std::string, double> units{
+        {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"ft", 0.3048}, {"us_ft", 1200.0 / 3937.0}};
+    const std::string unit =
+        section.word_or("height_unit", "file", {"file", "m", "dm", "cm", "ft", "us_ft"});
+    if (const auto known = units.find(unit); known != units.end()) {
+        terrain.reading.unit = known->second;
+    }
+    terrain.reading.geoid = section.word_or("vertical_datum", "file", {"file", "egm96"}) == "egm96";
     for (const Section& rule : section.sections("rule")) {
         const auto slope = rule.numbers_or("slope_deg", {0.0, 90.0}, 2);
         const auto height = rule.numbers_or("height_m", {-1e4, 1e4}, 2);
@@ -285,6 +299,7 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
     scene.title = about.text_or("title", scene.name);
     scene.seed = static_cast<std::uint64_t>(about.integer_or("seed", 1, 0, 1 << 30));
     scene.sky_rays = about.integer_or("sky_rays", 64, 16, 4096);
+    scene.object_sky_rays = about.integer_or("object_sky_rays", 256, 16, 4096);
     scene.sun_samples = about.integer_or("sun_samples", 4, 1, 256);
     scene.site = read_site(root.section("site"));
     const Section terrain = root.section("terrain", true);

@@ -40,8 +40,10 @@ Rows transposed(const Exchange& exchange) {
 }
 
 /// Exchange areas of all pairs that either facet has seen [m²].
-Rows exchange_areas(const FacetSet& facets, const Exchange& seen, double cut_off,
+Rows exchange_areas(const FacetSet& facets, const SkyView& view, double cut_off,
                     ReciprocityReport& report) {
+    const Exchange& seen = view.exchange;
+    const auto rays = [&](std::size_t f) { return view.rays.empty() ? 1.0 : view.rays[f]; };
     const Rows seen_by = transposed(seen);
     Rows areas;
     areas.first.push_back(0);
@@ -56,12 +58,12 @@ Rows exchange_areas(const FacetSet& facets, const Exchange& seen, double cut_off
                 a < seen.row[f + 1] ? static_cast<std::uint32_t>(index(seen.facet[a])) : none;
             const std::uint32_t from_b = b < seen_by.first[f + 1] ? seen_by.partner[b] : none;
             const std::uint32_t partner = std::min(from_a, from_b);
-            double both_ways = 0.0;
-            if (from_a == partner) both_ways += seen.factor[a++];
-            if (from_b == partner) both_ways += seen_by.value[b++];
+            double hits = 0.0;  // both ways
+            if (from_a == partner) hits += seen.factor[a++] * rays(f);
+            if (from_b == partner) hits += seen_by.value[b++] * rays(partner);
             if (partner == f) continue;
             const double mine = facets.area[f], theirs = facets.area[partner];
-            const double area = both_ways / (1.0 / mine + 1.0 / theirs);
+            const double area = hits / (rays(f) / mine + rays(partner) / theirs);
             if (area < cut_off * std::min(mine, theirs)) {
                 report.left_out += partner > f;
                 continue;
@@ -82,7 +84,7 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
     assert(view.exchange.row.size() == facets.size() + 1);
     ReciprocityReport report;
     const std::size_t n = facets.size();
-    const Rows areas = exchange_areas(facets, view.exchange, options.cut_off, report);
+    const Rows areas = exchange_areas(facets, view, options.cut_off, report);
     std::vector<double> wanted(n), scale(n, 1.0), sum(n);
     for (std::size_t f = 0; f < n; ++f) {
         const double rest = 1.0 - double{view.sky_view[f]} - view.below[f];

@@ -191,12 +191,17 @@ Exchange joined(const std::vector<ExchangeRows>& blocks, std::size_t facets) {
 }  // namespace
 
 SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOptions& options) {
-    assert(options.rays > 0);
-    const SkyRays sampler(options.rays, options.seed);
+    assert(options.rays > 0 && options.rays <= 65535);
+    assert(options.object_rays > 0 && options.object_rays <= 65535);
+    const SkyRays ground_sampler(options.rays, options.seed);
+    const SkyRays object_sampler(options.object_rays, options.seed);
     const SkyBound bound(facets);
-    const double weight = 1.0 / options.rays;
 
     SkyView view;
+    view.rays.assign(facets.size(), static_cast<std::uint16_t>(options.rays));
+    for (std::size_t f = options.first_object; f < facets.size(); ++f) {
+        view.rays[f] = static_cast<std::uint16_t>(options.object_rays);
+    }
     view.sky_view.resize(facets.size());
     view.below.resize(facets.size());
     std::vector<ExchangeRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
@@ -209,6 +214,7 @@ SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOpt
             if ((f - begin) % facets_per_bound == 0) {
                 sines = bound.sines(facets, f, std::min(end, f + facets_per_bound));
             }
+            const SkyRays& sampler = f < options.first_object ? ground_sampler : object_sampler;
             for (std::size_t p = 0; p < sampler.packets(); ++p) {
                 sampler.fill(facets, f, p, rays);
                 found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines);
@@ -219,6 +225,7 @@ SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOpt
         for (std::size_t f = begin; f < end; ++f) {
             const std::size_t first = hit;
             while (hit < found.owner.size() && found.owner[hit] == f - begin) ++hit;
+            const double weight = 1.0 / view.rays[f];
             blocks[begin / facets_per_block].append(
                 std::span(found.facet).subspan(first, hit - first), weight);
             view.sky_view[f] = static_cast<float>(weight * found.sky[f - begin]);

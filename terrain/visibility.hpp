@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,15 @@ struct SkyView {
     std::vector<float> sky_view;  // 0 to 1
     std::vector<float> below;     // 0 to 1
     Exchange exchange;
+    std::vector<std::uint16_t> rays = {};  // (facet) that this comes from; empty: as many of each
 };
 
 struct SkyViewOptions {
-    int rays = 64;  // stratified, cosine-weighted directions per facet
+    int rays = 64;  // stratified, cosine-weighted directions per facet, 1 to 65535
+    /// Facets from this one on take so many instead. What a wall sees differs more from place to
+    /// place than what open ground does, and thin metal follows every error.
+    std::size_t first_object = std::numeric_limits<std::size_t>::max();
+    int object_rays = 256;
     std::uint64_t seed = 1;
     bool exchange = true;  // or leave its rows empty
 };

@@ -1,9 +1,11 @@
 #include "render/scattered_path.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "render/radiance.hpp"
+#include "materials/units.hpp"
 #include "terrain/parallel.hpp"
 
 namespace diurna {
@@ -223,6 +225,89 @@ float ScatteredPath::operator()(const Towards& direction, float range, float hei
         }
     }
     return sum;
+}
+
+namespace {
+
+/// What a pixel's sightings have in common.
+struct Seen {
+    float weight = 0.0f, range = 0.0f, height = 0.0f;  // sums, then means
+    float nearest = 1e30f, farthest = 0.0f;
+};
+Seen seen_in(const View& view, std::size_t pixel) {
+    Seen seen;
+    for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
+        const Sighting& s = view.sighting[k];
+        const float range = view.range_of(s);
+        seen.weight += s.weight;
+        seen.range += s.weight * range;
+        seen.height += s.weight * view.height_of(s);
+        seen.nearest = std::min(seen.nearest, range);
+        seen.farthest = std::max(seen.farthest, range);
+    }
+    if (seen.weight > 0.0f) {
+        seen.range /= seen.weight;
+        seen.height /= seen.weight;
+    }
+    return seen;
+}
+
+/// Unit vector to the sun, under the zenith angle that SunField has.
+Eigen::Vector3d sun_direction(const RadianceInput& input) {
+    const double zenith = radians(input.sun_zenith_deg);
+    const double azimuth = std::atan2(input.to_sun.x(), input.to_sun.y());
+    return {std::sin(zenith) * std::sin(azimuth), std::sin(zenith) * std::cos(azimuth),
+            std::cos(zenith)};
+}
+
+}  // namespace
+
+std::string add_scattered_paths(const View& view, const Observer& observer,
+                                const RadianceInput& input, const Band& band,
+                                const SunField& scattered, const PathExtent& extent,
+                                std::span<float> plane) {
+    if (view.sighting.empty()) return "no path";
+    const PixelRays rays = pixel_rays(observer);
+    const Eigen::Vector3d sun = sun_direction(input);
+    const auto width = static_cast<std::size_t>(view.width);
+    std::vector<float> angle(view.pixels(), -1.0f), cosine(view.pixels(), 0.0f);
+    for_each_block(view.pixels(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            if (view.row[p] == view.row[p + 1]) continue;
+            const Eigen::Vector3d to =
+                rays.towards(double(p % width) + 0.5, double(p / width) + 0.5);
+            angle[p] = static_cast<float>(degrees(std::acos(std::clamp(to.dot(sun), -1.0, 1.0))));
+            cosine[p] = static_cast<float>(to.z());
+        }
+    });
+    ScatteredPath::Angles angles{180.0, 0.0};
+    for (const float a : angle) {
+        if (a < 0.0f) continue;
+        angles.least_deg = std::min(angles.least_deg, double{a});
+        angles.most_deg = std::max(angles.most_deg, double{a});
+    }
+    const ScatteredPath table(scattered, band, extent, angles);
+    for_each_block(view.pixels(), 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) {
+            if (angle[p] < 0.0f) continue;
+            const auto direction = table.towards(double{angle[p]}, double{cosine[p]});
+            const auto height_km = [&](float height) {
+                return static_cast<float>(input.ground_height_km + 1e-3 * double{height});
+            };
+            const Seen seen = seen_in(view, p);
+            if (seen.farthest < 1.03f * seen.nearest) {
+                plane[p] += seen.weight * table(direction, seen.range, height_km(seen.height));
+                continue;
+            }
+            for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
+                const Sighting& s = view.sighting[k];
+                plane[p] +=
+                    s.weight * table(direction, view.range_of(s), height_km(view.height_of(s)));
+            }
+        }
+    });
+    return fmt::format("{:.2g} % from {} ranges, {} heights, {} angles", 100.0 * table.error(),
+                       table.ranges(), table.heights(), table.angles());
 }
 
 }  // namespace diurna

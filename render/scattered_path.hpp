@@ -2,11 +2,16 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "materials/band.hpp"
 #include "materials/scattering.hpp"
+#include "render/observer.hpp"
 #include "render/path_table.hpp"
+#include "render/radiance.hpp"
+#include "render/view.hpp"
 
 namespace diurna {
 
@@ -27,7 +32,7 @@ class ScatteredPath {
     /// segments   of every line (chord_segments), so that radiance is smooth over the table
     /// tolerance  of scattered radiance, as a share of it or of a fiftieth of its greatest value
     ScatteredPath(const SunField& field, const Band& band, const PathExtent& extent,
-                  const Angles& angles, double tolerance = 4e-4);
+                  const Angles& angles, double tolerance = 8e-4);
 
     /// A direction of sight: what of the table it needs.
     struct Towards {
@@ -69,5 +74,13 @@ class ScatteredPath {
     std::vector<float> at_angle_;   // (range, height, angle)
     std::vector<float> by_cosine_;  // (range, height)
 };
+
+/// Adds the sunlight that the air scatters before what every pixel sees to a plane [W m⁻² sr⁻¹].
+/// Directions are those of the pixels' middles; a pixel whose sightings lie within 3 % of range is
+/// looked up once, at their mean. Returns what the table was like, for the frame's notes.
+std::string add_scattered_paths(const View& view, const Observer& observer,
+                                const RadianceInput& input, const Band& band,
+                                const SunField& scattered, const PathExtent& extent,
+                                std::span<float> plane);
 
 }  // namespace diurna

@@ -15,6 +15,7 @@
 #include "render/leaving.hpp"
 #include "render/path_table.hpp"
 #include "render/pixel_sum.hpp"
+#include "render/scattered_path.hpp"
 #include "render/scene_basis.hpp"
 #include "render/truth.hpp"
 #include "terrain/parallel.hpp"
@@ -216,6 +217,12 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     std::vector<std::vector<float>> planes(columns, std::vector<float>(view.pixels()));
     sum_pixels(view, {eye, view.facet.size() * columns}, background,
                axis_from_sun_deg(observer, input), planes);
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        if (!scattered[b]) continue;
+        frame.notes["scattered." + bands[b].name] = add_scattered_paths(
+            view, observer, input, bands[b], *scattered[b],
+            extent_of(view, input.ground_height_km), planes[(b + 1) * per_band - 1]);
+    }
 
     for (std::size_t b = 0; b < bands.size(); ++b) {
         const Band& band = bands[b];

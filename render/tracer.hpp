@@ -31,12 +31,12 @@ struct FrameOptions {
 /// refined until the error estimated from its own halving is below `tolerance`.
 ///
 /// Against the node-by-node reference (radiance_at_eye): within 2 mK in 3-5, 8-12 and 8-14 µm and,
-/// without air, 1.5-1.8 µm, 2.6 mK in 0.4-0.7 µm; with sunlight that the air scatters, within 0.2 %
+/// without air, 1.5-1.8 µm, 2.6 mK in 0.4-0.7 µm; with sunlight that the air scatters, within 0.1 %
 /// of radiance below 2.5 µm (tests/tracer_test.cpp).
 ///
 /// By day and below 5 µm the air's scattered sunlight (materials/scattering.hpp) falls on surfaces
-/// and is seen in the sky and before the far plain beyond the scene's edge; what the air scatters
-/// between a facet and the eye is not added.
+/// and is seen in the sky, before the far plain beyond the scene's edge and before every facet
+/// (scattered_path.hpp).
 ///
 /// Notes of the frame: for each band the error estimate, the size of the grid, and a bound on what
 /// the bounces of light that are not followed would add. The same bytes for any number of threads.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "materials/air.hpp"
 #include "materials/error.hpp"
 #include "materials/units.hpp"
 #include "thermal/point_facet.hpp"
@@ -118,6 +119,38 @@ ColumnRow row_of(const PointFacet& facet, Instant when, double melt) {
             .melt = melt};
 }
 
+/// The first day as one that may have gone before itself: what its air and sky gained or lost from
+/// end to end is taken out evenly, so that it ends as it began. A front that came through is
+/// weather of that day and none of the days before.
+Weather without_trend(Weather weather, Instant start) {
+    constexpr double window = 3600.0;  // [s] averaged at either end
+    const Instant end = later(start, day);
+    const auto mean = [&](Instant from, double Forcing::*flux, double AirState::*air) {
+        double sum = 0.0;
+        constexpr int parts = 12;
+        for (int i = 0; i < parts; ++i) {
+            const Forcing f = weather.at(later(from, window * (i + 0.5) / parts));
+            sum += flux ? f.*flux : f.air.*air;
+        }
+        return sum / parts;
+    };
+    const auto gain = [&](double Forcing::*flux, double AirState::*air) {
+        return mean(later(end, -window), flux, air) - mean(start, flux, air);
+    };
+    const double warmer = gain(nullptr, &AirState::temperature);
+    const double moister = gain(nullptr, &AirState::vapour_pressure);
+    const double brighter = gain(&Forcing::longwave_down, nullptr);
+    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
+        const double share = std::clamp(seconds_between(start, weather.instant[i]) / day, 0.0, 1.0);
+        Forcing& f = weather.sample[i];
+        f.air.temperature -= share * warmer;
+        f.air.vapour_pressure = std::clamp(f.air.vapour_pressure - share * moister, 0.0,
+                                           saturation_vapour_pressure(f.air.temperature));
+        if (!std::isnan(brighter)) f.longwave_down -= share * brighter;
+    }
+    return weather;
+}
+
 /// Takes the freezing out of a surface's layers; whether there was any.
 bool forget_freezing(ThermalSurface& surface) {
     bool any = false;
@@ -157,11 +190,15 @@ ColumnResult run_column(const ColumnJob& given) {
                     [](const Forcing& f) { return std::isnan(f.longwave_down); });
     if (longwave_missing) infer_cloud(job.weather, job.site, job.elevation, job.clear_sky);
 
-    PointWeather weather(job);
+    ColumnJob before = job;
+    if (job.spin_up == SpinUp::first_day && seconds_between(job.start, job.end) >= 0.99 * day) {
+        before.weather = without_trend(job.weather, job.start);
+    }
+    PointWeather weather(job), weather_before(before);
     const LouisForm louis =
         louis_form(job.surface.roughness_length, job.surface.heat_roughness_length,
                    job.weather.wind_height, job.weather.air_height);
-    const auto setup = [&](const ThermalSurface& surface) {
+    const auto setup = [&](const ThermalSurface& surface, PointWeather& from) {
         return PointSetup{.surface = surface,
                           .louis = louis,
                           .up_cosine = weather.up_cosine(),
@@ -172,9 +209,9 @@ ColumnResult run_column(const ColumnJob& given) {
                           .longest_step = job.longest_step,
                           .tolerance = job.tolerance,
                           .knot = job.weather.instant,
-                          .forcing = [&](Instant when) { return weather(when); }};
+                          .forcing = [&from](Instant when) { return from(when); }};
     };
-    PointFacet facet(setup(job.surface));
+    PointFacet facet(setup(job.surface, weather));
     ColumnResult result;
     result.note = job.weather.note;
     result.has_back = job.surface.back.has_value();
@@ -195,7 +232,7 @@ ColumnResult run_column(const ColumnJob& given) {
             job.spin_up == SpinUp::periodic ? job.end : std::min(job.end, later(job.start, day));
         if (ThermalSurface plain = job.surface; forget_freezing(plain)) {
             // Phases first: a front that must cross the column moves a node or two a pass.
-            PointFacet first(setup(plain));
+            PointFacet first(setup(plain, weather_before));
             for (std::size_t i = 0; i < first.u.size(); ++i) {
                 first.u[i] = first.column.state_of(i, facet.column.temperature(i, facet.u[i]));
             }
@@ -204,8 +241,10 @@ ColumnResult run_column(const ColumnJob& given) {
                 facet.u[i] = facet.column.state_of(i, first.column.temperature(i, first.u[i]));
             }
         }
-        result.passes += make_periodic(facet, job.start, end, result.periodic_residual);
-        facet.count = {};
+        PointFacet settled(setup(job.surface, weather_before));
+        settled.u = facet.u;
+        result.passes += make_periodic(settled, job.start, end, result.periodic_residual);
+        facet.go_on_from(settled);
     }
 
     const auto rows =

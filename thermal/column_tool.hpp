@@ -12,6 +12,9 @@
 
 namespace diurna {
 
+/// What went before the span: nothing (the given start), its first day over and over, or itself.
+/// The first day is repeated without the trend of its air and sky from end to end: a front that
+/// came through is that day's weather and no other's.
 enum class SpinUp { none, first_day, periodic };
 
 /// A temperature in the ground.

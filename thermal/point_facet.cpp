@@ -391,6 +391,13 @@ double PointFacet::close_period(const std::vector<double>& start, const Eigen::M
     return far;
 }
 
+void PointFacet::go_on_from(const PointFacet& other) {
+    u = other.u;
+    standing = other.standing;
+    next_step_ = other.next_step_;
+    wet_evaporation_ = other.wet_evaporation_;
+}
+
 void PointFacet::keep_in_bounds() {
     for (std::size_t i = 0; i < u.size(); ++i) {
         const double t = column.temperature(i, u[i]);

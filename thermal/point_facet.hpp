@@ -65,6 +65,8 @@ class PointFacet {
     /// Returns the largest move [K].
     double close_period(const std::vector<double>& start, const Eigen::MatrixXd& map);
     void keep_in_bounds();
+    /// Takes over the state of a facet of the same column, and how long its steps were.
+    void go_on_from(const PointFacet& other);
 
     SurfaceConditions conditions(Instant when, const Standing& water) const;
     SurfaceTerms terms(Instant when) const;

@@ -135,7 +135,7 @@ void mesh_command(const MeshArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::fill, .centre = {}});
     const auto read = std::chrono::steady_clock::now();
-    const Tin tin = triangulate(dem, arguments.tolerance_m);
+    const Tin tin = affordable_network(dem, arguments.tolerance_m);
     const auto meshed = std::chrono::steady_clock::now();
     const TinCheck found = check_tin(dem, tin);
     if (!arguments.out.empty()) {

@@ -21,9 +21,10 @@ namespace {
 Site resolved_site(const Scene& scene, const Dem& dem) {
     if (!scene.site) {
         const Geodetic centre = dem_centre(dem);
-        return {centre.latitude_deg, centre.longitude_deg, centre.height};
+        return {centre.latitude_deg, centre.longitude_deg, centre.height, scene.terrain.refraction};
     }
     Site site = *scene.site;
+    site.refraction = scene.terrain.refraction;
     if (std::isnan(site.height)) {
         site.height = height_at(dem, site.latitude_deg, site.longitude_deg);
         if (std::isnan(site.height)) {
@@ -134,9 +135,61 @@ std::vector<float> slack_of(const Scene& scene, const Dem& dem, const Site& site
                            scene.terrain.coarsest);
 }
 
+/// Corners of a box's plan.
+std::vector<Eigen::Vector2d> plan_of(const BoxSpec& spec) {
+    const double heading = radians(spec.heading_deg);
+    const Eigen::Vector2d ahead(std::sin(heading), std::cos(heading));
+    const Eigen::Vector2d right(ahead.y(), -ahead.x());
+    std::vector<Eigen::Vector2d> ring;
+    for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}) {
+        ring.push_back(spec.base.head<2>() + x * spec.width * right + y * spec.depth * ahead);
+    }
+    return ring;
+}
+
+/// The buildings of the scene file; each stands with its corners in the ground.
+std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& site) {
+    std::vector<BoxSpec> boxes;
+    for (const Building& building : scene.terrain.buildings) {
+        const std::string where =
+            fmt::format("{}: building \"{}\"", scene.file.string(), building.name);
+        BoxSpec spec{.base = ground_point(dem, site, building.place, where),
+                     .width = building.width,
+                     .depth = building.depth,
+                     .height = building.height,
+                     .heading_deg = building.heading_deg,
+                     .wall = scene.materials.find(building.wall),
+                     .front = scene.materials.find(building.front),
+                     .roof = scene.materials.find(building.roof)};
+        // Walls reach below the lowest corner's ground, so that no light passes under them.
+        double lowest = spec.base.z();
+        for (const Eigen::Vector2d& corner : plan_of(spec)) {
+            lowest = std::min(lowest, ground_point(dem, site, corner, where).z());
+        }
+        spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.tolerance;
+        boxes.push_back(spec);
+    }
+    return boxes;
+}
+
+/// The network the scene asks for: the full grid, or what the tolerance leaves of it.
+GroundMesh ground_of(const Scene& scene, const Dem& dem, const Site& site,
+                     const std::vector<Footprint>& footprints) {
+    using Mesh = TerrainInput::Mesh;
+    const TerrainInput& terrain = scene.terrain;
+    const std::size_t triangles = 2 * std::size_t(dem.columns - 1) * std::size_t(dem.rows - 1);
+    if (terrain.mesh == Mesh::grid || (terrain.mesh == Mesh::grid_where_it_fits &&
+                                       triangles <= TerrainInput::most_grid_triangles)) {
+        return ground_mesh(dem, full_grid(dem), terrain.tolerance, footprints);
+    }
+    return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, site));
+}
+
 /// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
-/// count as ground.
-void append_ground(World& world, const Scene& scene, const Dem& dem) {
+/// count as ground. Under `buildings` (rings, east and north) there is none: nobody sees it, and it
+/// would meet the walls from behind.
+void append_ground(World& world, const Scene& scene, const Dem& dem,
+                   const std::vector<std::vector<Eigen::Vector2d>>& buildings) {
     const auto& polygons = scene.terrain.polygons;
     const auto shapes = ground_shapes(scene.terrain.shapes, dem, world.site);
     std::vector<Footprint> footprints;
@@ -153,13 +206,18 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
         material.push_back(polygons[i].material);
         object.push_back(polygons[i].material.empty() ? 0 : static_cast<int>(i) + 1);
     }
+    constexpr int nothing = -1;
+    for (const auto& ring : buildings) {
+        footprints.push_back({raster_places(dem, world.site, ring)});
+        material.emplace_back();
+        object.push_back(nothing);
+    }
     const std::size_t named = footprints.size();
     for (const ObjectInput& input : scene.terrain.objects) {
         const GroundPatch patch = ground_patch(input);
         footprints.push_back({raster_places(dem, world.site, patch.ring), patch.largest_edge});
     }
-    const GroundMesh mesh =
-        ground_mesh(dem, scene.terrain.tolerance, footprints, slack_of(scene, dem, world.site));
+    const GroundMesh mesh = ground_of(scene, dem, world.site, footprints);
     world.ground_check = check_ground_mesh(dem, mesh);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);
@@ -206,11 +264,11 @@ void append_ground(World& world, const Scene& scene, const Dem& dem) {
 }
 
 /// Footprints of files, one object per file.
-void append_shape_buildings(World& world, const Scene& scene, const Dem& dem) {
+void append_shape_buildings(World& world, const Scene& scene,
+                            std::vector<ShapeBuilding> buildings) {
     const auto& inputs = scene.terrain.shapes;
     std::vector<std::uint16_t> object(inputs.size(), 0);
-    for (ShapeBuilding& building :
-         shape_buildings(inputs, dem, world.site, scene.terrain.tolerance)) {
+    for (ShapeBuilding& building : buildings) {
         const ShapesInput& input = inputs[building.input];
         if (object[building.input] == 0) {
             object[building.input] = static_cast<std::uint16_t>(world.objects.size());
@@ -222,30 +280,9 @@ void append_shape_buildings(World& world, const Scene& scene, const Dem& dem) {
     }
 }
 
-void append_buildings(World& world, const Scene& scene, const Dem& dem) {
+void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpec>& boxes) {
     std::size_t object = scene.terrain.polygons.size();
-    for (const Building& building : scene.terrain.buildings) {
-        const std::string where =
-            fmt::format("{}: building \"{}\"", scene.file.string(), building.name);
-        const double heading = radians(building.heading_deg);
-        const Eigen::Vector2d ahead(std::sin(heading), std::cos(heading));
-        const Eigen::Vector2d right(ahead.y(), -ahead.x());
-        BoxSpec spec{.base = ground_point(dem, world.site, building.place, where),
-                     .width = building.width,
-                     .depth = building.depth,
-                     .height = building.height,
-                     .heading_deg = building.heading_deg,
-                     .wall = scene.materials.find(building.wall),
-                     .front = scene.materials.find(building.front),
-                     .roof = scene.materials.find(building.roof)};
-        // Walls reach below the lowest corner's ground, so that no light passes under them.
-        double lowest = spec.base.z();
-        for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {-0.5, 0.5}, {0.5, -0.5}, {0.5, 0.5}}) {
-            const Eigen::Vector2d corner =
-                building.place + x * building.width * right + y * building.depth * ahead;
-            lowest = std::min(lowest, ground_point(dem, world.site, corner, where).z());
-        }
-        spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.tolerance;
+    for (const BoxSpec& spec : boxes) {
         append_facets(world.facets, box(spec), ObjectId{static_cast<std::uint16_t>(++object)});
     }
 }
@@ -278,12 +315,22 @@ World build_world(const Scene& scene, const Dem& dem) {
     World world;
     world.site = resolved_site(scene, dem);
     world.sea_level_height = world.site.height;
+    if (scene.terrain.reading.geoid) {
+        const Geodetic here{world.site.latitude_deg, world.site.longitude_deg, 0.0};
+        world.sea_level_height -= geoid_heights({&here, 1}).front();
+    }
     world.objects = object_names(scene);
     world.posts = dem.height.size();
-    append_ground(world, scene, dem);
-    append_buildings(world, scene, dem);
+    const std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
+    std::vector<ShapeBuilding> shapes =
+        shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
+    std::vector<std::vector<Eigen::Vector2d>> plans;
+    for (const BoxSpec& spec : boxes) plans.push_back(plan_of(spec));
+    for (const ShapeBuilding& building : shapes) plans.push_back(building.prism.ring);
+    append_ground(world, scene, dem, plans);
+    append_buildings(world, scene, boxes);
     append_objects(world, scene, dem);
-    append_shape_buildings(world, scene, dem);
+    append_shape_buildings(world, scene, std::move(shapes));
     mark_filled(world, dem);
     world.relief.emplace(height_field(dem, world.site));
     return world;

@@ -225,6 +225,11 @@ GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footpri
                        std::span<const float> slack) {
     const Tin tin =
         slack.empty() ? triangulate(dem, tolerance) : triangulate(dem, tolerance, slack);
+    return ground_mesh(dem, tin, tolerance, footprints, slack);
+}
+
+GroundMesh ground_mesh(const Dem& dem, const Tin& tin, double tolerance,
+                       std::span<const Footprint> footprints, std::span<const float> slack) {
     if (footprints.empty()) return without_footprints(dem, tin);
     std::vector<float> weight(slack.size());
     std::transform(slack.begin(), slack.end(), weight.begin(), [](float s) { return 1.0f / s; });

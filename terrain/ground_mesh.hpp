@@ -52,6 +52,11 @@ struct GroundMesh {
 GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footprint> footprints = {},
                        std::span<const float> slack = {});
 
+/// The same from a network that is there already, such as `full_grid`.
+GroundMesh ground_mesh(const Dem& dem, const Tin& network, double tolerance,
+                       std::span<const Footprint> footprints = {},
+                       std::span<const float> slack = {});
+
 /// Someone who looks at the ground, or something on it that is looked at.
 struct Viewpoint {
     Eigen::Vector2d place;  // (column, row)

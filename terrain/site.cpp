@@ -16,10 +16,19 @@ GeographicLib::LocalCartesian frame_of(const Site& site) {
     return {site.latitude_deg, site.longitude_deg, site.height};
 }
 
-Eigen::Vector3d forward(const GeographicLib::LocalCartesian& frame, const Geodetic& place) {
+constexpr double earth_radius = 6371e3;  // [m]
+
+/// What refraction lifts a point by that is so far east and north.
+double lift(const Site& site, const Eigen::Vector3d& local) {
+    return site.refraction * local.head<2>().squaredNorm() / (2.0 * earth_radius);
+}
+
+Eigen::Vector3d forward(const Site& site, const GeographicLib::LocalCartesian& frame,
+                        const Geodetic& place) {
     Eigen::Vector3d local;
     frame.Forward(place.latitude_deg, place.longitude_deg, place.height, local.x(), local.y(),
                   local.z());
+    local.z() += lift(site, local);
     return local;
 }
 
@@ -29,17 +38,17 @@ void to_local(const Site& site, std::span<const Geodetic> places,
               std::span<Eigen::Vector3d> local) {
     assert(places.size() == local.size());
     const auto frame = frame_of(site);
-    for (std::size_t i = 0; i < places.size(); ++i) local[i] = forward(frame, places[i]);
+    for (std::size_t i = 0; i < places.size(); ++i) local[i] = forward(site, frame, places[i]);
 }
 
 Eigen::Vector3d to_local(const Site& site, const Geodetic& place) {
-    return forward(frame_of(site), place);
+    return forward(site, frame_of(site), place);
 }
 
 Geodetic to_geodetic(const Site& site, const Eigen::Vector3d& local) {
     Geodetic place{};
-    frame_of(site).Reverse(local.x(), local.y(), local.z(), place.latitude_deg, place.longitude_deg,
-                           place.height);
+    frame_of(site).Reverse(local.x(), local.y(), local.z() - lift(site, local), place.latitude_deg,
+                           place.longitude_deg, place.height);
     return place;
 }
 

@@ -51,9 +51,11 @@ class GreedyInsertion {
     explicit GreedyInsertion(const Dem& dem, double tolerance)
         : GreedyInsertion(dem, tolerance, {}) {}
 
-    Tin run(std::span<const std::array<std::int32_t, 2>> keep) {
+    std::optional<Tin> run(std::span<const std::array<std::int32_t, 2>> keep,
+                           std::size_t most_posts = std::size_t(-1)) {
         start(keep);
         while (!queue_.empty()) {
+            if (mesh_.number_of_vertices() > most_posts) return std::nullopt;
             const Candidate next = queue_.top();
             queue_.pop();
             if (next.face->info().stamp != next.stamp) continue;
@@ -159,11 +161,15 @@ class GreedyInsertion {
 
 Tin triangulate(const Dem& dem, double tolerance,
                 std::span<const std::array<std::int32_t, 2>> keep) {
-    return GreedyInsertion(dem, tolerance).run(keep);
+    return *GreedyInsertion(dem, tolerance).run(keep);
 }
 
 Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack) {
-    return GreedyInsertion(dem, tolerance, slack).run({});
+    return *GreedyInsertion(dem, tolerance, slack).run({});
+}
+
+std::optional<Tin> triangulate_up_to(const Dem& dem, double tolerance, std::size_t most_posts) {
+    return GreedyInsertion(dem, tolerance).run({}, most_posts);
 }
 
 }  // namespace diurna

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,6 +28,20 @@ Tin triangulate(const Dem& dem, double tolerance,
 /// The same with a tolerance that differs from post to post: `tolerance` times `slack`
 /// (row, column), more than 0. One network without cracks; finer where the slack is small.
 Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack);
+
+/// The same as the first; none as soon as the network would have more posts than so many.
+std::optional<Tin> triangulate_up_to(const Dem& dem, double tolerance, std::size_t most_posts);
+
+/// The network within the tolerance in no more memory than ten times the input and 200 MB for the
+/// whole program, the input counted as two bytes a post. Where the greedy network with its queue
+/// needs more (240 bytes a post of it, from about half of the raster's posts on), the full grid,
+/// which is exact and needs 65. Throws InputError where that is too much too.
+Tin affordable_network(const Dem& dem, double tolerance);
+
+/// Every post, and two triangles a cell cut from its first to its last corner, as the march over
+/// the grid has it (height_field.hpp). A cell with one void corner has one triangle, with more
+/// none.
+Tin full_grid(const Dem& dem);
 
 /// Checks a network by rasterising each triangle anew, independent of how it was made.
 struct TinCheck {

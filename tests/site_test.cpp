@@ -3,6 +3,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 using namespace diurna;
 
@@ -30,6 +31,44 @@ TEST_CASE("the Earth falls away below the horizontal plane", "[terrain][site]") 
     const Site site{0.0, 0.0, 0.0};
     const Eigen::Vector3d east = to_local(site, {0.0, 50e3 / 6378137.0 * 180.0 / M_PI, 0.0});
     CHECK(east.z() == Approx(-196.2).epsilon(0.006));
+}
+
+TEST_CASE("refraction lifts what is far by an eighth of the Earth's drop", "[terrain][site]") {
+    // Elevation seen from sea level over 50 km on a sphere of 6371 km: a peak of 1000 m 0.92084°,
+    // 0.95008° with k = 0.13; one of 200 m 0.00435° and 0.03358°.
+    struct Case {
+        double height, refraction, elevation_deg;
+    };
+    const auto [height, refraction, elevation_deg] =
+        GENERATE(values<Case>({{1000.0, 0.0, 0.92084},
+                               {1000.0, 0.13, 0.95008},
+                               {200.0, 0.0, 0.00435},
+                               {200.0, 0.13, 0.03358}}));
+    // At 45° north the ellipsoid is as flat as that sphere to 0.3 %, mean of the azimuths.
+    double sum = 0.0;
+    for (int azimuth_deg = 0; azimuth_deg < 360; azimuth_deg += 10) {
+        const Site site{45.0, 8.0, 0.0, refraction};
+        Geodetic far = to_geodetic({45.0, 8.0, 0.0}, 50e3 * direction(azimuth_deg, 0.0));
+        far.height = height;
+        const Eigen::Vector3d local = to_local(site, far);
+        sum += std::atan2(local.z(), local.head<2>().norm()) * 180.0 / M_PI / 36.0;
+        const Geodetic back = to_geodetic(site, local);
+        CHECK(back.height == Approx(height).margin(1e-5));
+    }
+    CHECK(sum == Approx(elevation_deg).margin(1e-3));
+}
+
+TEST_CASE("a bent line of sight between any two places is straight in the frame",
+          "[terrain][site]") {
+    // From 30 km west to 20 km east of the site, 10 km north of it, with curvature k/R.
+    const double k = 0.13, radius = 6371e3;
+    const Site plain{46.0, 8.0, 0.0}, bent{46.0, 8.0, 0.0, k};
+    std::vector<Eigen::Vector3d> seen;
+    for (const double s : {0.0, 25e3, 50e3}) {
+        const Eigen::Vector3d on_ray(s - 30e3, 10e3, 500.0 + 0.01 * s - k * s * s / (2.0 * radius));
+        seen.push_back(to_local(bent, to_geodetic(plain, on_ray)));
+    }
+    CHECK((seen[1] - 0.5 * (seen[0] + seen[2])).norm() < 1e-6);
 }
 
 TEST_CASE("many places at once are the same as one by one", "[terrain][site]") {

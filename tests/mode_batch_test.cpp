@@ -32,8 +32,7 @@ struct Case {
         before = air_film(surface, louis, state, wind);
         state.temperature = 291.2;
         air = air_film(surface, louis, state, 1.05 * wind);
-        batch.count = lanes;
-        batch.state.assign(step.modes() * lanes, 0.0);
+        batch.resize(step.modes(), lanes);
         batch.natural.fill(natural_film(1.0));
         for (std::size_t l = 0; l < lanes; ++l) {
             heat_before[l] = surface.emissivity * 300.0 + 35.0 * double(l);

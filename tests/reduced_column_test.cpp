@@ -94,8 +94,7 @@ TEST_CASE("a day under a film, stepped in modes, is the closed form's at any ste
     // The modes are closed with another film than the true one: what it misses is stepped.
     const ModeStep steps = make_mode_step(column, close_column(column, 12.0), step);
     ModeBatch batch;
-    batch.count = 1;
-    batch.state.assign(std::size_t(column.modes()) * lanes, 0.0);
+    batch.resize(std::size_t(column.modes()), 1);
     const double heat[lanes] = {};
     AirFilm air = still_air(290.0 + swing, film);
     begin_modes(steps, air, heat, 0.0, batch);
@@ -145,9 +144,8 @@ TEST_CASE("light that goes and comes within a step is met to hundredths of a kel
             double slopes = 0.0;
             const ModeStep steps = make_mode_step(column, closed, step);
             ModeBatch batch;
-            batch.count = 1;
+            batch.resize(std::size_t(column.modes()), 1);
             batch.natural[0] = natural_film(1.0);
-            batch.state.assign(std::size_t(column.modes()) * lanes, 0.0);
             const double sky = surface.emissivity * 350.0;
             double heat[lanes], before[lanes];
             std::fill_n(heat, lanes, sky + shining(8.0 * 3600.0));

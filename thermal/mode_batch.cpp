@@ -25,6 +25,11 @@ Phi phi(double z) {
 
 const ModeKernel& kernel() { return wide_vectors() ? modes_avx512 : modes_avx2; }
 
+/// Of a lane's first mode in ModeBatch::state.
+std::size_t place(const ModeStep& step, std::size_t lane) {
+    return lane / lanes * step.modes() * lanes + lane % lanes;
+}
+
 /// The lanes that leave the others' step, each with the state it had before.
 struct Strays {
     std::size_t count = 0;
@@ -47,9 +52,9 @@ struct Strays {
         temperature[k] = batch.temperature[l];
         drive[k] = batch.drive[l];
         slope[k] = batch.slope[l];
+        const double* const x = batch.state.data() + place(step, l);
         for (std::size_t m = 0; m < step.modes(); ++m) {
-            state[m * split_capacity + k] =
-                batch.state[m * lanes + l] + step.to[m] * batch.drive[l];
+            state[m * split_capacity + k] = x[m * lanes] + step.to[m] * batch.drive[l];
         }
     }
     void give(const ModeStep& step, ModeBatch& batch, std::size_t k) const {
@@ -57,8 +62,9 @@ struct Strays {
         batch.temperature[l] = temperature[k];
         batch.drive[l] = drive[k];
         batch.slope[l] = slope[k];
+        double* const x = batch.state.data() + place(step, l);
         for (std::size_t m = 0; m < step.modes(); ++m) {
-            batch.state[m * lanes + l] = state[m * split_capacity + k] - step.to[m] * drive[k];
+            x[m * lanes] = state[m * split_capacity + k] - step.to[m] * drive[k];
         }
     }
 };
@@ -106,17 +112,26 @@ ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed,
     return result;
 }
 
+void ModeBatch::resize(std::size_t modes, std::size_t facets) {
+    assert(facets > 0 && facets <= mode_lanes);
+    count = facets;
+    state.assign(units() * modes * lanes, 0.0);
+}
+
 void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
                  ModeBatch& batch) {
-    std::fill(batch.natural.begin() + std::ptrdiff_t(batch.count), batch.natural.end(),
-              batch.natural[0]);
-    for (std::size_t l = 0; l < lanes; ++l) {
-        double theta = 0.0;
-        for (std::size_t m = 0; m < step.modes(); ++m) {
-            double& x = batch.state[m * lanes + l];
-            if (l >= batch.count) x = batch.state[m * lanes];
-            theta += step.surface[m] * x;
+    for (std::size_t l = 0; l < batch.units() * lanes; ++l) {
+        const std::size_t first = l / lanes * lanes;
+        double* const x = batch.state.data() + place(step, l);
+        if (l >= batch.count) {
+            batch.natural[l] = batch.natural[first];
+            const double* const same = batch.state.data() + place(step, first);
+            for (std::size_t m = 0; m < step.modes(); ++m) {
+                x[m * lanes] = same[m * lanes] + step.to[m] * batch.drive[first];
+            }
         }
+        double theta = 0.0;
+        for (std::size_t m = 0; m < step.modes(); ++m) theta += step.surface[m] * x[m * lanes];
         const double t = theta + step.reference;
         const HeatBalance balance =
             heat_balance(air, batch.natural[l], emissivity, heat[l], 0.0, 0.0, t);
@@ -124,20 +139,14 @@ void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, d
         batch.slope[l] = -step.film;  // a first guess
         // The flux from below drives the modes as one into the surface does; it rides along.
         batch.drive[l] = balance.sum() + step.film * theta + step.flux_below;
-    }
-    // From here on the state lacks the drive's own part, as after every step.
-    for (std::size_t m = 0; m < step.modes(); ++m) {
-        for (std::size_t l = 0; l < lanes; ++l) {
-            batch.state[m * lanes + l] -= step.to[m] * batch.drive[l];
-        }
+        for (std::size_t m = 0; m < step.modes(); ++m) x[m * lanes] -= step.to[m] * batch.drive[l];
     }
 }
 
 void end_modes(const ModeStep& step, ModeBatch& batch) {
-    for (std::size_t m = 0; m < step.modes(); ++m) {
-        for (std::size_t l = 0; l < lanes; ++l) {
-            batch.state[m * lanes + l] += step.to[m] * batch.drive[l];
-        }
+    for (std::size_t l = 0; l < batch.units() * lanes; ++l) {
+        double* const x = batch.state.data() + place(step, l);
+        for (std::size_t m = 0; m < step.modes(); ++m) x[m * lanes] += step.to[m] * batch.drive[l];
     }
 }
 
@@ -154,19 +163,23 @@ void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emis
     batch.unsettled.clear();
 
     const ModeCoefficients coefficients = step.coefficients(emissivity);
-    const ModeOutcome outcome = kernel().advance(forcing.air_before, forcing.air, coefficients,
-                                                 {.natural = batch.natural.data(),
-                                                  .heat_before = forcing.heat_before,
-                                                  .heat = forcing.heat,
-                                                  .state = batch.state.data(),
-                                                  .temperature = batch.temperature.data(),
-                                                  .drive = batch.drive.data(),
-                                                  .slope = batch.slope.data()});
-    ++record.stages;
-    record.iterations += outcome.iterations;
-    record.worst_iterations = std::max(record.worst_iterations, outcome.iterations);
-    record.bisections += outcome.halved ? batch.count : 0;
-    record.worst_closure = std::max(record.worst_closure, outcome.closure);
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        const std::size_t first = u * lanes;
+        const ModeOutcome outcome =
+            kernel().advance(forcing.air_before, forcing.air, coefficients,
+                             {.natural = batch.natural.data() + first,
+                              .heat_before = forcing.heat_before + first,
+                              .heat = forcing.heat + first,
+                              .state = batch.state.data() + first * step.modes(),
+                              .temperature = batch.temperature.data() + first,
+                              .drive = batch.drive.data() + first,
+                              .slope = batch.slope.data() + first});
+        ++record.stages;
+        record.iterations += outcome.iterations;
+        record.worst_iterations = std::max(record.worst_iterations, outcome.iterations);
+        record.bisections += outcome.halved ? std::min(lanes, batch.count - first) : 0;
+        record.worst_closure = std::max(record.worst_closure, outcome.closure);
+    }
 
     if (const std::size_t count = strays.count; count > 0) {
         const std::size_t groups = (count + split_lanes - 1) / split_lanes;

@@ -29,15 +29,20 @@ struct ModeStep {
 };
 ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step);
 
-/// `lanes` facets of one material, of which `count` are wanted; those beyond repeat the first.
+/// Up to `mode_lanes` facets of one material in units of `lanes`; those of the last unit that are
+/// not wanted repeat its first.
 struct ModeBatch {
     std::size_t count = 0;
-    std::vector<double> state;                // [mode][lane]
-    std::array<double, lanes> temperature{};  // of the surface [K]
-    std::array<double, lanes> drive{};        // u + f [W m⁻²]
-    std::array<double, lanes> slope{};        // d(flux)/dT of the surface [W m⁻² K⁻¹]
-    std::array<NaturalFilm, lanes> natural{};
+    std::vector<double> state;  // [unit][mode][lane of the unit]
+    // [lane]
+    std::array<double, mode_lanes> temperature{};  // of the surface [K]
+    std::array<double, mode_lanes> drive{};        // u + f [W m⁻²]
+    std::array<double, mode_lanes> slope{};        // d(flux)/dT of the surface [W m⁻² K⁻¹]
+    std::array<NaturalFilm, mode_lanes> natural{};
     std::vector<std::size_t> unsettled;  // lanes to be split once more after a jump
+
+    void resize(std::size_t modes, std::size_t facets);
+    std::size_t units() const { return (count + lanes - 1) / lanes; }
 };
 
 /// Where one lane's heat jumps within a step.
@@ -47,7 +52,8 @@ struct HeatJump {
     double heat;   // [W m⁻²] what it rises by
 };
 
-/// Air and heat [lanes] (absorbed sun and longwave, internal) at the instants a step joins.
+/// Air and heat [lane], units filled up, (absorbed sun and longwave, internal) at the instants a
+/// step joins.
 struct ModeForcing {
     const AirFilm &air_before, &air;
     const double *heat_before, *heat;
@@ -59,7 +65,7 @@ void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, d
                  ModeBatch& batch);
 
 /// One step. The lanes whose heat jumps, and where the surface is quick those whose heat did so in
-/// the step before, go their own way: to the jump, then in five parts of growing length.
+/// the step before, go their own way: to the jump, then in four parts of growing length.
 /// `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what the
 /// surface takes in at the step's end less what the modes got, over the sum of its terms. The modes
 /// themselves keep every joule (tests/reduced_column_test).

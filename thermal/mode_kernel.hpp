@@ -10,6 +10,10 @@ namespace diurna {
 // A step of `lanes` facets in modes as plain arrays: what the loops compiled for each width of
 // vectors take (thermal/mode_loops.hpp). Nothing here allocates or throws.
 
+/// Facets in modes that go through the span together, in units of `lanes`: those that a shadow's
+/// edge passes in the same step are then enough to fill a vector.
+inline constexpr std::size_t mode_lanes = 8 * lanes;
+
 /// Shared by all facets of a material over a step.
 struct ModeCoefficients {
     std::size_t modes;
@@ -42,7 +46,7 @@ struct SplitLanes {
     double *state, *temperature, *drive, *slope;  // state [mode][split_capacity], whole
     double* to;                                   // scratch, like state
 };
-inline constexpr std::size_t split_lanes = 8, split_capacity = lanes;
+inline constexpr std::size_t split_lanes = 8, split_capacity = mode_lanes;
 inline constexpr std::size_t most_modes = 64;
 
 struct ModeKernel {

@@ -236,10 +236,25 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     return z > 1.0 ? closed : series;
 }
 
+/// The same for z ≤ 1/4, to 1e-12.
+[[gnu::always_inline]] inline double second_phi_small(double z) {
+    double series = 1.0 / 3628800.0;
+    series = 1.0 / 362880.0 - z * series;
+    series = 1.0 / 40320.0 - z * series;
+    series = 1.0 / 5040.0 - z * series;
+    series = 1.0 / 720.0 - z * series;
+    series = 1.0 / 120.0 - z * series;
+    series = 1.0 / 24.0 - z * series;
+    series = 1.0 / 6.0 - z * series;
+    return 0.5 - z * series;
+}
+
 /// Lengths of the parts of a step after a jump, as shares of what is left of it: what the true film
 /// differs from the modes' follows the surface, which runs fast at first.
-constexpr double part_share[]{0.0, 0.0625, 0.125, 0.25, 0.5, 1.0};
-constexpr int parts = 5;
+constexpr double part_share[]{0.0, 0.04, 0.15, 0.45, 1.0};
+constexpr int parts = 4;
+/// [K] of the last correction inside a step: what is left of it, 1e-6 K, decays to the step's end.
+constexpr double near_inside = 1e-2;
 
 template <bool Plate, bool Wet>
 bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoefficients& c,
@@ -249,7 +264,8 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
     const AirFilm from = before, to = after;
     const double bend_before = Wet ? dew_point(from) : 0.0, bend_after = Wet ? dew_point(to) : 0.0;
     alignas(64) double a[split_lanes], response[split_lanes], length[split_lanes],
-        at_share[split_lanes], heat[split_lanes], pull[split_lanes], b[split_lanes];
+        at_share[split_lanes], heat[split_lanes], pull[split_lanes], b[split_lanes],
+        second[split_lanes];
     bool halved = false;
     Balance<split_lanes> at;
     const auto film_at = [&](std::size_t l) __attribute__((always_inline)) {
@@ -282,15 +298,26 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
             const double rate = c.rate[m], surface = c.surface[m];
             double* const x = s.state + m * split_capacity + first;
             double* const x_to = s.to + m * split_capacity + first;
+            if (rate * step <= 0.25) {
+#pragma omp simd
+                for (std::size_t l = 0; l < split_lanes; ++l) {
+                    second[l] = second_phi_small(rate * length[l]);
+                }
+            } else {
+#pragma omp simd
+                for (std::size_t l = 0; l < split_lanes; ++l) {
+                    second[l] = second_phi(rate * length[l]);
+                }
+            }
 #pragma omp simd
             for (std::size_t l = 0; l < split_lanes; ++l) {
                 const double z = rate * length[l], weight = surface * length[l];
-                const double second = second_phi(z), one = 1.0 - z * second, decay = 1.0 - z * one;
-                const double now = decay * x[l] + weight * (one - second) * s.drive[first + l];
+                const double one = 1.0 - z * second[l], decay = 1.0 - z * one;
+                const double now = decay * x[l] + weight * (one - second[l]) * s.drive[first + l];
                 x[l] = now;
-                x_to[l] = weight * second;
+                x_to[l] = weight * second[l];
                 a[l] += surface * now;
-                response[l] += surface * weight * second;
+                response[l] += surface * weight * second[l];
             }
         }
 #pragma omp simd
@@ -304,6 +331,7 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
                 (a[l] + response[l] * (s.drive[k] - steep * (s.temperature[k] - reference))) /
                     (1.0 - response[l] * steep);
         }
+        const double near = part < parts ? near_inside : near_enough<Plate>;
         int iterations = 0;
         double largest;
         do {
@@ -322,8 +350,8 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
                 largest = size > largest ? size : largest;
             }
             ++iterations;
-        } while (largest > near_enough<Plate> && iterations < newton_steps);
-        if (largest > near_enough<Plate>) {
+        } while (largest > near && iterations < newton_steps);
+        if (largest > near) {
             halved = true;
             double low[split_lanes], high[split_lanes];
             std::fill_n(low, split_lanes, coldest);

@@ -26,22 +26,30 @@ void run_modes(Job& job, const Level& level, Block& block) {
     const std::size_t count = block.facet.size();
     const double emissivity = kind.column.surface.emissivity;
     const auto n = modes.reduced.modes();
-    const Eigen::OuterStride<> stride{Eigen::Index(lanes)};
+    const Eigen::OuterStride<> stride{Eigen::Index(block.stride)};
     ModeBatch batch;
-    batch.count = count;
-    batch.state.assign(std::size_t(n) * lanes, 0.0);
+    batch.resize(std::size_t(n), count);
+    const std::size_t filled = batch.units() * lanes;
     std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
     Strided start(block.start.data(), n, Eigen::Index(count), stride);
-    Strided state(batch.state.data(), n, Eigen::Index(count), stride);
-    state.noalias() = modes.closed.turn.transpose() * start;
+    const auto of_unit = [&](std::size_t u) {
+        const std::size_t first = u * lanes, facets = std::min(lanes, count - first);
+        return Strided(batch.state.data() + first * std::size_t(n), n, Eigen::Index(facets),
+                       Eigen::OuterStride<>{Eigen::Index(lanes)});
+    };
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        Strided state = of_unit(u);
+        state.noalias() =
+            modes.closed.turn.transpose() * start.middleCols(Eigen::Index(u * lanes), state.cols());
+    }
     block.slope.assign(kind.forcing.size(), 0.0);
     StepRecord record;
 
     // Heat of sun, terrain and what is inside at the step's ends; with the sky's at the substep's.
-    alignas(64) double before[lanes], after[lanes], heat_before[lanes], heat[lanes];
-    double jump[lanes] = {};
+    alignas(64) double before[mode_lanes], after[mode_lanes], heat_before[mode_lanes],
+        heat[mode_lanes], jump[mode_lanes] = {};
     facet_heat(job, block, kind, 0, before);
-    for (std::size_t l = 0; l < lanes; ++l) {
+    for (std::size_t l = 0; l < filled; ++l) {
         heat[l] = before[l] + emissivity * kind.forcing[0].sky_longwave;
     }
     begin_modes(step, kind.forcing[0].air, heat, emissivity, batch);
@@ -52,11 +60,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
         facet_heat(job, block, kind, i, after);
-        std::span<const HeatJump> edges;
-        if (level.stride == 1 && !block.jumps.empty()) {
-            edges = std::span(block.jump)
-                        .subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
-        }
+        const std::span<const HeatJump> edges = edges_of(level, block, i);
         const double absorptance = edges.empty() ? 0.0 : absorptance_at(job, kind, i);
         for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
         for (int s = 0; s < substeps; ++s) {
@@ -64,7 +68,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
             const StageForcing& forcing = kind.forcing[at];
             const double sky = emissivity * forcing.sky_longwave;
             const double share = double(s + 1) / substeps;
-            for (std::size_t l = 0; l < lanes; ++l) {
+            for (std::size_t l = 0; l < filled; ++l) {
                 heat_before[l] = heat[l];
                 heat[l] = before[l] + share * (after[l] - before[l] - jump[l]) + sky;
             }
@@ -89,14 +93,18 @@ void run_modes(Job& job, const Level& level, Block& block) {
         for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
         float* row = job.kelvin.data() + i * job.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
-        std::swap(before, after);
+        std::copy_n(after, filled, before);
     }
     end_modes(step, batch);
     block.slope[0] = block.slope[at];  // of a span that repeats
     block.record = record;
     block.change.resize(block.start.size());
     Strided change(block.change.data(), n, Eigen::Index(count), stride);
-    change.noalias() = modes.closed.turn * state;
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        const Strided state = of_unit(u);
+        change.middleCols(Eigen::Index(u * lanes), state.cols()).noalias() =
+            modes.closed.turn * state;
+    }
     change -= start;
     block.residual = (modes.probe * change).cwiseAbs().maxCoeff();
     block.heat_change = 0.0;

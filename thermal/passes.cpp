@@ -9,22 +9,14 @@ namespace diurna {
 
 namespace {
 
-/// The open column's states in balance with the surface.
-std::vector<double> steady_modes(const ModeColumn& modes, const Batch& batch) {
-    const ReducedColumn& column = modes.reduced;
+/// The open column's states in balance with a surface one kelvin above its reference.
+Eigen::VectorXd steady_modes(const ReducedColumn& column) {
     const ClosedColumn closed = close_column(column, 1.0);
     // Steady conductance to what lies below: the modes' own, so that they stay where they are.
     const bool open = column.below > 0.0;
     const double conductance = open ? 1.0 / impedance(column, 0.0).real() : 0.0;
-    std::vector<double> state(std::size_t(column.modes()) * lanes);
-    for (std::size_t l = 0; l < batch.count; ++l) {
-        const double theta = batch.temperature[l] - column.reference;
-        const Eigen::VectorXd x =
-            ((conductance + closed.film) * theta) * closed.surface.cwiseQuotient(closed.rate);
-        const Eigen::VectorXd y = closed.turn * x;
-        for (Eigen::Index m = 0; m < y.size(); ++m) state[std::size_t(m) * lanes + l] = y[m];
-    }
-    return state;
+    return closed.turn *
+           ((conductance + closed.film) * closed.surface.cwiseQuotient(closed.rate)).eval();
 }
 
 void settle_block(Job& job, const Level& level, Block& block) {
@@ -44,22 +36,33 @@ void settle_block(Job& job, const Level& level, Block& block) {
     mean.neutral = sums[1] / n;
     mean.instability = sums[2] / n;
     mean.vapour_pressure = sums[3] / n;
-    double heat[lanes] = {}, at[lanes];
+    std::vector<double> heat(block.stride, kind.column.surface.emissivity * sky / n),
+        at(block.stride);
     for (std::size_t i = 0; i < job.steps(); ++i) {
-        facet_heat(job, block, kind, i, at);
+        facet_heat(job, block, kind, i, at.data());
         for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(job.steps());
     }
-    for (std::size_t l = 0; l < count; ++l) {
-        heat[l] += kind.column.surface.emissivity * sky / n;
-    }
-    Batch batch;
-    batch.resize(kind.column.grid.size(), count);
-    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    block.film = settle(kind.column, mean, heat, batch);
-    block.start = kind.modes ? steady_modes(*kind.modes, batch) : batch.state;
-    for (std::size_t i = 0; i < job.instant.size(); ++i) {
-        for (std::size_t l = 0; l < count; ++l) {
-            job.kelvin[i * job.facets + block.facet[l]] = float(batch.temperature[l]);
+    const Eigen::VectorXd steady =
+        kind.modes ? steady_modes(kind.modes->reduced) : Eigen::VectorXd();
+    const std::size_t states = kind.modes ? std::size_t(steady.size()) : kind.column.grid.size();
+    block.start.assign(states * block.stride, 0.0);
+    block.film = 0.0;
+    for (std::size_t first = 0; first < count; first += lanes) {
+        Batch batch;
+        batch.resize(kind.column.grid.size(), std::min(lanes, count - first));
+        std::copy_n(block.natural.begin() + std::ptrdiff_t(first), batch.count,
+                    batch.natural.begin());
+        block.film += settle(kind.column, mean, heat.data() + first, batch);
+        for (std::size_t l = 0; l < batch.count; ++l) {
+            const double t = batch.temperature[l];
+            for (std::size_t m = 0; m < states; ++m) {
+                block.start[m * block.stride + first + l] =
+                    kind.modes ? steady[Eigen::Index(m)] * (t - kind.modes->reduced.reference)
+                               : batch.state[m * lanes + l];
+            }
+            for (std::size_t i = 0; i < job.instant.size(); ++i) {
+                job.kelvin[i * job.facets + block.facet[first + l]] = float(t);
+            }
         }
     }
 }
@@ -99,7 +102,12 @@ void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_
         if (!job.excess.empty()) heat[l] += surface.emissivity * job.excess[at];
         if (!job.tilt.empty()) heat[l] += tilted * job.tilt[block.facet[l]];
     }
-    std::fill(heat + block.facet.size(), heat + lanes, heat[0]);
+    std::fill(heat + block.facet.size(), heat + block.stride, heat[0]);
+}
+
+std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i) {
+    if (level.stride != 1 || block.jumps.empty()) return {};
+    return std::span(block.jump).subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
 }
 
 void run_layered(Job& job, const Level& level, Block& block) {
@@ -114,7 +122,7 @@ void run_layered(Job& job, const Level& level, Block& block) {
     block.slope.assign(kind.forcing.size(), 0.0);
     StepRecord record;
 
-    double before[lanes], after[lanes], heat[2][lanes];
+    double before[lanes], after[lanes], heat[2][lanes], jump[lanes] = {};
     facet_heat(job, block, kind, 0, before);
     for (std::size_t l = 0; l < count; ++l) {
         batch.temperature[l] = batch.state[l] + kind.column.reference;
@@ -123,13 +131,25 @@ void run_layered(Job& job, const Level& level, Block& block) {
     std::size_t stage = 0;
     for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
         facet_heat(job, block, kind, i, after);
+        const std::span<const HeatJump> edges = edges_of(level, block, i);
+        const double absorptance = edges.empty() ? 0.0 : absorptance_at(job, kind, i);
+        for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
         for (int s = 0; s < substeps; ++s, stage += 2) {
             for (int k = 0; k < 2; ++k) {
                 const double share = (s + stage_share[k]) / substeps;
                 const double sky = emissivity * kind.forcing[stage + k].sky_longwave;
                 for (std::size_t l = 0; l < count; ++l) {
-                    heat[k][l] = before[l] + share * (after[l] - before[l]) + sky;
+                    heat[k][l] = before[l] + share * (after[l] - before[l] - jump[l]) + sky;
                 }
+            }
+            for (const HeatJump& edge : edges) {
+                // The later stage has what is there at its end; the earlier one what makes the
+                // step's heat right, for the stages weigh 1 − γ and γ.
+                const double within = edge.share * substeps - s;
+                if (within >= 1.0) continue;
+                const double lit = 1.0 - std::max(0.0, within);
+                heat[0][edge.lane] += jump[edge.lane] * (lit - sdirk_gamma) / (1.0 - sdirk_gamma);
+                heat[1][edge.lane] += jump[edge.lane];
             }
             advance(kind.column, {kind.forcing[stage].air, kind.forcing[stage + 1].air},
                     {heat[0], heat[1]}, batch, record);
@@ -138,6 +158,7 @@ void run_layered(Job& job, const Level& level, Block& block) {
         }
         float* row = job.kelvin.data() + i * job.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
+        for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
         std::swap(before, after);
     }
     block.record = record;
@@ -180,7 +201,7 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                                                  forcing.air, forcing.wind_speed),
                                         sky.longwave_down});
             };
-            if (job.options.method == Method::modes && !kind.column.surface.back) {
+            if (in_modes(job.options, kind.column.surface)) {
                 kind.modes = finer ? finer->kind[m].modes
                                    : mode_column(job, kind.column.surface, kind.column.reference);
                 add(job.instant[0]);

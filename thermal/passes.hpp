@@ -16,9 +16,11 @@ namespace diurna {
 
 // What a solve works on: its facets in blocks of one material, stepped over the span in passes.
 
-/// Up to `lanes` facets of one material and their state at the start of the span.
+/// Facets of one material and their state at the start of the span: up to `lanes` of them where
+/// columns are layered, up to `mode_lanes` in modes.
 struct Block {
     std::size_t material;  // index into Job::material
+    std::size_t stride;    // lanes of the block, used or not
     std::vector<std::size_t> facet;
     std::vector<NaturalFilm> natural;
     std::vector<HeatJump> jump;         // of incident sunlight, those of step i from
@@ -66,6 +68,11 @@ struct Kind {
     std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period{};
 };
 
+/// Whether a material's facets are stepped in modes.
+inline bool in_modes(const SolveOptions& options, const ThermalSurface& surface) {
+    return options.method == Method::modes && !surface.back;
+}
+
 /// A way to step the span: every `stride` instants at once.
 struct Level {
     std::size_t stride = 1;
@@ -110,8 +117,12 @@ void run_modes(Job& job, const Level& level, Block& block);
 
 /// Share of sunlight that a material takes in at an instant.
 double absorptance_at(const Job& job, const Kind& kind, std::size_t i);
-/// Heat [lanes] at an instant that differs from facet to facet: sun, terrain longwave, internal.
+/// Heat [lane], all of the block's, at an instant that differs from facet to facet: sun, terrain
+/// longwave, internal.
 void facet_heat(const Job& job, const Block& block, const Kind& kind, std::size_t i, double* heat);
+
+/// The jumps of a block's sunlight in the step that ends at instant i; none on coarse levels.
+std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i);
 
 /// Puts a typical film on a material's modes.
 void set_film(Kind& kind, double film, double step);

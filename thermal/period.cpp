@@ -53,11 +53,11 @@ void linearise(Kind& kind) {
 /// belongs to the material's mean facet; Broyden's update by the move before fits it to each.
 /// `secant`: whether that move's effect is all that has changed since.
 void correct_block(const Kind& kind, Block& block, bool secant) {
-    const auto n = static_cast<Eigen::Index>(block.start.size() / lanes);
+    const auto n = static_cast<Eigen::Index>(block.start.size() / block.stride);
     const auto count = static_cast<Eigen::Index>(block.facet.size());
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
     using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
-    const Eigen::OuterStride<> stride{Eigen::Index(lanes)};
+    const Eigen::OuterStride<> stride{Eigen::Index(block.stride)};
     const bool update = secant && !block.move.empty();
     block.move.resize(block.start.size());
     block.planned.resize(block.start.size());

@@ -12,6 +12,7 @@
 #include "terrain/parallel.hpp"
 #include "thermal/passes.hpp"
 #include "thermal/scene_points.hpp"
+#include "thermal/sun_path.hpp"
 
 namespace diurna {
 
@@ -65,9 +66,12 @@ std::vector<MaterialId> group_by_material(Job& job) {
             materials.push_back(id);
             open.push_back(0);
         }
-        if (is_new || job.block[open[m]].facet.size() == lanes) {
+        if (is_new || job.block[open[m]].facet.size() == job.block[open[m]].stride) {
             open[m] = job.block.size();
-            job.block.emplace_back().material = m;
+            const ThermalSurface& surface = job.input.materials[id].thermal;
+            Block& block = job.block.emplace_back();
+            block.material = m;
+            block.stride = in_modes(job.options, surface) ? mode_lanes : lanes;
         }
         Block& block = job.block[open[m]];
         block.facet.push_back(f);
@@ -234,9 +238,10 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
             .block = {}};
     job.step = options.duration / double(job.steps());
     job.optics = facet_optics(input.facets, input.materials);
+    SunPath path(input.site);
     for (const Instant when : job.instant) {
         job.sky.push_back(
-            sky_state(input.site, input.elevation, when, input.weather.at(when), input.clear_sky));
+            sky_state(path.at(when), input.elevation, input.weather.at(when), input.clear_sky));
     }
     job.tilt = tilts(job);
     const std::vector<MaterialId> materials = group_by_material(job);

@@ -31,10 +31,10 @@ struct SolveOptions {
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
     Method method = Method::modes;
-    double mode_error = 0.01;  // largest of the impedance (thermal/reduced_column.hpp)
-    GridOptions grid{};        // of layered columns
-    int refinement = 1;        // divides every step, forcing as it was: tells a result's error
-    bool exchange = true;      // light and heat from one facet to another
+    double mode_error = 0.004;  // largest of the impedance (thermal/reduced_column.hpp)
+    GridOptions grid{};         // of layered columns
+    int refinement = 1;         // divides every step, forcing as it was: tells a result's error
+    bool exchange = true;       // light and heat from one facet to another
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
 };
 
@@ -48,7 +48,8 @@ struct ShadowEdge {
 };
 
 /// Share of each facet that the sun reaches at each step's instant (terrain/visibility.hpp).
-/// Between the instants it runs straight, or jumps at the edge if there is one.
+/// Between the instants it runs straight, or jumps at the edge if there is one
+/// (thermal/sun_exposure.hpp finds them).
 struct SunExposure {
     std::vector<Instant> instant;    // = step_instants(options)
     std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: nothing casts a shadow

@@ -11,6 +11,9 @@ namespace diurna {
 
 namespace {
 
+constexpr double widest = 8.0;          // a facet's rays count for so many times more or less
+constexpr double most_from_sky = 0.02;  // of the hemisphere, where partners see more of a facet
+
 /// Rows of (partner, value), partners rising.
 struct Rows {
     std::vector<std::uint32_t> first;  // size + 1
@@ -39,16 +42,16 @@ Rows transposed(const Exchange& exchange) {
     return rows;
 }
 
-/// Exchange areas of all pairs that either facet has seen [m²].
-Rows exchange_areas(const FacetSet& facets, const SkyView& view, double cut_off,
-                    ReciprocityReport& report) {
+/// Rays of either facet of a pair that met the other, for all pairs that have met.
+Rows hits_of_pairs(const FacetSet& facets, const SkyView& view, double cut_off,
+                   ReciprocityReport& report) {
     const Exchange& seen = view.exchange;
     const auto rays = [&](std::size_t f) { return view.rays.empty() ? 1.0 : view.rays[f]; };
     const Rows seen_by = transposed(seen);
-    Rows areas;
-    areas.first.push_back(0);
-    areas.partner.reserve(2 * seen.facet.size());
-    areas.value.reserve(2 * seen.facet.size());
+    Rows pairs;
+    pairs.first.push_back(0);
+    pairs.partner.reserve(2 * seen.facet.size());
+    pairs.value.reserve(2 * seen.facet.size());
     for (std::size_t f = 0; f < facets.size(); ++f) {
         auto a = seen.row[f];
         auto b = seen_by.first[f];
@@ -69,12 +72,12 @@ Rows exchange_areas(const FacetSet& facets, const SkyView& view, double cut_off,
                 continue;
             }
             report.pairs += partner > f;
-            areas.partner.push_back(partner);
-            areas.value.push_back(static_cast<float>(area));
+            pairs.partner.push_back(partner);
+            pairs.value.push_back(static_cast<float>(hits));
         }
-        areas.first.push_back(static_cast<std::uint32_t>(areas.partner.size()));
+        pairs.first.push_back(static_cast<std::uint32_t>(pairs.partner.size()));
     }
-    return areas;
+    return pairs;
 }
 
 }  // namespace
@@ -84,49 +87,58 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
     assert(view.exchange.row.size() == facets.size() + 1);
     ReciprocityReport report;
     const std::size_t n = facets.size();
-    const Rows areas = exchange_areas(facets, view, options.cut_off, report);
-    std::vector<double> wanted(n), scale(n, 1.0), sum(n);
+    const Rows pairs = hits_of_pairs(facets, view, options.cut_off, report);
+    std::vector<double> wanted(n), least(n), sum(n);
+    std::vector<double> density(n);  // rays per area, as the rows' sums would have them
     for (std::size_t f = 0; f < n; ++f) {
         const double rest = 1.0 - double{view.sky_view[f]} - view.below[f];
         wanted[f] = std::max(0.0, rest) * facets.area[f];
+        density[f] = (view.rays.empty() ? 1.0 : view.rays[f]) / facets.area[f];
+        least[f] = density[f] / widest;
     }
+    const auto area_of = [&](std::size_t f, std::size_t k) {
+        return pairs.value[k] / (density[f] + density[pairs.partner[k]]);
+    };
     const auto add_up = [&] {
         for_each_index(n, [&](std::size_t f) {
             double row = 0.0;
-            for (auto k = areas.first[f]; k < areas.first[f + 1]; ++k) {
-                row += double{areas.value[k]} * scale[areas.partner[k]];
-            }
-            sum[f] = row * scale[f];
+            for (auto k = pairs.first[f]; k < pairs.first[f + 1]; ++k) row += area_of(f, k);
+            sum[f] = row;
         });
     };
     for (add_up(); report.passes < options.passes; ++report.passes) {
         double worst = 0.0;
         for (std::size_t f = 0; f < n; ++f) {
-            if (areas.first[f] == areas.first[f + 1]) continue;
+            if (pairs.first[f] == pairs.first[f + 1]) continue;
             worst = std::max(worst, std::abs(sum[f] - wanted[f]) / facets.area[f]);
         }
         if (worst <= options.closure) break;
         for (std::size_t f = 0; f < n; ++f) {
-            if (sum[f] > 0.0) scale[f] *= std::sqrt(wanted[f] / sum[f]);
+            if (!(sum[f] > 0.0)) continue;
+            density[f] = std::clamp(density[f] * sum[f] / std::max(wanted[f], 1e-3 * sum[f]),
+                                    least[f], least[f] * widest * widest);
         }
         add_up();
     }
     // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`.
     std::vector<double> shrink(n, 1.0);
     for (std::size_t f = 0; f < n; ++f) {
-        if (sum[f] > wanted[f]) shrink[f] = wanted[f] / sum[f];
+        const double excess = (sum[f] - wanted[f]) / facets.area[f];
+        if (excess <= 0.0) continue;
+        const double from_sky = std::min({excess, most_from_sky, double{view.sky_view[f]}});
+        view.sky_view[f] -= static_cast<float>(from_sky);
+        shrink[f] = (wanted[f] + from_sky * facets.area[f]) / sum[f];
     }
 
     Exchange& exchange = view.exchange;
-    exchange.row = areas.first;
-    exchange.facet.resize(areas.partner.size());
-    exchange.factor.resize(areas.partner.size());
+    exchange.row = pairs.first;
+    exchange.facet.resize(pairs.partner.size());
+    exchange.factor.resize(pairs.partner.size());
     for_each_index(n, [&](std::size_t f) {
         double row = 0.0;
-        for (auto k = areas.first[f]; k < areas.first[f + 1]; ++k) {
-            const std::uint32_t partner = areas.partner[k];
-            const double area =
-                areas.value[k] * (scale[f] * scale[partner]) * std::min(shrink[f], shrink[partner]);
+        for (auto k = pairs.first[f]; k < pairs.first[f + 1]; ++k) {
+            const std::uint32_t partner = pairs.partner[k];
+            const double area = area_of(f, k) * std::min(shrink[f], shrink[partner]);
             exchange.facet[k] = FacetId{partner};
             exchange.factor[k] = static_cast<float>(area / facets.area[f]);
             row += exchange.factor[k];

@@ -24,17 +24,17 @@ struct ReciprocityReport {
 /// Makes sampled view factors reciprocal, A_i F_ij = A_j F_ji to float rounding, with each row's
 /// sum kept: sky + below + Σ row = 1.
 ///
-/// From n_i and n_j rays the likeliest exchange area of a pair is
-/// (n_i F_ij + n_j F_ji) / (n_i/A_i + n_j/A_j); a symmetric scaling d_i d_j then restores the rows
-/// (Sinkhorn 1967). A row that no scaling can fill (a facet whose few partners are taken by others)
-/// leaves its rest to `below`, ground like its own: 0.006 of the hemisphere on the sample scene's
-/// gentle relief, where a facet sees 0.03 of ground and has met it with two of its 64 rays. Twice
-/// as many entries as were sampled at most: memory is linear in the facets, rays per facet × share
-/// of ground seen × 16 bytes.
+/// Of n_i rays of one facet and n_j of the other, h meet: the likeliest exchange area is
+/// h / (λ_i/A_i + λ_j/A_j), with λ = n if rows were free, and with the λ that close the rows, since
+/// they must (the multipliers of the likelihood's maximum under that constraint; found by fixed
+/// point, λ within a factor of 8 of n). So a large facet met by few rays does not bend the rows of
+/// the small ones that see it well. A row that cannot be filled (a facet whose few partners are
+/// taken by others) leaves its rest to `below`, ground like its own; one that its partners overfill
+/// gives up to 0.02 of its sky. Twice as many entries as were sampled at most: memory is linear in
+/// the facets, rays per facet × share of ground seen × 16 bytes.
 ///
-/// Ground under a building meets the walls from behind, and they do not look back: such facets lose
-/// most of their exchange to `below` (0.42 to 0.94 on the eight under the sample scene's hangar, no
-/// other loses more than 0.3).
+/// Ground under a building would meet the walls from behind, and they do not look back: it would
+/// lose most of its exchange to `below`. Scenes have no ground there (scenes/world).
 ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
                                   const ReciprocityOptions& options = {});
 

@@ -139,6 +139,44 @@ TEST_CASE("two plates that see only each other share what both can give", "[terr
     CHECK(view.below[2] == Approx(0.5));
 }
 
+TEST_CASE("small facets keep their view beside large ones that few rays tell of",
+          "[terrain][exchange]") {
+    // A box of small facets on a plain of two large triangles: a wall sees half ground, half sky,
+    // the plain's edge at 100 m hides 0.7 % of it, and walls of 3 m lose nothing more.
+    FacetSet facets;
+    const std::vector<Eigen::Vector3d> corner = {
+        {-100, -100, 0}, {100, -100, 0}, {100, 100, 0}, {-100, 100, 0}};
+    append_facets(facets, corner, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}},
+                  std::vector<MaterialId>(2), ObjectId{0});
+    append_facets(facets,
+                  box({.base = {3, 5, 0},
+                       .width = 4,
+                       .depth = 4,
+                       .height = 3,
+                       .sunk = 0,
+                       .largest_edge = 0.5}),
+                  ObjectId{1});
+    SkyView view =
+        sky_view(facets, RayScene(facets), {.rays = 64, .first_object = 2, .object_rays = 256});
+    make_reciprocal(facets, view);
+    double sum = 0.0, squares = 0.0;
+    int walls = 0;
+    for (std::size_t f = 2; f < facets.size(); ++f) {
+        if (std::abs(facets.normal[f].z()) > 0.1f) continue;
+        double ground = 0.0;
+        for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
+            if (index(view.exchange.facet[k]) < 2) ground += view.exchange.factor[k];
+        }
+        sum += ground;
+        squares += ground * ground;
+        ++walls;
+    }
+    REQUIRE(walls > 100);
+    const double mean = sum / walls;
+    CHECK(mean == Approx(0.5).margin(0.01));
+    CHECK(std::sqrt(squares / walls - mean * mean) < 0.015);
+}
+
 TEST_CASE("any number of threads, the same exchange", "[terrain][exchange][invariance]") {
     const FacetSet facets = hollow(12, 40, 0.4 * pi);
     std::vector<std::vector<float>> factors;

@@ -1,9 +1,16 @@
 #!/usr/bin/env bash
-# Puts the table that validation_bench prints between the two marks in the README.
+# Puts the tables that validation_bench and atmosphere_bench print between their marks in the README.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cmake --build --preset release --target validation_bench >&2
+cmake --build --preset release --target validation_bench atmosphere_bench >&2
 table=$(mktemp)
 trap 'rm -f "$table"' EXIT
+
+# fill MARK: lines after <!-- MARK --> up to the next <!-- end --> become the table.
+fill() {
+    sed -i -e "/<!-- $1 -->/,/<!-- end -->/{/<!-- $1 -->/r $table" \
+        -e "/<!-- $1 -->\|<!-- end -->/!d}" README.md
+}
 build/release/validation_bench >"$table"
-sed -i -e "/<!-- validation -->/,/<!-- end -->/{/<!-- validation -->/r $table" -e '/<!-- validation -->\|<!-- end -->/!d}' README.md
+fill validation
+if build/release/atmosphere_bench accuracy >"$table"; then fill accuracy; fi

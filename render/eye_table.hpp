@@ -5,32 +5,37 @@
 #include <span>
 #include <vector>
 
+#include "render/leaving.hpp"
 #include "render/node_optics.hpp"
 #include "render/path_table.hpp"
 #include "render/spectral_basis.hpp"
 
 namespace diurna {
 
-/// Where a few targets lie on the grid of a PathTable: weights of its nodes and their slopes by
-/// range and height [1/m], one array per node so that they are worked out in vector code.
+/// A grid over range^⅓ and height so fine that its cells may be taken as straight: that of a
+/// PathTable, subdivided.
+struct EyeGrid {
+    std::size_t ranges = 2, heights = 2;
+    float root_low = 0.0f, per_root = 0.0f;      // [m^⅓], cells per m^⅓
+    float height_low = 0.0f, per_height = 0.0f;  // [m], cells per m
+    double error = 0.0;  // of straight cells [K] of apparent temperature, as told by `worth`
+};
+/// worth      (band)(range, height of the path table) radiance at the eye of surfaces that stand
+///            for the scene's
+/// tolerance  [K]
+EyeGrid eye_grid(const PathTable& path, double ground_height_km, std::span<const Band> bands,
+                 std::span<const std::vector<Eigen::MatrixXd>> worth, double tolerance);
+
+/// Where a few targets lie on it, one array per number so that they are worked out in vector code.
 struct GridPlaces {
     static constexpr std::size_t most = 64;
-    std::array<std::uint32_t, most> start;  // first of four ranges
-    alignas(64) std::array<std::array<float, most>, 4> range, range_slope;
-    alignas(64) std::array<std::array<float, most>, 5> height, height_slope;
+    std::array<std::uint32_t, most> start;  // node of the cell's beginning
+    std::array<float, most> range, height;  // place in the cell, 0 to 1
+    std::array<float, most> per_metre;      // cells per metre of range
 };
-class PathGrid {
- public:
-    PathGrid(const PathTable& path, double ground_height_km);
-    /// range [m], its cube root, and height [m] of up to `most` targets
-    void place(std::span<const float> range, std::span<const float> range_root,
-               std::span<const float> height, GridPlaces& out) const;
-
- private:
-    float root_low_, places_per_root_;      // [m^⅓], [m^-⅓]
-    float height_low_, places_per_height_;  // [m], [1/m]
-    std::size_t ranges_, heights_;
-};
+/// range [m], its cube root, and height [m] of up to `most` targets
+void find_places(const EyeGrid& grid, std::span<const float> range,
+                 std::span<const float> range_root, std::span<const float> height, GridPlaces& out);
 
 /// What describes a facet at the eye, whatever its material: a row of numbers to be multiplied with
 /// a row of an EyeTable.
@@ -41,7 +46,7 @@ class PathGrid {
 ///     3               sunlit share × cosine / π × weight of a height
 ///     1               one
 struct EyeRow {
-    std::size_t thermal = 4, light = 4;  // whole groups of four
+    std::size_t thermal = 0, light = 0;  // modes
     std::size_t sky() const { return thermal + light; }
     std::size_t sun() const { return sky() + 3; }
     std::size_t one() const { return sun() + 3; }
@@ -59,8 +64,12 @@ struct EyeRow {
         out[one()] = 1.0f;
     }
 
-    explicit EyeRow(const SpectralBasis& basis)
-        : thermal((basis.thermal + 3) / 4 * 4), light((basis.size() + 3) / 4 * 4) {}
+    /// Of a surface at a temperature, under half a sky and among surroundings as warm, in the sun
+    /// or in the shade.
+    std::vector<float> standing_for(const LightTables& tables, std::size_t band, float temperature,
+                                    bool sunny) const;
+
+    explicit EyeRow(const SpectralBasis& basis) : thermal(basis.thermal), light(basis.size()) {}
 };
 
 /// Radiance at the eye of a target, and how it changes with range [1/m] and height [1/m].
@@ -73,25 +82,30 @@ using TermSet = std::array<bool, term_count>;
 inline constexpr TermSet all_terms = {true, true, true, true, true, true};
 
 /// The signature equation of a band as one dot product a target: what each number of an EyeRow is
-/// worth at the eye, per material and node of the grid of ranges and heights. Surface, air and
-/// response are multiplied at the band's nodes, where they belong together.
+/// worth at the eye, per material and place in range and height. Surface, air and response are
+/// multiplied at the band's nodes, where they belong together.
 class EyeTable {
  public:
+    /// At the nodes of a PathTable.
+    ///
     /// light  at the three heights of LitFacets
     EyeTable(const PathTable& path, std::size_t band_index, const Band& band,
              const Channels& channels, const SpectralBasis& basis,
              std::span<const NodeOptics> optics, const std::array<Light, 3>& light,
              const TermSet& terms = all_terms);
 
-    /// row  EyeRow of the target's facet
+    /// Radiance at those nodes of a row, for each material: (range, height).
+    std::vector<Eigen::MatrixXd> worth(std::span<const float> row) const;
+    /// Carries the table over to a finer grid.
+    void refine(const EyeGrid& grid);
+
+    /// row  EyeRow of the target's facet; only after refine()
     AtEye operator()(MaterialId material, const GridPlaces& places, std::size_t k,
                      const float* row) const;
 
  private:
-    template <std::size_t Heights>
-    AtEye at(const float* table, const GridPlaces& places, std::size_t k, const float* row) const;
-
-    std::size_t width_, heights_;
+    std::size_t width_, ranges_, heights_;
+    float per_height_ = 0.0f;
     std::vector<std::vector<float>> table_;  // (material)(range, height, number)
 };
 

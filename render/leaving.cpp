@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "materials/error.hpp"
 #include "materials/planck.hpp"
 #include "terrain/parallel.hpp"
 
@@ -10,7 +11,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t lane = 8;
+constexpr std::size_t lane = 8, most_lanes = 1024, ahead = 12;
 using Lane = Eigen::Array<float, lane, 1>;
 Eigen::Map<const Lane> load(const float* from) { return Eigen::Map<const Lane>(from); }
 
@@ -147,10 +148,20 @@ LightTables light_tables(std::span<const Band> bands, std::span<const SpectralBa
     return tables;
 }
 
+void black_modes(const LightTables& tables, float temperature, float* out) {
+    const std::size_t n = tables.lanes;
+    float t = 0.0f;
+    const float* cell = &tables.black[tables.grid.cell(temperature, t) * 4 * n];
+    for (std::size_t k = 0; k < n; k += lane) {
+        Eigen::Map<Lane>(out + k) = cubic(cell + k, n, t);
+    }
+}
+
 SentLight::SentLight(const LitFacets& lit, const LitState& state, const LightTables& tables,
                      std::span<const BounceOptions> bounces)
     : lit_(lit), state_(state), tables_(tables), sent_(lit.facet.size() * tables.lanes) {
     const std::size_t n = lit.facet.size(), lanes = tables.lanes;
+    if (lanes > most_lanes) throw InputError("render", "too many bands at a time");
     for_each_block(n, 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             if (lit.sends[i]) first(i, &sent_[i * lanes]);
@@ -181,6 +192,7 @@ SentLight::SentLight(const LitFacets& lit, const LitState& state, const LightTab
         }
         block.sent.resize(block.place.size() * lanes);
         for (std::size_t k = 0; k < block.place.size(); ++k) {
+            if (k + ahead < block.place.size()) fetch(block.place[k + ahead]);
             second(block.place[k], &block.sent[k * lanes]);
         }
     });
@@ -221,8 +233,8 @@ void SentLight::first(std::size_t i, float* out) const {
 /// closed with.
 void SentLight::second(std::size_t i, float* out) const {
     const std::size_t n = tables_.lanes;
-    std::vector<float> own(n), light(n);
-    black(i, own.data());
+    alignas(32) std::array<float, most_lanes> own, light;
+    black_modes(tables_, state_.temperature[i], own.data());
     around(i, own.data(), light.data());
     const float rest = 1.0f - lit_.sky_view[i];
     for (std::size_t k = 0; k < n; ++k) light[k] -= rest * own[k];
@@ -237,15 +249,6 @@ void SentLight::second(std::size_t i, float* out) const {
 #pragma omp simd
             for (std::size_t k = 0; k < width; ++k) to[k] += x * matrix[k];
         }
-    }
-}
-
-void SentLight::black(std::size_t i, float* out) const {
-    const std::size_t n = tables_.lanes;
-    float t = 0.0f;
-    const float* cell = &tables_.black[tables_.grid.cell(state_.temperature[i], t) * 4 * n];
-    for (std::size_t k = 0; k < n; k += lane) {
-        Eigen::Map<Lane>(out + k) = cubic(cell + k, n, t);
     }
 }
 

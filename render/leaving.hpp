@@ -29,8 +29,8 @@ struct LightTables {
         std::vector<float> emitted, reflected;
         // (lane) at the three heights: ρ × mean radiance of the sky, ρ × irradiance of the sun
         std::array<std::vector<float>, 3> sky, sun;
-        std::vector<std::vector<float>>
-            reflection;  // (band)(mode in, lane out) multiplication by ρ
+        // (band)(mode in, lane out) multiplication by ρ
+        std::vector<std::vector<float>> reflection;
     };
     TemperatureGrid grid;
     std::size_t lanes = 0;
@@ -44,6 +44,9 @@ struct LightTables {
 LightTables light_tables(std::span<const Band> bands, std::span<const SpectralBasis> basis,
                          std::span<const std::vector<NodeOptics>> optics,
                          std::span<const std::array<Light, 3>> light, const TemperatureGrid& grid);
+
+/// Black body at a temperature, (lane).
+void black_modes(const LightTables& tables, float temperature, float* out);
 
 /// How much of the reflected light of surroundings is followed, per band.
 struct BounceOptions {
@@ -62,10 +65,14 @@ class SentLight {
     SentLight(const LitFacets& lit, const LitState& state, const LightTables& tables,
               std::span<const BounceOptions> bounces);
 
-    /// Black body at a facet's temperature, (lane).
-    void black(std::size_t lit, float* out) const;
     /// Light that falls on it from its surroundings: Σ F_j J_j, over a hemisphere 1 − sky view.
     void around(std::size_t lit, const float* black, float* out) const;
+    /// Asks the memory for what around() will need.
+    void fetch(std::size_t lit) const {
+        for (std::uint32_t e = lit_.row[lit]; e < lit_.row[lit + 1]; ++e) {
+            __builtin_prefetch(&sent_[std::size_t{lit_.source[e]} * tables_.lanes]);
+        }
+    }
     std::size_t followed() const { return followed_; }  // facets with a second bounce
 
  private:

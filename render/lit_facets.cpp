@@ -56,7 +56,7 @@ LitFacets::Worth worth_of(const Band& band, const RadianceInput& input, const Li
     for (std::size_t i = 0; i < lit.facet.size(); ++i) {
         if (step[index(lit.facet[i])] != 1) continue;
         const float r = response(i);
-        worth.once = std::max(worth.once, r);
+        if (r > 0.0f) worth.closed = std::max(worth.closed, 1.0f - lit.sky_view[i]);
         for (std::uint32_t k = lit.row[i]; k < lit.row[i + 1]; ++k) {
             float& most = worth.twice[lit.source[k]];
             most = std::max(most, r);

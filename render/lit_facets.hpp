@@ -29,7 +29,7 @@ struct LitFacets {
     /// What reflections are worth in a band, from above: with r = greatest reflectance × (1 − sky
     /// view) of a facet that has sources,
     struct Worth {
-        float once = 0.0f;         // the greatest r of a facet seen
+        float closed = 0.0f;       // the greatest 1 − sky view of a facet seen
         std::vector<float> twice;  // (lit) r of a facet × the greatest r of the
                                    // facets seen that it shines on; 0 if on none
         float thrice = 0.0f;       // bounds what goes on after two bounces

@@ -71,13 +71,25 @@ SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> optics,
         }
         sent.insert(sent.end(), once.begin(), once.end());
     }
+    // What a facet reflects reaches the eye through the air: as it is, and where the air lets
+    // through what the sky does not send.
+    Spectra receivers;
+    for (const NodeOptics& a : optics) {
+        if (a.reflectance.empty()) continue;
+        receivers.push_back(a.reflectance);
+        for (double& x : receivers.back()) x *= worth.closed;
+        receivers.push_back(receivers.back());
+        for (std::size_t n = 0; n < receivers.back().size(); ++n) {
+            const double share = black[0][n] > 0.0 ? light[1].sky[n] / black[0][n] : 1.0;
+            receivers.back()[n] *= std::clamp(1.0 - share, 0.0, 1.0);
+        }
+    }
     // Σ w f g ≤ √(Σ w f²) √(Σ w g²): a rest of norm r is worth at most r √width.
     const double width = std::sqrt(std::max(1e-30, band.width_um()));
     const double kelvin = band_radiance_derivative(band, cold);
     const double fine = std::max(1e-4 * kelvin, 1e-8 * sunlit) / width;
-    const double coarse =
-        std::max(2e-4 * kelvin, 1e-8 * sunlit) / width / std::max(1e-6, double{worth.once});
-    return spectral_basis(band, black, fine, sent, coarse);
+    return spectral_basis(band, black, fine, sent, receivers,
+                          std::max(2e-4 * kelvin, 1e-7 * sunlit));
 }
 
 std::vector<std::vector<float>> probes(const Band& band, const Channels& channels,
@@ -105,7 +117,7 @@ BounceOptions bounce_options(const Band& band, const TemperatureExtent& extent, 
     const double slope = band_radiance_derivative(band, double{extent.coldest});
     const double contrast = greatest_contrast(band, extent, light, scattered);
     return {.bounces = bounces,
-            .tolerance = static_cast<float>(0.3 * tolerance),
+            .tolerance = static_cast<float>(tolerance),
             .most_change =
                 static_cast<float>(std::clamp(contrast / std::max(slope, 1e-300), 1e-3, 1e30))};
 }

@@ -13,8 +13,8 @@
 namespace diurna {
 
 /// Modes for all that the surfaces of a scene send out in a band: black bodies good to 0.1 mK at
-/// the scene's cold end, and what surroundings send to 0.2 mK of what a facet seen reflects of it,
-/// or 1e-8 of the sunlight that a surface reflects, whichever is more.
+/// the scene's cold end, and what a facet seen reflects of its surroundings to 0.2 mK, or 1e-7 of
+/// the sunlight that a surface reflects, whichever is more.
 SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> optics,
                           const std::array<Light, 3>& light, const LitFacets::Worth& worth,
                           const TemperatureExtent& extent);

@@ -23,51 +23,56 @@ Samples weighted(const Eigen::VectorXd& root_weight, std::span<const std::vector
     return samples;
 }
 
-/// Adds modes until no sample has a rest of more than `tolerance`; returns the worst rest.
-double add_modes(Samples& rest, double tolerance, bool first_comes_first, Eigen::MatrixXd& mode) {
-    for (Eigen::Index turn = 0; turn < rest.cols(); ++turn) {
-        Eigen::Index worst = 0;
-        double left = rest.colwise().norm().maxCoeff(&worst);
-        if (turn == 0 && first_comes_first) {
-            worst = 0;
-            left = rest.col(0).norm();
-        } else if (left <= tolerance) {
-            return left;
-        }
-        if (!(left > 0.0)) return left;
-        Eigen::VectorXd next = rest.col(worst);
-        // Once more against the earlier modes: rounding grows where little is left.
-        next -= mode * (mode.transpose() * next).eval();
-        next.normalize();
-        const Eigen::RowVectorXd along = next.transpose() * rest;
-        rest.noalias() -= next * along;
-        mode.conservativeResize(Eigen::NoChange, mode.cols() + 1);
-        mode.col(mode.cols() - 1) = next;
-    }
-    return rest.cols() > 0 ? rest.colwise().norm().maxCoeff() : 0.0;
+/// Adds the rest of a sample as a mode.
+void add_mode(Samples& rest, Eigen::Index sample, Eigen::MatrixXd& mode) {
+    Eigen::VectorXd next = rest.col(sample);
+    // Once more against the earlier modes: rounding grows where little is left.
+    next -= mode * (mode.transpose() * next).eval();
+    next.normalize();
+    const Eigen::RowVectorXd along = next.transpose() * rest;
+    rest.noalias() -= next * along;
+    rest.col(sample).setZero();
+    mode.conservativeResize(Eigen::NoChange, mode.cols() + 1);
+    mode.col(mode.cols() - 1) = next;
+}
+
+/// Samples that are copies of each other leave rounding, not a direction.
+double rounding(const Samples& samples) {
+    return samples.cols() > 0 ? 1e-12 * samples.colwise().norm().maxCoeff() : 0.0;
 }
 
 }  // namespace
 
 SpectralBasis spectral_basis(const Band& band, std::span<const std::vector<double>> black,
                              double fine, std::span<const std::vector<double>> light,
-                             double coarse) {
+                             std::span<const std::vector<double>> receivers, double coarse) {
     SpectralBasis basis;
     const auto nodes = static_cast<Eigen::Index>(band.node_um.size());
     basis.root_weight = Eigen::Map<const Eigen::VectorXd>(band.weight.data(), nodes).cwiseSqrt();
     basis.mode.resize(nodes, 0);
+
     Samples rest = weighted(basis.root_weight, black, fine);
-    // Samples that are copies of each other leave rounding, not a direction.
-    const auto rounding = [&] {
-        return rest.cols() > 0 ? 1e-12 * rest.colwise().norm().maxCoeff() : 0.0;
-    };
-    fine = std::max(fine, rounding());
-    basis.error = add_modes(rest, fine, true, basis.mode);
+    const double floor = rounding(rest);
+    Eigen::Index worst = 0;
+    double left = rest.col(0).norm();
+    while (left > (basis.size() == 0 ? 0.0 : std::max(fine, floor))) {
+        add_mode(rest, worst, basis.mode);
+        left = rest.colwise().norm().maxCoeff(&worst);
+    }
     basis.thermal = basis.size();
-    rest = weighted(basis.root_weight, light, coarse);
-    coarse = std::max(coarse, rounding());
+
+    const Samples received = weighted(basis.root_weight, receivers, 0.0);
+    rest = weighted(basis.root_weight, light, 0.0);
+    const double light_floor = rounding(rest);
     rest -= basis.mode * (basis.mode.transpose() * rest).eval();
-    basis.error = std::max(basis.error, add_modes(rest, coarse, false, basis.mode));
+    while (rest.cols() > 0) {
+        const Eigen::RowVectorXd wrong =
+            (received.transpose() * rest).cwiseAbs().colwise().maxCoeff();
+        const double most = wrong.maxCoeff(&worst);
+        basis.error = most;
+        if (most <= coarse || rest.col(worst).norm() <= light_floor) break;
+        add_mode(rest, worst, basis.mode);
+    }
     if (basis.size() == 0) basis.mode.setZero(nodes, 1);  // nothing shines
     return basis;
 }

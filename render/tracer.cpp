@@ -91,8 +91,9 @@ std::vector<BandState> prepare(std::span<const Band> bands, const RadianceInput&
 
 /// Radiance at the eye of every target, (target, column); the tables of a band follow each other.
 void look(const View& view, const LitFacets& lit, const LitState& state, const LightTables& tables,
-          const SentLight& sent, std::span<const EyeRow> rows, const PathGrid& grid,
+          const SentLight& sent, std::span<const EyeRow> rows, const EyeGrid& grid,
           std::span<const EyeTable> eye_tables, AtEye* eye) {
+    constexpr std::size_t ahead = 12;
     const std::size_t columns = eye_tables.size(), per_band = columns / rows.size();
     for_each_block(view.facet.size(), 2048, [&](std::size_t begin, std::size_t end) {
         const std::size_t lanes = tables.lanes;
@@ -103,14 +104,15 @@ void look(const View& view, const LitFacets& lit, const LitState& state, const L
         std::uint32_t last = LitFacets::absent;
         for (std::size_t t0 = begin; t0 < end; t0 += GridPlaces::most) {
             const std::size_t count = std::min(GridPlaces::most, end - t0);
-            grid.place(std::span(view.range).subspan(t0, count),
-                       std::span(view.range_root).subspan(t0, count),
-                       std::span(view.target_height).subspan(t0, count), places);
+            find_places(grid, std::span(view.range).subspan(t0, count),
+                        std::span(view.range_root).subspan(t0, count),
+                        std::span(view.target_height).subspan(t0, count), places);
             for (std::size_t k = 0; k < count; ++k) {
                 const std::uint32_t i = lit.target[t0 + k];
+                if (t0 + k + ahead < end) sent.fetch(lit.target[t0 + k + ahead]);
                 if (i != last) {
                     last = i;
-                    sent.black(i, black.data());
+                    black_modes(tables, state.temperature[i], black.data());
                     sent.around(i, black.data(), around.data());
                     const std::array<float, 3> up = height_weights(lit.height[i]);
                     for (std::size_t b = 0; b < rows.size(); ++b) {
@@ -201,12 +203,31 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
                                     terms);
         }
     }
+    // Surfaces as cold and as hot as any, in shade and in the sun.
+    std::vector<std::vector<Eigen::MatrixXd>> worth(bands.size());
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        for (const float t : {extent.coldest, extent.hottest}) {
+            const std::vector<float> row = rows[b].standing_for(tables, b, t, t == extent.hottest);
+            for (std::size_t k = 0; k < per_band; ++k) {
+                auto some = eye_tables[b * per_band + k].worth(row);
+                if (k == 0) {
+                    worth[b].insert(worth[b].end(), some.begin(), some.end());
+                    continue;
+                }
+                for (std::size_t m = 0; m < some.size(); ++m) {
+                    worth[b][worth[b].size() - some.size() + m] += some[m];
+                }
+            }
+        }
+    }
+    const EyeGrid grid =
+        eye_grid(path, input.ground_height_km, bands, worth, 0.5 * options.tolerance);
+    for (EyeTable& table : eye_tables) table.refine(grid);
     const std::size_t columns = eye_tables.size();
     static_assert(sizeof(AtEye) == 3 * sizeof(float));
     Scratch memory(view.facet.size() * columns * 3);
     auto* eye = reinterpret_cast<AtEye*>(memory.data());
-    look(view, lit, state, tables, sent, rows, PathGrid(path, input.ground_height_km), eye_tables,
-         eye);
+    look(view, lit, state, tables, sent, rows, grid, eye_tables, eye);
 
     // What is seen where the scene ends is air, or ends in air: it counts as path, the last term.
     const auto behind = backgrounds(view, observer, bands, input, scattered);
@@ -220,8 +241,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     for (std::size_t b = 0; b < bands.size(); ++b) {
         if (!scattered[b]) continue;
         frame.notes["scattered." + bands[b].name] = add_scattered_paths(
-            view, observer, input, bands[b], *scattered[b],
-            extent_of(view, input.ground_height_km), planes[(b + 1) * per_band - 1]);
+            view, observer, input, bands[b], *scattered[b], extent_of(view, input.ground_height_km),
+            planes[(b + 1) * per_band - 1]);
     }
 
     for (std::size_t b = 0; b < bands.size(); ++b) {
@@ -238,14 +259,16 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         frame.notes["band." + band.name] =
             fmt::format("{:g} to {:g} um", band.from_um(), band.to_um());
         frame.notes["error." + band.name] = fmt::format(
-            "{:.2g} mK from {} ranges, {} heights, {} modes ({} of "
-            "heat) of {} channels",
-            1e3 * path.error(b), path.ranges(), path.heights(), basis[b].size(), basis[b].thermal,
-            channels[b].size());
-        frame.notes["bounces." + band.name] =
-            fmt::format("{} followed; the rest is at most {:.2g} W m-2 sr-1", options.bounces,
-                        left_over(band, extent, light[b][2], scattered[b].has_value(), lit.worth[b],
-                                  options.bounces, bounces[b]));
+            "{:.2g} mK from {} ranges, {} heights (straight between {} and {}), {} modes ({} of "
+            "heat) "
+            "of {} channels",
+            1e3 * (path.error(b) + grid.error), path.ranges(), path.heights(), grid.ranges,
+            grid.heights, basis[b].size(), basis[b].thermal, channels[b].size());
+        frame.notes["bounces." + band.name] = fmt::format(
+            "{} followed, the second at {} of {} facets; the rest is at most {:.2g} W m-2 sr-1",
+            options.bounces, sent.followed(), lit.facet.size(),
+            left_over(band, extent, light[b][2], scattered[b].has_value(), lit.worth[b],
+                      options.bounces, bounces[b]));
     }
     if (options.truth) add_truth(view, input, frame);
     return frame;

@@ -24,7 +24,7 @@ struct Scene {
     TemperatureExtent extent;
     std::vector<NodeOptics> optics;
     std::array<Light, 3> light;
-    LitFacets::Worth worth{.once = 0.5f, .twice = {}, .thrice = 0.1f};
+    LitFacets::Worth worth{.closed = 0.5f, .twice = {}, .thrice = 0.1f};
     SpectralBasis basis;
 
     Scene(const std::string& name, float coldest, float hottest)

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <mutex>
+#include <string>
+
+namespace diurna {
+
+/// Keeps GDAL's messages off the terminal and remembers the first, for our own.
+class QuietGdal {
+ public:
+    QuietGdal() {
+        static std::once_flag once;
+        std::call_once(once, [] { GDALAllRegister(); });
+        CPLPushErrorHandlerEx(remember, &first_);
+    }
+    ~QuietGdal() { CPLPopErrorHandler(); }
+    QuietGdal(const QuietGdal&) = delete;
+    QuietGdal& operator=(const QuietGdal&) = delete;
+
+    std::string because() const { return first_.empty() ? "" : ": " + first_; }
+
+ private:
+    static void CPL_STDCALL remember(CPLErr level, CPLErrorNum, const char* message) {
+        auto* first = static_cast<std::string*>(CPLGetErrorHandlerUserData());
+        if (level < CE_Failure || !first->empty()) return;
+        *first = message;
+        std::replace(first->begin(), first->end(), '\n', ' ');
+    }
+    std::string first_;
+};
+
+}  // namespace diurna

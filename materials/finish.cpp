@@ -11,22 +11,6 @@ namespace diurna {
 
 namespace {
 
-/// cos 10°: the angle at which directional-hemispherical spectra are measured.
-const double laboratory = std::cos(radians(10.0));
-
-/// The interface's reflectance before it is held to the spectrum.
-double interface(const Glossy& finish, double reflectance, double wavelength_um, double cosine) {
-    const Microfacets surface{.roughness = finish.roughness};
-    if (finish.metal) {
-        return microfacet_reflectance(surface, cosine, [&](double c) {
-            return reflectance + (1.0 - reflectance) * std::pow(1.0 - c, 5);
-        });
-    }
-    const double k = finish.extinction.empty() ? 0.0 : finish.extinction.at(wavelength_um);
-    const std::complex<double> index(finish.index.at(wavelength_um), k);
-    return microfacet_reflectance(surface, cosine, [&](double c) { return fresnel(c, index); });
-}
-
 /// A table's factor.
 double factor_at(const ByAngle& finish, double cosine) {
     const double angle = degrees(std::acos(std::clamp(cosine, 0.0, 1.0)));
@@ -64,27 +48,38 @@ auto over_hemisphere(const F& f) {
 
 }  // namespace
 
-double mirror_reflectance(const Glossy& finish, double reflectance, double wavelength_um,
-                          double cosine) {
-    const double here = interface(finish, reflectance, wavelength_um, cosine);
-    if (finish.metal) return here;
-    // An interface that alone would reflect more than was measured is held to the measurement.
-    const double normal = interface(finish, reflectance, wavelength_um, laboratory);
-    return normal > reflectance ? here * reflectance / normal : here;
+double interface_reflectance(const Finish& finish, double wavelength_um, double cosine) {
+    const auto* glossy = std::get_if<Glossy>(&finish);
+    if (glossy == nullptr) return 0.0;
+    const Microfacets surface{.roughness = glossy->roughness};
+    if (glossy->metal) {
+        return microfacet_reflectance(surface, cosine,
+                                      [](double c) { return std::pow(1.0 - c, 5); });
+    }
+    const double k = glossy->extinction.empty() ? 0.0 : glossy->extinction.at(wavelength_um);
+    const std::complex<double> index(glossy->index.at(wavelength_um), k);
+    return microfacet_reflectance(surface, cosine, [&](double c) { return fresnel(c, index); });
 }
 
-DirectionalOptics directional_optics(const Material& material, double wavelength_um,
-                                     double cosine) {
+DirectionalOptics directional_optics(const Material& material, double wavelength_um, double cosine,
+                                     double interface_here, double interface_normal) {
     const double reflectance = material.reflectance.at(wavelength_um);
     const double transmittance =
         material.transmittance.empty() ? 0.0 : material.transmittance.at(wavelength_um);
     DirectionalOptics optics{
         .emissivity = 0.0, .mirrored = 0.0, .diffuse = reflectance, .transmittance = transmittance};
     if (const auto* glossy = std::get_if<Glossy>(&material.finish)) {
-        const double mirrored = mirror_reflectance(*glossy, reflectance, wavelength_um, cosine);
-        const double normal = mirror_reflectance(*glossy, reflectance, wavelength_um, laboratory);
-        const double entering = normal < 1.0 ? (1.0 - mirrored) / (1.0 - normal) : 0.0;
-        optics.mirrored = mirrored;
+        double normal = interface_normal;
+        if (glossy->metal) {
+            optics.mirrored = reflectance + (1.0 - reflectance) * interface_here;
+            normal = reflectance + (1.0 - reflectance) * interface_normal;
+        } else {
+            // An interface that alone would reflect more than was measured is held to that.
+            const double held = normal > reflectance ? reflectance / normal : 1.0;
+            optics.mirrored = held * interface_here;
+            normal *= held;
+        }
+        const double entering = normal < 1.0 ? (1.0 - optics.mirrored) / (1.0 - normal) : 0.0;
         optics.diffuse = std::max(0.0, reflectance - normal) * entering;
         optics.transmittance *= entering;
     } else if (const auto* table = std::get_if<ByAngle>(&material.finish)) {
@@ -94,9 +89,17 @@ DirectionalOptics directional_optics(const Material& material, double wavelength
     return optics;
 }
 
+DirectionalOptics directional_optics(const Material& material, double wavelength_um,
+                                     double cosine) {
+    return directional_optics(
+        material, wavelength_um, cosine,
+        interface_reflectance(material.finish, wavelength_um, cosine),
+        interface_reflectance(material.finish, wavelength_um, laboratory_cosine));
+}
+
 DirectionalOptics hemispherical_optics(const Material& material, double wavelength_um) {
     if (std::holds_alternative<Lambert>(material.finish)) {
-        return directional_optics(material, wavelength_um, laboratory);
+        return directional_optics(material, wavelength_um, laboratory_cosine);
     }
     const auto mean = [&](double DirectionalOptics::*part) {
         return over_hemisphere(

@@ -96,6 +96,8 @@ PathTable::Node PathTable::make_node(double u, double height_km) const {
         }
         node.transmittance.push_back(std::move(transmittance));
         node.radiance.push_back(static_cast<float>(band_sum_nodes(bands_[b], path.radiance)));
+        const std::vector<double> one(bands_[b].node_um.size(), 1.0);
+        node.air.push_back(channel_sums(bands_[b], channels_[b], one, path.radiance));
     }
     return node;
 }
@@ -247,6 +249,10 @@ void PathTable::height_weights(float height_km, std::array<float, 5>& weight,
 const float* PathTable::transmittance(std::size_t band, std::size_t range,
                                       std::size_t height) const {
     return node_[range * heights_ + height].transmittance[band].data();
+}
+
+const float* PathTable::air(std::size_t band, std::size_t range, std::size_t height) const {
+    return node_[range * heights_ + height].air[band].data();
 }
 
 float PathTable::radiance(std::size_t band, std::size_t range, std::size_t height) const {

@@ -64,6 +64,8 @@ class PathTable {
     /// Transmittance to a node in the channels of a band (padded), and radiance of the air.
     const float* transmittance(std::size_t band, std::size_t range, std::size_t height) const;
     float radiance(std::size_t band, std::size_t range, std::size_t height) const;
+    /// That radiance in the channels of the band (padded).
+    const float* air(std::size_t band, std::size_t range, std::size_t height) const;
     /// Estimated error of interpolation [K] of apparent temperature.
     double error(std::size_t band) const { return error_[band]; }
 
@@ -71,6 +73,7 @@ class PathTable {
     struct Node {
         std::vector<std::vector<float>> transmittance;  // (band)(channel)
         std::vector<float> radiance;                    // (band)
+        std::vector<std::vector<float>> air;            // (band)(channel)
     };
     Node make_node(double u, double height_km) const;
     double probe_value(std::size_t band, const Node& node, std::size_t probe) const;

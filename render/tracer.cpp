@@ -12,6 +12,7 @@
 #include "render/background.hpp"
 #include "render/band_table.hpp"
 #include "render/eye_table.hpp"
+#include "render/hop_shading.hpp"
 #include "render/leaving.hpp"
 #include "render/path_table.hpp"
 #include "render/pixel_sum.hpp"
@@ -243,6 +244,14 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         frame.notes["scattered." + bands[b].name] = add_scattered_paths(
             view, observer, input, bands[b], *scattered[b], extent_of(view, input.ground_height_km),
             planes[(b + 1) * per_band - 1]);
+    }
+
+    if (options.hops && !options.hops->empty()) {
+        const HopLight of_hops(*options.hops, options.plumes, view.observer_height, bands, input,
+                               options.bounces, options.tolerance);
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            of_hops.add(b, std::span(planes).subspan(b * per_band, per_band));
+        }
     }
 
     for (std::size_t b = 0; b < bands.size(); ++b) {

@@ -4,6 +4,7 @@
 
 #include "materials/band.hpp"
 #include "render/frame.hpp"
+#include "render/hops.hpp"
 #include "render/lit_facets.hpp"
 #include "render/observer.hpp"
 #include "render/radiance.hpp"
@@ -18,6 +19,9 @@ struct FrameOptions {
     int bounces = 2;          // of light between surfaces, 1 or 2 (leaving.hpp)
     /// lit_facets(input, view.facet, bands), for a series of frames in which nothing moves.
     const LitFacets* lit = nullptr;
+    /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_shading.hpp).
+    const Hops* hops = nullptr;
+    std::span<const Plume> plumes{};
 };
 
 /// The picture of an instant in every band: radiance.BAND and apparent_temperature.BAND, truth,

@@ -232,6 +232,29 @@ double level_height(const Eigen::Vector3d& place) {
     return place.z() + place.head<2>().squaredNorm() / (2e3 * earth_radius_km);
 }
 
+namespace {
+
+/// Rays side by side from `start` beside the fan's origin; `level`: heights of what they meet.
+void closest_parallel(const RayScene& scene, const Fan& fan,
+                      const std::array<Eigen::Vector3f, lanes>& start, FanHits& hits,
+                      std::array<float, lanes>& level) {
+    std::array<Ray, lanes> rays;
+    std::array<Hit, lanes> found;
+    for (std::size_t s = 0; s < lanes; ++s) {
+        rays[s].origin = fan.origin + start[s];
+        rays[s].direction = {fan.x[s], fan.y[s], fan.z[s]};
+    }
+    scene.closest(rays, found);
+    for (std::size_t s = 0; s < lanes; ++s) {
+        hits.facet[s] = static_cast<std::uint32_t>(index(found[s].facet));
+        hits.range[s] = found[s].range;
+        const Eigen::Vector3f at = rays[s].origin + found[s].range * rays[s].direction;
+        level[s] = static_cast<float>(level_height(at.cast<double>()));
+    }
+}
+
+}  // namespace
+
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                const ViewOptions& options) {
     check_observer(observer);
@@ -279,8 +302,8 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                 for (std::size_t k = 0; k < lanes; ++k) {
                     const double right = double(std::min(x + k % 4, x1 - 1)) + 0.5;
                     const double down = double(std::min(y + k / 4, y1 - 1)) + 0.5;
-                    rays.push_back(
-                        {.origin = origin, .direction = eye.towards(right, down).cast<float>()});
+                    rays.push_back({.origin = origin + eye.start(right, down).cast<float>(),
+                                    .direction = eye.towards(right, down).cast<float>()});
                 }
             }
         }
@@ -300,7 +323,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
         }
     };
     const auto aim = [&](std::size_t x, std::size_t y, std::uint32_t hash, std::size_t packet,
-                         Fan& fan) {
+                         Fan& fan, std::array<Eigen::Vector3f, lanes>& start) {
         alignas(64) std::array<float, lanes> right, down;
         const float* from_right = &cell_right[packet * lanes];
         const float* from_down = &cell_down[packet * lanes];
@@ -317,6 +340,8 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                     eye.towards(double(x) + double{right[s]}, double(y) + double{down[s]})
                         .cast<float>();
                 fan.x[s] = d.x(), fan.y[s] = d.y(), fan.z[s] = d.z();
+                start[s] = eye.start(double(x) + double{right[s]}, double(y) + double{down[s]})
+                               .cast<float>();
             }
             return;
         }
@@ -347,6 +372,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
         Fan fan;
         fan.origin = origin;
         FanHits hits;
+        std::array<Eigen::Vector3f, lanes> start{};  // of each ray, where they are parallel
         std::vector<Sample> seen(samples);
         const float ox = origin.x(), oy = origin.y(), oz = origin.z();
         constexpr auto bend = static_cast<float>(1.0 / (2e3 * earth_radius_km));
@@ -358,13 +384,17 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                 std::size_t solid = 0;
                 double zenith = 0.0;
                 for (std::size_t packet = 0; packet < packets; ++packet) {
-                    aim(x, y, hash, packet, fan);
-                    scene.closest(fan, hits);
+                    aim(x, y, hash, packet, fan, start);
+                    if (eye.projection == Projection::orthographic) {
+                        closest_parallel(scene, fan, start, hits, level);
+                    } else {
+                        scene.closest(fan, hits);
 #pragma omp simd
-                    for (std::size_t s = 0; s < lanes; ++s) {
-                        const float px = ox + hits.range[s] * fan.x[s];
-                        const float py = oy + hits.range[s] * fan.y[s];
-                        level[s] = oz + hits.range[s] * fan.z[s] + bend * (px * px + py * py);
+                        for (std::size_t s = 0; s < lanes; ++s) {
+                            const float px = ox + hits.range[s] * fan.x[s];
+                            const float py = oy + hits.range[s] * fan.y[s];
+                            level[s] = oz + hits.range[s] * fan.z[s] + bend * (px * px + py * py);
+                        }
                     }
                     const std::size_t used = std::min(lanes, samples - packet * lanes);
                     for (std::size_t s = 0; s < used; ++s) {

@@ -4,6 +4,7 @@
 
 #include "materials/error.hpp"
 #include "materials/library.hpp"
+#include "materials/read_finish.hpp"
 #include "materials/soil.hpp"
 
 namespace diurna {
@@ -307,6 +308,7 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     }
     material.name = own_name;
     read_optics(section, folder, fresh, material);
+    read_finish(section, folder, material);
 
     ThermalSurface& thermal = material.thermal;
     if (fresh || section.has("roughness_length_m")) {

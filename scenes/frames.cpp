@@ -69,6 +69,13 @@ const CubeInput& named_cube(const Scene& scene, const std::string& name) {
                          [&](const CubeInput& cube) { return cube.name == name; });
 }
 
+/// What stays of a cube from frame to frame.
+struct CubeWork {
+    std::string name;
+    std::vector<Band> channels;
+    LitFacets lit;
+};
+
 /// In the spectral OpenEXR layout and for ENVI.
 void write_cube(const fs::path& base, const Cube& cube) {
     write_exr(base.string() + ".exr", spectral_frame(cube), ExrCompression::piz);
@@ -120,19 +127,29 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         if (wanted.empty()) continue;
 
         progress.stage("cast view of " + input.name);
-        const View view = cast_view(prepared.rays, world.facets, observer,
-                                    {.samples = input.samples, .seed = scene.seed});
+        const ViewOptions sampling{.samples = input.samples, .seed = scene.seed};
+        View view = cast_view(prepared.rays, world.facets, observer, sampling);
+        const Hops hops = follow_rays(view, prepared.rays, world.facets, scene.materials,
+                                      PlumeScene(prepared.plumes), observer, sampling);
         std::vector<Band> bands;
         for (const std::string& band : input.bands)
             bands.push_back(named_band(scene.bands, band, bin_edges_um()));
 
-        const LitFacets lit = lit_facets({.facets = world.facets,
-                                          .sky_view = sky_view,
-                                          .materials = scene.materials,
-                                          .atmosphere = Vacuum{},
-                                          .temperature = {},
-                                          .ground_height_km = world.sea_level_height / 1000.0},
-                                         view.facet, bands);
+        const RadianceInput still{.facets = world.facets,
+                                  .sky_view = sky_view,
+                                  .materials = scene.materials,
+                                  .atmosphere = Vacuum{},
+                                  .temperature = {},
+                                  .ground_height_km = world.sea_level_height / 1000.0};
+        const LitFacets lit = lit_facets(still, view.facet, bands);
+        std::vector<CubeWork> cubes;
+        for (const std::string& name : input.cubes) {
+            const CubeInput& cube = named_cube(scene, name);
+            CubeWork work{
+                name, channel_bands(cube.from_um, cube.to_um, cube.channels, bin_edges_um()), {}};
+            work.lit = lit_facets(still, view.facet, work.channels);
+            cubes.push_back(std::move(work));
+        }
         progress.stage("frames of " + input.name);
         std::atomic<std::size_t> done = 0;
         const auto render_one = [&](std::size_t i) {
@@ -158,18 +175,23 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                                     .ground_height_km = world.sea_level_height / 1000.0,
                                     .instant = instant};
             Frame frame = render(view, observer, bands, now,
-                                 {.truth = true, .terms = input.terms, .lit = &lit});
+                                 {.truth = true,
+                                  .terms = input.terms,
+                                  .lit = &lit,
+                                  .hops = &hops,
+                                  .plumes = prepared.plumes});
             check_finite(frame, input.bands);
             if (!world.filled.empty()) frame.planes.push_back(void_plane(view, world));
             write_frame(out, frame, input.bands);
-            for (const std::string& name : input.cubes) {
-                const CubeInput& cube = named_cube(scene, name);
-                const auto channels =
-                    channel_bands(cube.from_um, cube.to_um, cube.channels, bin_edges_um());
-                write_cube(out / base_name(input.name, name, instant),
-                           cube_of(render(view, observer, channels, now,
-                                          {.truth = false, .terms = false, .lit = &lit}),
-                                   channels));
+            for (const CubeWork& cube : cubes) {
+                write_cube(out / base_name(input.name, cube.name, instant),
+                           cube_of(render(view, observer, cube.channels, now,
+                                          {.truth = false,
+                                           .terms = false,
+                                           .lit = &cube.lit,
+                                           .hops = &hops,
+                                           .plumes = prepared.plumes}),
+                                   cube.channels));
             }
             progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
         };

@@ -30,7 +30,9 @@ Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
                       .roll_deg = input.roll_deg,
                       .horizontal_fov_deg = input.horizontal_fov_deg,
                       .width = input.width,
-                      .height = input.height};
+                      .height = input.height,
+                      .projection = input.projection,
+                      .picture_width = input.picture_width};
     if (input.look_at) {
         observer = looking_at(observer, ground_point(dem, world.site, *input.look_at, where));
     }
@@ -83,6 +85,11 @@ Prepared prepare(Scene scene) {
     for (const ObserverInput& observer : scene.observers) {
         observers.push_back(placed(observer, dem, world, rays, scene));
     }
+    std::vector<Plume> plumes;
+    for (const PlumeInput& plume : scene.plumes) {
+        const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
+        plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
+    }
     Plan plan = make_plan(scene, world);
     std::vector<std::string> notes = dem.notes;
     if (world.filled_facets > 0) {
@@ -90,8 +97,8 @@ Prepared prepare(Scene scene) {
                                     dem.voids, dem.height.size(), world.filled_facets,
                                     world.ground_facets));
     }
-    return {std::move(scene),     std::move(world), std::move(rays), std::move(weather),
-            std::move(observers), std::move(plan),  std::move(notes)};
+    return {std::move(scene),     std::move(world), std::move(rays),   std::move(weather),
+            std::move(observers), std::move(plan),  std::move(plumes), std::move(notes)};
 }
 
 SkyView scene_sky_view(const Prepared& prepared) {

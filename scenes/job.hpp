@@ -31,6 +31,7 @@ struct Prepared {
     Weather weather;
     std::vector<Observer> observers;  // placed above the ground, in the order of the scene
     Plan plan;
+    std::vector<Plume> plumes;       // placed likewise
     std::vector<std::string> notes;  // what a reader should know of the elevation data
 };
 

@@ -23,6 +23,9 @@ std::vector<fs::path> input_files(const Scene& scene) {
     for (const BandInput& band : scene.bands) {
         if (!band.file.empty()) files.push_back(band.file);
     }
+    for (const PlumeInput& plume : scene.plumes) {
+        if (!plume.file.empty()) files.push_back(plume.file);
+    }
     std::vector<fs::path> data;
     for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
         const std::string extension = entry.path().extension();

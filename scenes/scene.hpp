@@ -9,9 +9,11 @@
 
 #include "materials/atmosphere.hpp"
 #include "materials/library.hpp"
+#include "render/observer.hpp"
 #include "scenes/bands.hpp"
 #include "scenes/land.hpp"
 #include "scenes/objects.hpp"
+#include "scenes/plumes.hpp"
 #include "terrain/dem.hpp"
 #include "terrain/instant.hpp"
 #include "terrain/site.hpp"
@@ -94,7 +96,9 @@ struct ObserverInput {
     double height_above_ground = 2.0;
     std::optional<Eigen::Vector2d> look_at;  // a point of the ground; else the two angles
     double azimuth_deg = 0.0, elevation_deg = 0.0, roll_deg = 0.0;
+    Projection projection = Projection::pinhole;
     double horizontal_fov_deg = 20.0;
+    double picture_width = 0.0;  // [m] orthographic
     int width = 640, height = 512;
     int samples = 16;
     std::vector<std::string> bands;  // "3-5", "8-12", "lwir", a name of Scene::bands
@@ -114,6 +118,7 @@ struct Scene {
     TimeInput time;
     std::vector<BandInput> bands;
     std::vector<CubeInput> cubes;
+    std::vector<PlumeInput> plumes;
     std::vector<ObserverInput> observers;
     int sky_rays = 64;          // per facet of the ground
     int object_sky_rays = 256;  // per facet of buildings and objects

@@ -228,6 +228,34 @@ TimeInput read_time(const Section& section) {
     return time;
 }
 
+/// A field of view, or a focal plane behind a lens, or the width of a picture of parallel rays.
+void read_projection(const Section& section, ObserverInput& observer) {
+    const std::vector<std::string> names = {"pinhole", "equidistant", "equisolid", "panorama",
+                                            "orthographic"};
+    const std::string name = section.word_or("projection", "pinhole", names);
+    const auto found = std::find(names.begin(), names.end(), name);
+    observer.projection = static_cast<Projection>(found - names.begin());
+    if (observer.projection == Projection::orthographic) {
+        observer.picture_width = section.number("picture_width_m", 0.01, 2e5);
+    } else if (section.has("focal_length_mm")) {
+        const double focal_length = section.number("focal_length_mm", 0.1, 1e5);
+        const double pitch = section.number("pixel_pitch_um", 0.1, 1e4);
+        observer.horizontal_fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
+        if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
+            section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
+        } else if (!(observer.horizontal_fov_deg <= 150.0)) {
+            section.mistake("focal_length_mm",
+                            fmt::format("makes a field of view of {:.1f} degrees, expected at most "
+                                        "150",
+                                        observer.horizontal_fov_deg));
+        }
+    } else {
+        const bool pinhole = observer.projection == Projection::pinhole;
+        observer.horizontal_fov_deg = section.number_or(
+            "horizontal_fov_deg", pinhole ? 20.0 : 180.0, 0.01, pinhole ? 150.0 : 360.0);
+    }
+}
+
 ObserverInput read_observer(const Section& section, const Scene& scene) {
     ObserverInput observer;
     observer.name = section.text("name");
@@ -240,9 +268,9 @@ ObserverInput read_observer(const Section& section, const Scene& scene) {
         observer.elevation_deg = section.number("elevation_deg", -90, 90);
     }
     observer.roll_deg = section.number_or("roll_deg", 0.0, -180, 180);
-    observer.horizontal_fov_deg = section.number_or("horizontal_fov_deg", 20.0, 0.01, 150);
     observer.width = section.integer_or("width", 640, 1, 16384);
     observer.height = section.integer_or("height", 512, 1, 16384);
+    read_projection(section, observer);
     observer.samples = section.integer_or("samples", 16, 1, 1024);
     observer.terms = section.flag_or("terms", false);
     observer.bands = section.texts_or("bands", {"3-5", "8-12"});
@@ -318,6 +346,7 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
     scene.time = read_time(root.section("time", true));
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
+    scene.plumes = read_plumes(root, reading.folder);
     for (const Section& observer : root.sections("observer")) {
         scene.observers.push_back(read_observer(observer, scene));
     }

@@ -1,11 +1,11 @@
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "terrain/exchange.hpp"
 #include "terrain/sun.hpp"
 #include "terrain/visibility.hpp"
+#include "tests/bowl.hpp"
 
 // The shadow in a bowl without air or conduction is warmed by its sunlit rest alone. In a spherical
 // cap every part sees every other as its share of the sphere, so that σT⁴ = F sin e · f (1 − A) /
@@ -13,33 +13,13 @@
 // everywhere in the shadow. It tests the exchange: light and heat are passed on along its rows.
 
 using namespace diurna;
-using std::numbers::pi;
 
 namespace {
 
+/// Of depth/diameter q and a rim of radius 1.
 FacetSet bowl(double q, int rings, int sectors) {
-    const double r = (1.0 + 4.0 * q * q) / (4.0 * q), half_angle = std::asin(1.0 / r);
-    std::vector<Eigen::Vector3d> vertex;
-    std::vector<std::array<std::uint32_t, 3>> triangle;
-    for (int j = 0; j <= sectors; ++j) {
-        for (int i = 0; i <= rings; ++i) {
-            const double polar = half_angle * i / rings, around = 2.0 * pi * j / sectors;
-            vertex.emplace_back(r * std::sin(polar) * std::cos(around),
-                                r * std::sin(polar) * std::sin(around),
-                                r - 2.0 * q - r * std::cos(polar));
-        }
-    }
-    for (int j = 0; j < sectors; ++j) {
-        for (int i = 0; i < rings; ++i) {
-            const auto a = static_cast<std::uint32_t>(j * (rings + 1) + i);
-            const auto b = a + static_cast<std::uint32_t>(rings) + 1;
-            triangle.push_back({a, a + 1, b + 1});
-            triangle.push_back({a, b + 1, b});
-        }
-    }
-    FacetSet facets;
-    append_facets(facets, vertex, triangle, std::vector<MaterialId>(triangle.size()), ObjectId{0});
-    return facets;
+    const double radius = (1.0 + 4.0 * q * q) / (4.0 * q);
+    return spherical_bowl(radius, std::asin(1.0 / radius), rings, sectors);
 }
 
 /// x = source + share · (what the others send), by passing it on until nothing changes.

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "terrain/parallel.hpp"
+#include "tests/bowl.hpp"
 
 // In a hollow sphere every part sees every other as its share of the whole sphere's area.
 
@@ -16,26 +17,7 @@ namespace {
 
 /// A bowl cut from a sphere of radius 1, facets of rather different sizes.
 FacetSet hollow(int rings, int sectors, double half_angle) {
-    std::vector<Eigen::Vector3d> vertex;
-    std::vector<std::array<std::uint32_t, 3>> triangle;
-    for (int j = 0; j <= sectors; ++j) {
-        for (int i = 0; i <= rings; ++i) {
-            const double polar = half_angle * i / rings, around = 2.0 * pi * j / sectors;
-            vertex.emplace_back(std::sin(polar) * std::cos(around),
-                                std::sin(polar) * std::sin(around), 1.0 - std::cos(polar));
-        }
-    }
-    for (int j = 0; j < sectors; ++j) {
-        for (int i = 0; i < rings; ++i) {
-            const auto a = static_cast<std::uint32_t>(j * (rings + 1) + i);
-            const auto b = a + static_cast<std::uint32_t>(rings) + 1;
-            triangle.push_back({a, a + 1, b + 1});
-            triangle.push_back({a, b + 1, b});
-        }
-    }
-    FacetSet facets;
-    append_facets(facets, vertex, triangle, std::vector<MaterialId>(triangle.size()), ObjectId{0});
-    return facets;
+    return spherical_bowl(1.0, half_angle, rings, sectors);
 }
 
 /// rms over all pairs of factor − A_j/4π, over the rms of the factors.

@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <complex>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -19,12 +18,13 @@
 #include "terrain/sun.hpp"
 #include "terrain/visibility.hpp"
 #include "thermal/column_tool.hpp"
+#include "thermal_rows.hpp"
 
 using namespace diurna;
 
 namespace {
 
-constexpr double day = 86400.0, pi = std::numbers::pi;
+constexpr double pi = std::numbers::pi;
 
 struct Row {
     std::string claim, reference, error, peers;
@@ -66,91 +66,6 @@ std::string path(const std::string& band_um, double modtran) {
     const NodeSpectrum found = path_at_nodes(air, sight_line(0.0, 90.0, 5.0), band.node_um);
     return fmt::format("{:+.1f} %",
                        100.0 * (band_mean_nodes(band, found.transmittance) / modtran - 1));
-}
-
-/// A horizontal facet over a half-space of k = 1, C = 2e6 that only exchanges by film and
-/// radiation.
-ColumnJob half_space(double film, double emissivity) {
-    ColumnJob job;
-    job.surface.albedo = 0.0;
-    job.surface.emissivity = emissivity;
-    job.surface.convection = ConstantFilm{film};
-    job.surface.layers = {{4.0, 1.0, 2000.0, 1000.0}};
-    job.surface.bottom = FixedFlux{0.0};
-    job.start = parse_instant("2020-06-01T00:00:00Z");
-    job.end = later(job.start, day);
-    job.spin_up = SpinUp::periodic;
-    return job;
-}
-
-void drive(ColumnJob& job, const std::function<double(double)>& sun,
-           const std::function<double(double)>& air, double longwave) {
-    for (double t = 0.0; t <= day + 1.0; t += 300.0) {
-        Forcing forcing;
-        forcing.air.temperature = air(t);
-        forcing.shortwave_down = sun(t);
-        forcing.longwave_down = longwave;
-        job.weather.instant.push_back(later(job.start, t));
-        job.weather.sample.push_back(forcing);
-    }
-}
-
-std::string desert_day() {
-    ColumnJob job = half_space(10.0, 0.95);
-    job.step = 1800.0;
-    drive(
-        job, [](double t) { return 750.0 * std::max(0.0, -std::cos(2.0 * pi * t / day)); },
-        [](double t) { return 298.15 + 8.0 * std::cos(2.0 * pi * (t - 54000.0) / day); }, 330.0);
-    const ColumnResult result = run_column(job);
-    double worst = 0.0;
-    for (const auto& [hour, kelvin] : std::vector<std::pair<double, double>>{
-             {1, 294.1009},  {3, 292.5792},    {5, 292.0031},    {6, 292.0728},  {6.5, 293.8714},
-             {7, 296.6394},  {8, 303.1838},    {9, 309.9751},    {10, 316.1945}, {11, 321.2634},
-             {12, 324.7690}, {12.5, 325.8470}, {13, 326.4450},   {14, 326.1607}, {15, 323.9119},
-             {16, 319.8125}, {18, 307.0559},   {18.5, 304.8424}, {19, 303.3794}, {20, 301.1737},
-             {21, 299.3915}, {22, 297.8266},   {24, 295.1737}}) {
-        worst = std::max(worst,
-                         std::abs(result.row[std::size_t(hour * 2)].surface_temperature - kelvin));
-    }
-    return fmt::format("{:.3f} K worst, energy to {:.0e}", worst, result.worst_energy_closure);
-}
-
-std::string half_space_wave() {
-    double worst = 0.0;
-    for (const auto& [film, amplitude] :
-         {std::pair{5.0, 6.253404513}, {15.0, 3.995923739}, {30.0, 2.534198955}}) {
-        ColumnJob job = half_space(film, 0.0);
-        job.step = 600.0;
-        drive(
-            job, [](double t) { return 100.0 + 100.0 * std::cos(2.0 * pi * t / day); },
-            [](double) { return 290.0; }, 0.0);
-        const ColumnResult result = run_column(job);
-        std::complex<double> sum = 0.0;
-        const std::size_t n = result.row.size() - 1;
-        for (std::size_t i = 0; i < n; ++i) {
-            sum += result.row[i].surface_temperature *
-                   std::polar(2.0 / double(n), -2.0 * pi * double(i) / double(n));
-        }
-        worst = std::max(worst, std::abs(std::abs(sum) / amplitude - 1.0));
-    }
-    return fmt::format("{:.3f} % in amplitude", 100.0 * worst);
-}
-
-std::string radiating_half_space() {
-    ColumnJob job = half_space(0.0, 1.0);
-    job.spin_up = SpinUp::none;
-    job.initial_temperature = 300.0;
-    job.step = 60.0;
-    drive(
-        job, [](double) { return 0.0; }, [](double) { return 290.0; }, 0.0);
-    const ColumnResult result = run_column(job);
-    double worst = 0.0;
-    for (const auto& [t, kelvin] :
-         {std::pair{600.0, 291.77910574}, {3600.0, 281.96186568}, {21600.0, 264.2939807}}) {
-        worst = std::max(worst,
-                         std::abs(result.row[std::size_t(t / 60.0)].surface_temperature - kelvin));
-    }
-    return fmt::format("{:.4f} K", worst);
 }
 
 std::string mesh(double tolerance) {
@@ -211,12 +126,9 @@ int main() {
         [] { return path("3-5", 0.2772); });
     row("transmittance 8–12 µm, same path", "MODTRAN 5: 0.1535", "LOWTRAN7 +1.6 %",
         [] { return path("8-12", 0.1535); });
-    row("half-space under a periodic flux, films of 5, 15, 30 W/m²K", "Carslaw & Jaeger 2.6",
-        "0.7 % a 15-node column (first cell 0.1 skin depths)", half_space_wave);
-    row("half-space that radiates from 300 K to 0 K, 60 s steps",
-        "Abel/Volterra equation, 8 digits", "", radiating_half_space);
-    row("desert day, periodic, 30-minute output", "CVODE method of lines, extrapolated",
-        "0.069 K an 18-layer finite-volume column", desert_day);
+    for (const thermal_rows::Case& c : thermal_rows::cases()) {
+        row(c.claim, c.reference, c.peers, c.measure);
+    }
     row("Jacksboro raster to 1 m", "each triangle rasterised anew",
         "tin-terrain 572 m at 10 m allowed; martini 9.5 m at 5 m", [] { return mesh(1.0); });
     row("sky view in a bowl, depth/diameter 0.1, 0.2, 0.5, mean", "spherical cap, exact",

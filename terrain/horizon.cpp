@@ -2,7 +2,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "materials/units.hpp"
 #include "terrain/height_field.hpp"
@@ -25,8 +27,8 @@ struct Way {
     }
 };
 
-/// `towards`: columns and rows per metre of plan. Starts at a post.
-Way way(const HeightField& field, const Eigen::Vector2d& towards) {
+/// `towards`: columns and rows per metre of plan. Starts at a post and goes on for `reach` metres.
+Way way(const HeightField& field, const Eigen::Vector2d& towards, double reach) {
     struct Found {
         double distance;  // [m]
         int column, row, next_column, next_row;
@@ -34,7 +36,6 @@ Way way(const HeightField& field, const Eigen::Vector2d& towards) {
     };
     const double u = towards.x(), v = towards.y();
     const double per_step = 1.0 / std::max(std::abs(u), std::abs(v));  // [m] per grid line
-    const double reach = per_step * (std::max(field.columns(), field.rows()) + march_steps);
     std::vector<Found> found;
     const auto whole = [](double x) { return static_cast<int>(std::floor(x)); };
     const auto lines = [&](double speed, const auto& add) {
@@ -49,17 +50,22 @@ Way way(const HeightField& field, const Eigen::Vector2d& towards) {
         const double x = u * distance;
         found.push_back({distance, whole(x), row, whole(x) + 1, row, x - std::floor(x)});
     });
+    const std::size_t rows = found.size();
     lines(u, [&](double distance, int column) {
         const double y = v * distance;
         found.push_back({distance, column, whole(y), column, whole(y) + 1, y - std::floor(y)});
     });
+    const std::size_t columns = found.size();
     lines(u - v, [&](double distance, int diagonal) {
         const double y = v * distance;
         const int row = whole(y), column = row + diagonal;
         found.push_back({distance, column, row, column + 1, row + 1, y - row});
     });
-    std::sort(found.begin(), found.end(),
-              [](const Found& a, const Found& b) { return a.distance < b.distance; });
+    // Each family of lines is in order already.
+    const auto nearer = [](const Found& a, const Found& b) { return a.distance < b.distance; };
+    const auto at = [&](std::size_t k) { return found.begin() + static_cast<std::ptrdiff_t>(k); };
+    std::inplace_merge(found.begin(), at(rows), at(columns), nearer);
+    std::inplace_merge(found.begin(), at(columns), found.end(), nearer);
 
     Way result;
     result.crossing.reserve(found.size());
@@ -86,42 +92,47 @@ Way way(const HeightField& field, const Eigen::Vector2d& towards) {
     return result;
 }
 
-/// The ways of one azimuth from each tile; a single one where the plan is even.
-struct Ways {
-    int across = 1, down = 1;
-    std::vector<Way> tile;
-
-    const Way& at(int row, int column) const {
-        if (tile.size() == 1) return tile.front();
-        return tile[std::size_t(row / tile_side) * std::size_t(across) +
-                    std::size_t(column / tile_side)];
+/// The ways of one azimuth: one for all posts where the plan is even; else one for each tile, found
+/// when it is needed, since all of them at once would be gigabytes on a large raster.
+class Ways {
+ public:
+    Ways(const HeightField& field, const Eigen::Vector2d& east_north)
+        : field_(field), east_north_(east_north.normalized()) {
+        const double right = field.columns() - 1, bottom = field.rows() - 1;
+        const Eigen::Vector2d first = towards(0.0, 0.0);
+        const double bent =
+            std::max({(towards(right, 0.0) - first).norm(), (towards(0.0, bottom) - first).norm(),
+                      (towards(right, bottom) - first).norm()});
+        if (bent >= 1e-6 * first.norm()) return;
+        even_ = way(field, first,
+                    (std::max(right, bottom) + march_steps) / first.lpNorm<Eigen::Infinity>());
     }
+
+    /// Of the tile that begins at a post; `room` holds it if it is not for all.
+    const Way& at(int row, int column, Way& room) const {
+        if (even_) return *even_;
+        const double right = field_.columns() - 1, bottom = field_.rows() - 1;
+        const Eigen::Vector2d to = towards(std::min(right, column + 0.5 * tile_side),
+                                           std::min(bottom, row + 0.5 * tile_side));
+        // To where the last of its posts leaves the grid, and a stretch more.
+        const auto leaves = [](double speed, double first, double last) {
+            if (speed == 0.0) return std::numeric_limits<double>::infinity();
+            return speed > 0.0 ? (last - first) / speed : (first + tile_side) / -speed;
+        };
+        const double inside = std::min(leaves(to.x(), column, right), leaves(to.y(), row, bottom));
+        room = way(field_, to, inside + 2.0 * march_steps / to.lpNorm<Eigen::Infinity>());
+        return room;
+    }
+
+ private:
+    Eigen::Vector2d towards(double column, double row) const {
+        return field_.jacobian({column, row}).inverse() * east_north_;
+    }
+
+    const HeightField& field_;
+    Eigen::Vector2d east_north_;
+    std::optional<Way> even_;
 };
-
-Ways ways(const HeightField& field, const Eigen::Vector2d& east_north) {
-    const auto towards = [&](double column, double row) -> Eigen::Vector2d {
-        return field.jacobian({column, row}).inverse() * east_north.normalized();
-    };
-    Ways result;
-    const double right = field.columns() - 1, bottom = field.rows() - 1;
-    const Eigen::Vector2d first = towards(0.0, 0.0);
-    const double bent =
-        std::max({(towards(right, 0.0) - first).norm(), (towards(0.0, bottom) - first).norm(),
-                  (towards(right, bottom) - first).norm()});
-    if (bent < 1e-6 * first.norm()) {
-        result.tile.push_back(way(field, first));
-        return result;
-    }
-    result.across = (field.columns() + tile_side - 1) / tile_side;
-    result.down = (field.rows() + tile_side - 1) / tile_side;
-    for (int y = 0; y < result.down; ++y) {
-        for (int x = 0; x < result.across; ++x) {
-            result.tile.push_back(way(field, towards(std::min(right, tile_side * (x + 0.5)),
-                                                     std::min(bottom, tile_side * (y + 0.5)))));
-        }
-    }
-    return result;
-}
 
 MarchFunction* const march_posts =
     __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
@@ -141,6 +152,7 @@ void march_tiles(const HeightField& field, const Ways& ways, int tile_row, const
     const MarchField heights = field.march_field();
     const int first_row = tile_row * tile_side;
     const int last_row = std::min(field.rows(), first_row + tile_side);
+    Way room;
     for (int column = 0; column < field.columns(); column += tile_side) {
         const MarchPart part{.first_row = first_row,
                              .last_row = last_row,
@@ -149,7 +161,7 @@ void march_tiles(const HeightField& field, const Ways& ways, int tile_row, const
                              .lift = static_cast<float>(asked.lift),
                              .start = asked.start,
                              .stop = asked.stop};
-        march_posts(heights, ways.at(first_row, column).view(), part, tangent.data() + column,
+        march_posts(heights, ways.at(first_row, column, room).view(), part, tangent.data() + column,
                     field.columns());
     }
 }
@@ -174,7 +186,7 @@ void for_each_tile_row(const HeightField& field, const Body& body) {
 void march(const HeightField& field, const Eigen::Vector2d& east_north, const Asked& asked,
            std::span<float> tangent) {
     assert(tangent.size() == field.size());
-    const Ways found = ways(field, east_north);
+    const Ways found(field, east_north);
     for_each_tile_row(field, [&](int row, std::size_t first, std::size_t posts) {
         march_tiles(field, found, row, asked, tangent.subspan(first, posts));
     });
@@ -253,7 +265,7 @@ void sky_view(const HeightField& field, int azimuths, std::span<float> sky_view)
     std::vector<Look> looks;
     for (int k = 0; k < azimuths; ++k) {
         const Eigen::Vector2d towards = direction(360.0 * (k + 0.5) / azimuths, 0.0).head<2>();
-        looks.push_back({towards.cast<float>(), ways(field, towards)});
+        looks.push_back({towards.cast<float>(), Ways(field, towards)});
     }
     const int columns = field.columns();
     for_each_tile_row(field, [&](int tile_row, std::size_t first, std::size_t posts) {

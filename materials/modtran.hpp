@@ -48,6 +48,8 @@ struct Tape7Run {
 /// TOTAL_RAD). Throws InputError for a file without its end mark, text where a number belongs, NaN,
 /// values that straddle columns, wavenumbers that do not ascend, or blanks where none may be.
 std::vector<Tape7Run> read_tape7(const std::filesystem::path& file);
+/// The same of a text at hand; `file` names it in messages.
+std::vector<Tape7Run> read_tape7_text(const std::filesystem::path& file, const std::string& text);
 
 /// .7sc and tape7.scn: the convolved tape7, whose variable may be cm⁻¹, nm or µm. Columns end where
 /// their headings do; headings without data below are left out.

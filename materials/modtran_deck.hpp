@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/modtran.hpp"
 #include "materials/profile.hpp"
 
 namespace diurna {
@@ -66,5 +67,9 @@ std::optional<ModtranRunner> modtran_runner(const std::string& command_line_word
 /// children are then killed), or leaves no result.
 std::string run_modtran(const ModtranRunner& runner, const std::string& input_file,
                         const std::string& input, const std::string& result_file);
+
+/// Runs the decks as one tape5 and reads what comes back: one run of its tape7 a deck, in order.
+/// Throws std::runtime_error besides if their numbers differ, InputError for a damaged tape7.
+std::vector<Tape7Run> run_decks(const ModtranRunner& runner, const std::vector<ModtranDeck>& decks);
 
 }  // namespace diurna

@@ -175,4 +175,15 @@ std::string run_modtran(const ModtranRunner& runner, const std::string& input_fi
     return read_text(folder.path() / result_file, runner.output_limit);
 }
 
+std::vector<Tape7Run> run_decks(const ModtranRunner& runner,
+                                const std::vector<ModtranDeck>& decks) {
+    const std::string text = run_modtran(runner, "tape5", write_tape5(decks), "tape7");
+    std::vector<Tape7Run> runs = read_tape7_text("tape7 of " + runner.executable.string(), text);
+    if (runs.size() != decks.size()) {
+        throw std::runtime_error(
+            fmt::format("MODTRAN gave {} paths, {} were asked for", runs.size(), decks.size()));
+    }
+    return runs;
+}
+
 }  // namespace diurna

@@ -333,7 +333,10 @@ const std::vector<double>& SpectralTable::column(std::string_view wanted) const 
 }
 
 std::vector<Tape7Run> read_tape7(const std::filesystem::path& file) {
-    const std::string text = read_text(file, modtran_file_limit);
+    return read_tape7_text(file, read_text(file, modtran_file_limit));
+}
+
+std::vector<Tape7Run> read_tape7_text(const std::filesystem::path& file, const std::string& text) {
     Source source{file, lines_of(text)};
     std::vector<Tape7Run> runs;
     while (!source.done()) {

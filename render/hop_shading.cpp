@@ -293,7 +293,7 @@ void HopLight::State::send(int bounces, double tolerance) {
         std::vector<float> black(tables.lanes), around(tables.lanes);
         for (std::size_t u = begin; u < end; ++u) {
             const std::size_t i = lit.target[u];
-            sent.black(i, black.data());
+            black_modes(tables, state.temperature[i], black.data());
             sent.around(i, black.data(), around.data());
             const std::array<float, 3> up = height_weights(lit.height[i]);
             const double open = double{lit.sky_view[i]}, sunlight = double{state.sunlight[i]};

@@ -9,8 +9,6 @@
 #include "materials/error.hpp"
 #include "materials/files.hpp"
 #include "materials/library.hpp"
-#include "materials/radiosonde.hpp"
-#include "materials/scattering.hpp"
 #include "materials/units.hpp"
 #include "terrain/dem.hpp"
 #include "terrain/height_field.hpp"
@@ -22,95 +20,6 @@
 #include "thermal/column_tool.hpp"
 
 namespace diurna {
-
-namespace {
-
-/// Length [km] of the line from one height to another under a zenith angle at its start.
-double range_to_height(double from_km, double to_km, double zenith_deg) {
-    const double r0 = earth_radius_km + from_km, r1 = earth_radius_km + to_km;
-    const double along = r0 * std::cos(radians(zenith_deg));
-    const double inside = along * along + r1 * r1 - r0 * r0;
-    if (inside >= 0.0) {
-        for (const double range : {-along - std::sqrt(inside), -along + std::sqrt(inside)}) {
-            if (range > 0.0) return range;
-        }
-    }
-    throw InputError("--to-height-km", fmt::format("a path from {:g} km under zenith angle {:g}° "
-                                                   "never reaches {:g} km",
-                                                   from_km, zenith_deg, to_km));
-}
-
-SightLine line_of(const PathArguments& a, const BandModel& model) {
-    const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
-    if (ends != 1) {
-        throw InputError("path",
-                         fmt::format("found {} ends of the path, expected one of --range-km, "
-                                     "--to-height-km, --to-ground, --to-space",
-                                     ends));
-    }
-    if (a.range_km) return sight_line(a.height_km, a.zenith_deg, *a.range_km);
-    if (a.to_height_km) {
-        return sight_line(a.height_km, a.zenith_deg,
-                          range_to_height(a.height_km, *a.to_height_km, a.zenith_deg));
-    }
-    if (a.to_ground != ends_on_ground(model, a.height_km, a.zenith_deg)) {
-        throw InputError(
-            a.to_ground ? "--to-ground" : "--to-space",
-            fmt::format("a path from {:g} km under zenith angle {:g}° ends {}", a.height_km,
-                        a.zenith_deg, a.to_ground ? "in space" : "on the ground"));
-    }
-    return line_of(model, a.height_km, a.zenith_deg);
-}
-
-}  // namespace
-
-void path_command(const PathArguments& arguments) {
-    const BandModel model{.profile = named_profile(arguments.profile),
-                          .aerosol = arguments.aerosol,
-                          .visibility_km = arguments.visibility_km,
-                          .co2_ppm = arguments.co2_ppm,
-                          .ground_km = arguments.ground_km,
-                          .rain_mm_h = arguments.rain_mm_h};
-    const Atmosphere atmosphere = model;
-    check(atmosphere);
-    const SightLine line = line_of(arguments, model);
-    std::vector<Band> bands;
-    for (const std::string& band : arguments.bands)
-        bands.push_back(parse_band(band, bin_edges_um()));
-
-    std::string out = "band_um,transmittance,thermal_path_radiance_W_m2_sr";
-    out += arguments.sun_zenith_deg ? ",scattered_sun_W_m2_sr\n" : "\n";
-    for (const Band& band : bands) {
-        const NodeSpectrum path = path_at_nodes(atmosphere, line, band.node_um);
-        out += fmt::format("{:g}-{:g},{:.6f},{:.6g}", band.from_um(), band.to_um(),
-                           band_mean_nodes(band, path.transmittance),
-                           band_sum_nodes(band, path.radiance));
-        if (arguments.sun_zenith_deg) {
-            const SunField field(
-                model,
-                {.zenith_deg = *arguments.sun_zenith_deg, .ground_albedo = arguments.ground_albedo},
-                band.node_um);
-            const std::vector<double> scattered =
-                arguments.to_space
-                    ? field.sky(arguments.height_km, arguments.zenith_deg,
-                                arguments.azimuth_from_sun_deg)
-                    : field.path(line, arguments.zenith_deg, arguments.azimuth_from_sun_deg);
-            out += fmt::format(",{:.6g}", band_sum_nodes(band, scattered));
-        }
-        out += '\n';
-    }
-    if (!arguments.csv.empty()) {
-        const PathSpectrum spectrum = path_spectrum(atmosphere, line);
-        const auto edges = bin_edges_um();
-        std::string text = "from_um,to_um,transmittance,thermal_path_radiance_W_m2_sr_um\n";
-        for (std::size_t bin = 0; bin + 1 < edges.size(); ++bin) {
-            text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6g}\n", edges[bin], edges[bin + 1],
-                                spectrum.transmittance[bin], spectrum.radiance[bin]);
-        }
-        write_whole_file(arguments.csv, text);
-    }
-    fmt::print("{}", out);
-}
 
 void sun_command(const SunArguments& arguments) {
     if (!(std::abs(arguments.latitude_deg) <= 90.0)) {

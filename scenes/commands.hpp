@@ -27,6 +27,7 @@ struct PathArguments {
     double ground_albedo = 0.2;
     std::vector<std::string> bands;
     std::filesystem::path csv;  // whole spectrum, if named
+    std::string modtran;        // absolute path of MODTRAN 5, which then stands in for the model
 };
 void path_command(const PathArguments& arguments);
 

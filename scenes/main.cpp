@@ -165,6 +165,8 @@ void run_program(int argc, char** argv) {
     verb->add_option("--band", path.bands, "FROM:TO in micrometres; may be given again")
         ->required();
     verb->add_option("--csv", path.csv, "file for the whole spectrum");
+    verb->add_option("--modtran", path.modtran,
+                     "MODTRAN 5 to run in place of the embedded model (absolute path)");
     verb->callback([&] { path_command(path); });
 
     SunArguments sun;

@@ -1,11 +1,16 @@
 #include <sys/wait.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 
+#include "materials/band.hpp"
 #include "materials/files.hpp"
+#include "materials/planck.hpp"
+#include "tests/modtran_stub.hpp"
+#include "tests/scratch_folder.hpp"
 
 namespace {
 
@@ -65,4 +70,34 @@ TEST_CASE("path takes rain and a radiosonde's file", "[scenes][path]") {
     CHECK(cell(wet.text, 1) < cell(run(level + " --profile SAW").text, 1));
     CHECK(run(level + " --profile /nowhere.csv").code == 2);
     CHECK(run(level + " --rain-mm-h -1").code == 2);
+}
+
+TEST_CASE("MODTRAN named on the command line stands in for the embedded model",
+          "[scenes][path][run]") {
+    const ScratchFolder folder("path-modtran");
+    const std::filesystem::path stub = folder.path / "modtran";
+    write_modtran_stub(stub);
+    const std::string path =
+        "--profile MLS --aerosol rural --zenith-deg 90 --range-km 5 --band 8:12 --band 3:5";
+    const Output out = run(path + " --modtran " + stub.string());
+    CAPTURE(out.text);
+    REQUIRE(out.code == 0);
+    CHECK(out.text.starts_with("band_um,transmittance,thermal_path_radiance_W_m2_sr\n8-12,"));
+    // The stub's air: 0.1 per km at 300 K. It prints radiance to five digits every 5 cm-1.
+    const double tau = std::exp(-0.5);
+    CHECK(cell(out.text, 1) == Approx(tau).epsilon(1e-6));
+    const diurna::Band band = diurna::flat_band("", 8.0, 12.0);
+    CHECK(cell(out.text, 2) ==
+          Approx((1.0 - tau) * diurna::band_radiance(band, 300.0)).epsilon(1e-4));
+    CHECK(run(path).text != out.text);
+
+    const Output missing = run(path + " --modtran /no/such/modtran");
+    CHECK(missing.code == 2);
+    CHECK(missing.text.find("/no/such/modtran") != std::string::npos);
+    CHECK(run(path + " --modtran modtran").code == 2);  // not absolute
+    CHECK(run(path + " --csv x.csv --modtran " + stub.string()).code == 2);
+
+    diurna::write_whole_file(stub, "#!/bin/sh\nexit 3\n");
+    ::chmod(stub.c_str(), 0755);
+    CHECK(run(path + " --modtran " + stub.string()).code == 1);
 }

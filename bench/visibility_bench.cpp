@@ -12,6 +12,7 @@
 #include <ctime>
 #include <functional>
 
+#include "terrain/exchange.hpp"
 #include "terrain/ground_mesh.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/sky_rays.hpp"
@@ -116,6 +117,7 @@ int main(int argc, char** argv) {
     const SkyView fine = sky_view(facets, scene, {.rays = 1024, .seed = 7, .exchange = false});
     for (const int rays : {16, 64, 256}) {
         for (const bool exchange : {false, true}) {
+            if (exchange && rays > 64) continue;
             SkyView view;
             const double cpu = seconds(
                 [&] { view = sky_view(facets, scene, {.rays = rays, .exchange = exchange}); });
@@ -125,6 +127,17 @@ int main(int argc, char** argv) {
                        exchange ? " and exchange" : "", rays * 1e-6 * double(facets.size()) / cpu,
                        100.0 * std::min(fixed, drawn) / cpu * rays / 16);
         }
+    }
+    // Memory of the exchange against facets: the bytes a facet stay, so the whole is linear.
+    for (const double tolerance : {40.0, 20.0, 10.0, 5.0, 2.0}) {
+        const FacetSet some = facets_of(file, tolerance);
+        const RayScene some_scene(some);
+        SkyView view;
+        view = sky_view(some, some_scene, {.rays = 64});
+        make_reciprocal(some, view);
+        const double bytes = double(view.exchange.facet.size() * 8 + view.exchange.row.size() * 4);
+        fmt::print("{},exchange_memory,64 rays at {} m,{},,{:.4g},bytes a facet\n",
+                   file.stem().string(), tolerance, some.size(), bytes / double(some.size()));
     }
     for (const double elevation_deg : {5.0, 20.0, 45.0}) {
         const Eigen::Vector3d sun = direction(110.0, elevation_deg);

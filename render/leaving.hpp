@@ -65,6 +65,10 @@ class SentLight {
     SentLight(const LitFacets& lit, const LitState& state, const LightTables& tables,
               std::span<const BounceOptions> bounces);
 
+    /// Black body at a facet's temperature, (lane).
+    void black(std::size_t lit, float* out) const {
+        black_modes(tables_, state_.temperature[lit], out);
+    }
     /// Light that falls on it from its surroundings: Σ F_j J_j, over a hemisphere 1 − sky view.
     void around(std::size_t lit, const float* black, float* out) const;
     /// Asks the memory for what around() will need.

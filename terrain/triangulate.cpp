@@ -52,10 +52,10 @@ class GreedyInsertion {
         : GreedyInsertion(dem, tolerance, {}) {}
 
     std::optional<Tin> run(std::span<const std::array<std::int32_t, 2>> keep,
-                           std::size_t most_posts = std::size_t(-1)) {
+                           double most_bytes = 1e30) {
         start(keep);
         while (!queue_.empty()) {
-            if (mesh_.number_of_vertices() > most_posts) return std::nullopt;
+            if (bytes() > most_bytes) return std::nullopt;
             const Candidate next = queue_.top();
             queue_.pop();
             if (next.face->info().stamp != next.stamp) continue;
@@ -96,6 +96,12 @@ class GreedyInsertion {
         }
         mesh_.insert(points.begin(), points.end());
         for (const auto face : mesh_.finite_face_handles()) scan(face);
+    }
+
+    /// A vertex with its two faces and its place in the result; an entry of the queue, which
+    /// doubles its room when it grows.
+    double bytes() const {
+        return 217.0 * double(mesh_.number_of_vertices()) + 48.0 * double(queue_.size());
     }
 
     bool beside_void(int row, int column) const {
@@ -168,8 +174,8 @@ Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack) 
     return *GreedyInsertion(dem, tolerance, slack).run({});
 }
 
-std::optional<Tin> triangulate_up_to(const Dem& dem, double tolerance, std::size_t most_posts) {
-    return GreedyInsertion(dem, tolerance).run({}, most_posts);
+std::optional<Tin> triangulate_within(const Dem& dem, double tolerance, double most_bytes) {
+    return GreedyInsertion(dem, tolerance).run({}, most_bytes);
 }
 
 }  // namespace diurna

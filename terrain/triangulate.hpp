@@ -29,13 +29,13 @@ Tin triangulate(const Dem& dem, double tolerance,
 /// (row, column), more than 0. One network without cracks; finer where the slack is small.
 Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack);
 
-/// The same as the first; none as soon as the network would have more posts than so many.
-std::optional<Tin> triangulate_up_to(const Dem& dem, double tolerance, std::size_t most_posts);
+/// The same as the first; none as soon as the network and its queue need more memory than so much.
+std::optional<Tin> triangulate_within(const Dem& dem, double tolerance, double most_bytes);
 
 /// The network within the tolerance in no more memory than ten times the input and 200 MB for the
 /// whole program, the input counted as two bytes a post. Where the greedy network with its queue
-/// needs more (240 bytes a post of it, from about half of the raster's posts on), the full grid,
-/// which is exact and needs 65. Throws InputError where that is too much too.
+/// needs more (about 220 bytes a post of it), the full grid, which is exact and needs 65. Throws
+/// InputError where that is too much too.
 Tin affordable_network(const Dem& dem, double tolerance);
 
 /// Every post, and two triangles a cell cut from its first to its last corner, as the march over

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdlib>
+#include <map>
+#include <span>
 #include <stdexcept>
 
 #include "render/cube.hpp"
@@ -91,6 +94,23 @@ void write_frame(const fs::path& out, const Frame& frame, const std::vector<std:
     }
 }
 
+/// Of all frames' notes of one name, which begin with a number, that of the greatest.
+std::string worst_note(std::span<const std::map<std::string, std::string>> notes,
+                       const std::string& name) {
+    std::string worst;
+    double most = -1.0;
+    for (const auto& of_frame : notes) {
+        const auto note = of_frame.find(name);
+        if (note == of_frame.end()) continue;
+        const double value = std::strtod(note->second.c_str(), nullptr);
+        if (value > most) {
+            most = value;
+            worst = note->second;
+        }
+    }
+    return worst;
+}
+
 }  // namespace
 
 std::vector<std::string> frame_files(const Prepared& prepared) {
@@ -113,7 +133,8 @@ Plane void_plane(const View& view, const World& world) {
 }
 
 std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
-                          const TemperatureField& field, const fs::path& out, Progress& progress) {
+                          const TemperatureField& field, const fs::path& out, Progress& progress,
+                          std::vector<std::string>* errors) {
     const Scene& scene = prepared.scene;
     const World& world = prepared.world;
     std::size_t rendered = 0;
@@ -152,6 +173,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         }
         progress.stage("frames of " + input.name);
         std::atomic<std::size_t> done = 0;
+        std::vector<std::map<std::string, std::string>> notes(wanted.size());
         const auto render_one = [&](std::size_t i) {
             const Instant instant = wanted[i];
             const SunPosition sun = sun_position(world.site, instant);
@@ -181,6 +203,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                                   .hops = &hops,
                                   .plumes = prepared.plumes});
             check_finite(frame, input.bands);
+            notes[i] = frame.notes;
             if (!world.filled.empty()) frame.planes.push_back(void_plane(view, world));
             write_frame(out, frame, input.bands);
             for (const CubeWork& cube : cubes) {
@@ -197,6 +220,14 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         };
         for_each_index(wanted.size(), render_one, 1);
         rendered += wanted.size();
+        for (const std::string& band : input.bands) {
+            if (errors == nullptr) break;
+            std::string line = input.name + ", " + band + ": ";
+            line += worst_note(notes, "error." + band);
+            const std::string scattered = worst_note(notes, "scattered." + band);
+            if (!scattered.empty()) line += "; light scattered before surfaces " + scattered;
+            errors->push_back(std::move(line));
+        }
     }
     return rendered;
 }

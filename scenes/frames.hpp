@@ -17,9 +17,12 @@ std::vector<std::string> frame_files(const Prepared& prepared);
 
 /// Renders every frame that is not there yet and writes it as EXR with a PNG quick-look.
 /// returns how many (observer, instant) were rendered
+///
+/// errors  if given: a line for every observer and band, what the tables of its worst frame say of
+///         their error against the direct sum (Frame::notes)
 std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                           const TemperatureField& field, const std::filesystem::path& out,
-                          Progress& progress);
+                          Progress& progress, std::vector<std::string>* errors = nullptr);
 
 /// The truth plane "void": 1 at pixels whose ground was filled in for want of elevation
 /// (World::filled, which is not empty), 0 elsewhere, −1 where it is sky.

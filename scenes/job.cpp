@@ -166,7 +166,11 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     if (!prepared.weather.note.empty()) report.notes.push_back(prepared.weather.note);
 
     report.files = {"temperatures.nc"};
-    report.frames_rendered = render_frames(prepared, view, field, options.out, progress);
+    std::vector<std::string> errors;
+    report.frames_rendered = render_frames(prepared, view, field, options.out, progress, &errors);
+    for (const std::string& line : errors) {
+        report.notes.push_back("tables against the direct sum, worst frame: " + line);
+    }
     for (std::string& file : frame_files(prepared)) report.files.push_back(std::move(file));
 
     progress.stage("report");

@@ -168,6 +168,8 @@ TEST_CASE("a file of 10 GB is refused unread", "[materials][modtran][stress]") {
     CHECK_THROWS_AS(read_7sc(huge), InputError);
     CHECK_THROWS_AS(read_flx(huge), InputError);
     CHECK_THROWS_AS(read_modtran6_json(huge), InputError);
+    CHECK_THROWS_AS(read_modtran6_csv(huge), InputError);
+    CHECK_THROWS_AS(read_spectral_csv(huge), InputError);
     fs::remove(huge);
 }
 
@@ -387,6 +389,14 @@ TEST_CASE("plain tables of any spectral variable", "[materials][modtran]") {
     CHECK_THROWS_WITH(
         read_spectral_csv(file_with("wavelength_nm,t\n400,0,5\n500,0,6\n", "plain.csv")),
         Contains(":2"));
+    // Decimal commas between semicolons, and in quotes.
+    CHECK_THROWS_WITH(
+        read_spectral_csv(file_with("wavelength_nm;t\n400,0;0,5\n500,0;0,6\n", "plain.csv")),
+        Contains("plain.csv:"));
+    CHECK_THROWS_WITH(read_spectral_csv(file_with("wavelength_nm,t\n400,\"0,5\"\n", "plain.csv")),
+                      Contains(":2:"));
+    CHECK_THROWS_WITH(read_spectral_csv(file_with("wavelength_nm,t\n400,nan\n", "plain.csv")),
+                      Contains(":2:"));
 }
 
 TEST_CASE("the embedded model keeps to MODTRAN 5's published paths",

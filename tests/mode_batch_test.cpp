@@ -92,7 +92,8 @@ TEST_CASE("both widths of vectors step the same day to the last digits", "[therm
             begin_modes(c.step, c.before, c.heat_before, surface.emissivity, c.batch);
             for (int n = 0; n < 144; ++n) {
                 kernel.advance(c.before, c.air, c.step.coefficients(surface.emissivity),
-                               {.natural = c.batch.natural.data(),
+                               {.dew_point = 290.0,
+                                .natural = c.batch.natural.data(),
                                 .heat_before = c.heat_before,
                                 .heat = c.heat,
                                 .state = c.batch.state.data(),

@@ -25,6 +25,15 @@ Phi phi(double z) {
 
 const ModeKernel& kernel() { return wide_vectors() ? modes_avx512 : modes_avx2; }
 
+/// Where vapour above the surface is as dense as the air's [K]: Murray's formula (1967), as in
+/// thermal/turbulence.hpp, solved for the temperature.
+double dew_point(const AirFilm& air) {
+    constexpr double a = 17.2693882, b = 35.86, triple = 273.16;
+    if (air.wetness <= 0.0) return 0.0;
+    const double l = std::log(std::max(air.vapour_pressure, 1e-3) / 610.78);
+    return (a * triple - l * b) / (a - l);
+}
+
 /// Of a lane's first mode in ModeBatch::state.
 std::size_t place(const ModeStep& step, std::size_t lane) {
     return lane / lanes * step.modes() * lanes + lane % lanes;
@@ -163,11 +172,13 @@ void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emis
     batch.unsettled.clear();
 
     const ModeCoefficients coefficients = step.coefficients(emissivity);
+    const double dew = dew_point(forcing.air);
     for (std::size_t u = 0; u < batch.units(); ++u) {
         const std::size_t first = u * lanes;
         const ModeOutcome outcome =
             kernel().advance(forcing.air_before, forcing.air, coefficients,
-                             {.natural = batch.natural.data() + first,
+                             {.dew_point = dew,
+                              .natural = batch.natural.data() + first,
                               .heat_before = forcing.heat_before + first,
                               .heat = forcing.heat + first,
                               .state = batch.state.data() + first * step.modes(),
@@ -197,6 +208,8 @@ void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emis
         }
         const bool halved = kernel().split(forcing.air_before, forcing.air, coefficients,
                                            {.groups = groups,
+                                            .dew_point_before = dew_point(forcing.air_before),
+                                            .dew_point = dew,
                                             .natural = strays.natural,
                                             .share = strays.share,
                                             .jump = strays.jump,

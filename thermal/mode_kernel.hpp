@@ -26,6 +26,7 @@ struct ModeCoefficients {
 /// The facets [lane]. `state` [mode][lane] lacks `to · drive` of the step before: it is added with
 /// the next step's own part, which saves a pass over the states.
 struct ModeLanes {
+    double dew_point;                  // [K] of the air: the balance bends there
     const NaturalFilm* natural;        // of plates; unused for ground
     const double *heat_before, *heat;  // [W m⁻²] at the step's ends
     double *state, *temperature, *drive, *slope;
@@ -40,6 +41,7 @@ struct ModeOutcome {
 /// A facet whose heat jumps within the step [lane]: where, and by how much.
 struct SplitLanes {
     std::size_t groups;  // of `split_lanes` lanes
+    double dew_point_before, dew_point;
     const NaturalFilm* natural;
     const double *share, *jump;                   // of the step, 0 < share < 1; [W m⁻²]
     const double *heat_before, *heat;             // the jump included in the latter

@@ -32,12 +32,6 @@ constexpr double near_enough = Plate ? 1e-8 : 1e-4;
 constexpr double murray_a = 17.2693882, murray_b = 35.86, triple_point = 273.16;  // Murray 1967
 constexpr double coldest_vapour = 100.0, hottest_vapour = 450.0;                  // [K] his range
 
-/// Dew point [K] of the air: where the balance has its bend.
-inline double dew_point(const AirFilm& air) {
-    const double l = std::log(std::max(air.vapour_pressure, 1e-3) / 610.78);
-    return (murray_a * triple_point - l * murray_b) / (murray_a - l);
-}
-
 /// A correction that leads across the bend proves nothing of what is left, unless it is tiny.
 template <bool Wet>
 [[gnu::always_inline]] inline double size_of(double correction, double t, double next,
@@ -136,7 +130,7 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     const double stiffness = 1.0 / response, film = c.film, reference = c.reference;
     const double b = stiffness - film, flux_below = c.flux_below;
     const double warmer = air.air_temperature - before.air_temperature;
-    const double bend = Wet ? dew_point(air) : 0.0;
+    const double bend = s.dew_point;
     alignas(64) double a[lanes] = {}, pull[lanes], t_now[lanes], flux[lanes];
     Balance<lanes> at;
     for (std::size_t m = 0; m < c.modes; ++m) {
@@ -262,7 +256,7 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
     const double radiation = c.emissivity * stefan_boltzmann;
     const double film = c.film, reference = c.reference, flux_below = c.flux_below, step = c.step;
     const AirFilm from = before, to = after;
-    const double bend_before = Wet ? dew_point(from) : 0.0, bend_after = Wet ? dew_point(to) : 0.0;
+    const double bend_before = s.dew_point_before, bend_after = s.dew_point;
     alignas(64) double a[split_lanes], response[split_lanes], length[split_lanes],
         at_share[split_lanes], heat[split_lanes], pull[split_lanes], b[split_lanes],
         second[split_lanes];

@@ -277,7 +277,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         const auto stepping = Clock::now();
         const double cpu = cpu_seconds();
         Level coarse = make_level(job, materials, stride, 1, &fine);
-        for (int i = 0; i < 3; ++i) {
+        for (int i = 0; i < 2; ++i) {
             exchange();
             set_films(coarse, i == 0 ? fine : coarse);
             pass(job, coarse, 0.0, 0.0);

@@ -7,10 +7,12 @@
 
 namespace diurna {
 
-namespace {
-
-/// The open column's states in balance with a surface one kelvin above its reference.
-Eigen::VectorXd steady_modes(const ReducedColumn& column) {
+Eigen::VectorXd steady_states(const Kind& kind) {
+    if (!kind.modes) {
+        const std::vector<double> share = steady_column(kind.column.grid).share;
+        return Eigen::VectorXd::Map(share.data(), Eigen::Index(share.size()));
+    }
+    const ReducedColumn& column = kind.modes->reduced;
     const ClosedColumn closed = close_column(column, 1.0);
     // Steady conductance to what lies below: the modes' own, so that they stay where they are.
     const bool open = column.below > 0.0;
@@ -18,6 +20,8 @@ Eigen::VectorXd steady_modes(const ReducedColumn& column) {
     return closed.turn *
            ((conductance + closed.film) * closed.surface.cwiseQuotient(closed.rate)).eval();
 }
+
+namespace {
 
 void settle_block(Job& job, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
@@ -42,8 +46,7 @@ void settle_block(Job& job, const Level& level, Block& block) {
         facet_heat(job, block, kind, i, at.data());
         for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(job.steps());
     }
-    const Eigen::VectorXd steady =
-        kind.modes ? steady_modes(kind.modes->reduced) : Eigen::VectorXd();
+    const Eigen::VectorXd steady = kind.modes ? steady_states(kind) : Eigen::VectorXd();
     const std::size_t states = kind.modes ? std::size_t(steady.size()) : kind.column.grid.size();
     block.start.assign(states * block.stride, 0.0);
     block.film = 0.0;

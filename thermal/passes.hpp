@@ -108,6 +108,9 @@ inline double level_step(const Job& job, const Level& level) {
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
                  int most_substeps, const Level* finer = nullptr);
 
+/// A material's states in balance with a surface one kelvin above their reference.
+Eigen::VectorXd steady_states(const Kind& kind);
+
 /// First guess: every facet's steady state under its mean forcing over the span.
 void settle(Job& job, Level& level);
 

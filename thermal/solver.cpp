@@ -95,33 +95,6 @@ void shine(Job& job) {
         1);
 }
 
-/// Renews the terrain's longwave from the temperatures of the last pass. Returns its largest change
-/// and tells each block its own.
-double exchange_longwave(Job& job) {
-    std::vector<float> leaving(job.kelvin.size()), change(job.facets, 0.0f);
-    for_each_index(
-        job.instant.size(),
-        [&](std::size_t i) {
-            leaving_longwave(job.optics, job.sky[i].longwave_down, job.row(job.kelvin, i),
-                             job.row(job.excess, i), job.row(leaving, i));
-        },
-        1);
-    for_each_block(job.facets, 2048, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = 0; i < job.instant.size(); ++i) {
-            arriving_longwave(job.input.sky_view, job.row(leaving, i), begin, end,
-                              job.row(job.excess, i), change);
-        }
-    });
-    for (Block& block : job.block) {
-        double most = 0.0;
-        for (const std::size_t f : block.facet) {
-            most = std::max(most, double(change[f]));
-        }
-        block.heat_change += most;
-    }
-    return *std::max_element(change.begin(), change.end());
-}
-
 /// Sunlight that jumps at the shadows' edges: what falls on the facet with the sun's whole disc
 /// less what falls on it with none, times the change of the share.
 void find_jumps(Job& job) {
@@ -159,7 +132,96 @@ void find_jumps(Job& job) {
 double typical_film(const Kind& kind) {
     double sum = 0.0;
     for (const double slope : kind.slope) sum -= slope;
-    return sum > 0.0 ? sum / double(kind.slope.size()) : kind.modes->closed.film;
+    if (sum > 0.0) return sum / double(kind.slope.size());
+    constexpr double usual = 25.0;  // [W m⁻² K⁻¹]
+    return kind.modes ? kind.modes->closed.film : usual;
+}
+
+/// What a watt more of longwave does to a facet [K m² W⁻¹], on the material's mean: one that stays
+/// all day, and one that comes and goes with it.
+struct Response {
+    std::vector<float> steady, daily;  // (facet)
+};
+
+Response longwave_response(const Job& job, const Level& level) {
+    Response response{std::vector<float>(job.facets), std::vector<float>(job.facets)};
+    for (const Block& block : job.block) {
+        const Kind& kind = level.kind[block.material];
+        const double film = typical_film(kind), emissivity = kind.column.surface.emissivity;
+        double ground = 0.0, under = 0.0;
+        if (kind.modes) {
+            const ReducedColumn& column = kind.modes->reduced;
+            ground = 1.0 / std::abs(impedance(column, 2.0 * M_PI / 86400.0));
+            under = column.below > 0.0 ? 1.0 / std::abs(impedance(column, 0.0)) : 0.0;
+        }
+        for (const std::size_t f : block.facet) {
+            response.steady[f] = float(emissivity / (film + under));
+            response.daily[f] = float(emissivity / (film + ground));
+        }
+    }
+    return response;
+}
+
+/// Renews the terrain's longwave from the temperatures of the last pass, then twice more from what
+/// these become under the longwave found, to first order: neighbours that warm each other settle
+/// within a pass. Returns the largest change of the first and tells each block its own.
+double exchange_longwave(Job& job, const Level& level) {
+    constexpr int sweeps = 3;
+    const Response response = longwave_response(job, level);
+    const std::vector<float> before = job.excess;
+    std::vector<float> leaving(job.kelvin.size()), change(job.facets, 0.0f), first_change;
+    std::vector<float> mean(job.facets, 0.0f);  // of the longwave beyond `before`
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+        for_each_index(
+            job.instant.size(),
+            [&](std::size_t i) {
+                std::vector<float> warmed(job.row(job.kelvin, i).begin(),
+                                          job.row(job.kelvin, i).end());
+                for (std::size_t f = 0; sweep > 0 && f < job.facets; ++f) {
+                    const std::size_t at = i * job.facets + f;
+                    const float beyond = job.excess[at] - before[at];
+                    warmed[f] +=
+                        response.steady[f] * mean[f] + response.daily[f] * (beyond - mean[f]);
+                }
+                leaving_longwave(job.optics, job.sky[i].longwave_down, warmed,
+                                 job.row(job.excess, i), job.row(leaving, i));
+            },
+            1);
+        for_each_block(job.facets, 2048, [&](std::size_t begin, std::size_t end) {
+            std::fill(mean.begin() + std::ptrdiff_t(begin), mean.begin() + std::ptrdiff_t(end),
+                      0.0f);
+            for (std::size_t i = 0; i < job.instant.size(); ++i) {
+                arriving_longwave(job.input.sky_view, job.row(leaving, i), begin, end,
+                                  job.row(job.excess, i), change);
+                for (std::size_t f = begin; f < end; ++f) {
+                    const std::size_t at = i * job.facets + f;
+                    mean[f] += (job.excess[at] - before[at]) / float(job.instant.size());
+                }
+            }
+        });
+        if (sweep == 0) first_change = change;
+    }
+    for_each_index(
+        job.block.size(),
+        [&](std::size_t b) {
+            Block& block = job.block[b];
+            float most = 0.0f;
+            for (const std::size_t f : block.facet) most = std::max(most, change[f]);
+            block.heat_change += double(most);
+            // The start follows what stays all day; the passes find the rest.
+            const Kind& kind = level.kind[block.material];
+            if (!job.options.periodic || most < 0.05f || block.change.empty()) return;
+            const Eigen::VectorXd steady = steady_states(kind);
+            for (std::size_t l = 0; l < block.facet.size(); ++l) {
+                const std::size_t f = block.facet[l];
+                const double warmer = response.steady[f] * mean[f];
+                for (Eigen::Index m = 0; m < steady.size(); ++m) {
+                    block.start[std::size_t(m) * block.stride + l] += warmer * steady[m];
+                }
+            }
+        },
+        16);
+    return *std::max_element(first_change.begin(), first_change.end());
 }
 
 /// The largest number of steps that divides the span and takes an hour at most.
@@ -261,9 +323,9 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
                                          [](float below) { return below > 0.0f; }));
     if (exchanging) job.excess.assign(job.instant.size() * job.facets, 0.0f);
 
-    const auto exchange = [&] {
+    const auto exchange = [&](const Level& level) {
         const auto since = Clock::now();
-        if (exchanging) report.exchange_change = exchange_longwave(job);
+        if (exchanging) report.exchange_change = exchange_longwave(job, level);
         report.exchange_seconds += seconds_since(since);
     };
     const auto set_films = [&](Level& level, const Level& known) {
@@ -273,12 +335,13 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         }
     };
     if (const std::size_t stride = coarse_stride(job); options.periodic && stride > 1) {
-        // A day in hours, twice, leaves a few tenths of a kelvin to the passes that count.
+        // A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
+        const int coarse_passes = exchanging ? 4 : 2;
         const auto stepping = Clock::now();
         const double cpu = cpu_seconds();
         Level coarse = make_level(job, materials, stride, 1, &fine);
-        for (int i = 0; i < 2; ++i) {
-            exchange();
+        for (int i = 0; i < coarse_passes; ++i) {
+            exchange(coarse);
             set_films(coarse, i == 0 ? fine : coarse);
             pass(job, coarse, 0.0, 0.0);
             renew_matrices(job, coarse);
@@ -298,7 +361,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
     constexpr double usual_passes = 3.0;
     while (!report.converged && report.passes < options.max_passes) {
         // The change just made tells how far the pass before was from its surroundings.
-        exchange();
+        exchange(fine);
         const auto stepping = Clock::now();
         const double cpu = cpu_seconds();
         const double done = std::min(0.95, report.passes / usual_passes);

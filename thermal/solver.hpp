@@ -103,9 +103,11 @@ struct SolveResult {
 /// stepped more often. The surface equation is solved by Newton within a bracket to 1e-12 K, by
 /// either method together with the column. A periodic span is found by Newton on
 /// the period map, with one monodromy matrix per material. What neighbours send in longwave follows
-/// from pass to pass. The result has the same bytes for any number of threads. Facets whose
-/// material asks for more than a linear column under a dry or evenly wet surface (freezing ground,
-/// snow, canopy, store of water, schedules) are solved one by one: thermal/scene_points.hpp.
+/// from pass to pass, three sweeps each time, the later ones with what the first does to the
+/// temperatures to first order. The result has the same bytes for any number of threads. Facets
+/// whose material asks for more than a linear column under a dry or evenly wet surface (freezing
+/// ground, snow, canopy, store of water, schedules) are solved one by one:
+/// thermal/scene_points.hpp.
 ///
 /// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
 /// tells. Throws InputError if arrays do not match.

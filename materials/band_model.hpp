@@ -13,7 +13,9 @@ namespace diurna {
 /// Carbon dioxide of the years 2024-26 (NOAA's global mean, rounded).
 inline constexpr double todays_co2_ppm = 425.0;
 
-/// One grey layer of cloud over part of the sky, thin against the heights around it.
+/// One grey layer of cloud over part of the sky, thin against the heights around it. It shades and
+/// warms what is below it and fills its part of the sky; lines of finite range and lines to the
+/// ground go through the gaps, so that from above it is not seen.
 struct CloudLayer {
     double fraction = 0.0;        // of the sky, 0 to 1
     double base_km = 2.0;         // above the sea

@@ -32,7 +32,11 @@ SunField::SunField(const BandModel& model, const SunLight& sun, std::span<const 
     state->model = model;
     state->sun = sun;
     state->bins = bins_of(node_um);
-    for (const double um : node_um) state->node_bin.push_back(bin_of(um) - state->bins.first);
+    for (const double um : node_um) {
+        state->node_bin.push_back(bin_of(um) - state->bins.first);
+        state->node_share.push_back(solar_above_air(um) /
+                                    solar_above_air(bin_middles_um()[bin_of(um)]));
+    }
     for (std::size_t b = state->bins.first; b < state->bins.last; ++b) {
         state->above_air.push_back(solar_above_air(bin_middles_um()[b]) /
                                    (sun.distance_au * sun.distance_au));

@@ -51,6 +51,7 @@ struct SunField::State {
     SunLight sun;
     BinRange bins;
     std::vector<std::size_t> node_bin;  // counted from the first of the range
+    std::vector<double> node_share;     // irradiance there over its bin's: not 1 below 0.351 µm
     std::vector<double> above_air;  // (bin) irradiance [W m⁻² µm⁻¹] at the sun's distance
     std::vector<double> level;      // [km], ascending
     std::vector<bool> lit;          // (level)
@@ -91,9 +92,10 @@ struct SunField::State {
     Scattered mixed(const SightLine& line, std::span<const double> turn) const;
 
     std::vector<double> per_node(const std::vector<double>& per_bin) const {
-        std::vector<double> values;
-        values.reserve(node_bin.size());
-        for (const std::size_t bin : node_bin) values.push_back(per_bin[bin]);
+        std::vector<double> values(node_bin.size());
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            values[n] = node_share[n] * per_bin[node_bin[n]];
+        }
         return values;
     }
 

@@ -1,101 +1,310 @@
-// Time against error of the heat balance, every method and setting, on a sample of the default
-// scene's facets under its own horizons and weather: a periodic day, its start included. Time is of
-// the processor, on one thread; exchange between facets is left out. The reference is layered, in
-// steps of 25 s or less on a grid four times as fine.
+// Time against error of the heat balance, every method and setting, on facets of the default scene
+// under its own horizons and weather: a periodic day, its start included, shadow edges at their
+// instants. Time is of the processor, on one thread, without exchange between facets and without
+// what is done once whatever the method (sunlight, shadows). The reference is layered, in steps of
+// 5 s on a grid four times as fine. Peers (bench/column_peers.hpp) take the same columns and the
+// same forcing: CVODE once with the periodic start for nothing, once after 20 days from 295 K, as
+// the plain column has them.
 
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <map>
 
+#include "bench/column_peers.hpp"
 #include "scenes/job.hpp"
 #include "scenes/scene_file.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/visibility.hpp"
 #include "thermal/solver.hpp"
+#include "thermal/sun_exposure.hpp"
 
 using namespace diurna;
 
-int main() {
-    const Prepared prepared =
-        prepare(read_scene(std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/scene.toml"));
-    const FacetSet& all = prepared.world.facets;
-    constexpr std::size_t every = 100;
-    FacetSet facets;
-    std::vector<std::uint8_t> chosen(all.size(), 0);
-    for (std::size_t f = 0; f < all.size(); f += every) {
-        chosen[f] = 1;
-        facets.centroid.push_back(all.centroid[f]);
-        facets.normal.push_back(all.normal[f]);
-        facets.area.push_back(all.area[f]);
-        facets.material.push_back(all.material[f]);
+namespace {
+
+double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Every so-manieth facet of the default scene, seen from where it stands.
+struct Sample {
+    const Prepared& prepared;
+    std::vector<std::size_t> from;  // (facet) in the scene
+    FacetSet facets{};
+    SkyView view{};
+    SunExposure sun{};
+
+    Sample(const Prepared& scene, const SkyView& whole, std::size_t wanted) : prepared(scene) {
+        const FacetSet& all = scene.world.facets;
+        for (std::size_t k = 0; k < wanted; ++k) {
+            const std::size_t f = k * all.size() / wanted;
+            from.push_back(f);
+            facets.centroid.push_back(all.centroid[f]);
+            facets.normal.push_back(all.normal[f]);
+            facets.area.push_back(all.area[f]);
+            facets.material.push_back(all.material[f]);
+            view.sky_view.push_back(whole.sky_view[f]);
+            view.below.push_back(whole.below[f]);
+        }
+        view.exchange.row.assign(wanted + 1, 0);
+        std::vector<std::uint8_t> asked(all.size(), 0);
+        std::vector<float> answer(all.size(), 0.0f);
+        const auto fraction_at = [&](Instant when, std::span<const std::uint8_t> chosen,
+                                     std::span<float> fraction) {
+            for (std::size_t k = 0; k < wanted; ++k) asked[from[k]] = chosen[k];
+            sun_fraction(all, scene.rays, sun_direction(sun_position(scene.world.site, when)),
+                         asked, answer);
+            for (std::size_t k = 0; k < wanted; ++k) {
+                if (chosen[k]) fraction[k] = answer[from[k]];
+            }
+        };
+        sun.instant = step_instants(options());
+        const std::vector<std::uint8_t> everyone(wanted, 1);
+        for (std::size_t i = 0; i < sun.instant.size(); ++i) {
+            sun.fraction.resize((i + 1) * wanted);
+            fraction_at(sun.instant[i], everyone, std::span(sun.fraction).last(wanted));
+        }
+        find_edges(sun, fraction_at);
     }
-    const SkyView whole = sky_view(all, prepared.rays, {.rays = 16});
-    SkyView view;
-    for (std::size_t f = 0; f < all.size(); f += every) {
-        view.sky_view.push_back(whole.sky_view[f]);
-        view.below.push_back(whole.below[f]);
+
+    SolveOptions options() const {
+        SolveOptions o;
+        o.start = prepared.scene.time.start;
+        o.keep_every = o.step;
+        o.exchange = false;
+        return o;
     }
-    view.exchange.row.assign(facets.size() + 1, 0);
-    SolveOptions options;
-    options.start = prepared.scene.time.start;
-    options.keep_every = options.step;
-    options.exchange = false;
-    SunExposure sun{.instant = step_instants(options), .fraction = {}};
-    std::vector<float> fraction(all.size(), 0.0f);
-    for (const Instant when : sun.instant) {
-        sun_fraction(all, prepared.rays, sun_direction(sun_position(prepared.world.site, when)),
-                     chosen, fraction);
-        for (std::size_t f = 0; f < all.size(); f += every) sun.fraction.push_back(fraction[f]);
+
+    /// The same facets over and over, for a scene's size.
+    void repeat(std::size_t times) {
+        const std::size_t n = facets.size();
+        const SunExposure once = sun;
+        sun.fraction.clear();
+        sun.edge.clear();
+        for (std::size_t k = n; k < n * times; ++k) {
+            facets.centroid.push_back(facets.centroid[k % n]);
+            facets.normal.push_back(facets.normal[k % n]);
+            facets.area.push_back(facets.area[k % n]);
+            facets.material.push_back(facets.material[k % n]);
+            view.sky_view.push_back(view.sky_view[k % n]);
+            view.below.push_back(view.below[k % n]);
+        }
+        view.exchange.row.assign(n * times + 1, 0);
+        for (std::size_t i = 0; i < once.instant.size(); ++i) {
+            const auto row = once.fraction.begin() + std::ptrdiff_t(i * n);
+            for (std::size_t k = 0; k < times; ++k) {
+                sun.fraction.insert(sun.fraction.end(), row, row + std::ptrdiff_t(n));
+            }
+        }
+        for (const ShadowEdge& edge : once.edge) {
+            for (std::size_t k = 0; k < times; ++k) {
+                sun.edge.push_back({edge.step, std::uint32_t(edge.facet + k * n), edge.share});
+            }
+        }
     }
-    set_thread_count(1);
-    const auto run = [&](const SolveOptions& o) {
+
+    SolveResult run(const SolveOptions& o) const {
+        ClearSky clear;
+        clear.longwave_by_direction = false;  // as the peers have it
         return solve({.facets = facets,
                       .sky_view = view,
                       .sun = sun,
                       .materials = prepared.scene.materials,
                       .weather = prepared.weather,
                       .site = prepared.world.site,
-                      .elevation = prepared.world.sea_level_height},
+                      .elevation = prepared.world.sea_level_height,
+                      .clear_sky = clear},
                      o);
+    }
+};
+
+struct Error {
+    double sum = 0.0, worst = 0.0;
+    std::size_t count = 0;
+    void add(double difference) {
+        sum += difference * difference;
+        worst = std::max(worst, std::abs(difference));
+        ++count;
+    }
+    double rms() const { return std::sqrt(sum / double(count)); }
+};
+
+void print(const std::string& method, const std::string& setting, std::size_t facets, int passes,
+           double seconds, const Error& error) {
+    fmt::print("column_day,{},{},{},{},{:.4f},{:.0f},{:.4f},{:.4f}\n", method, setting, facets,
+               passes, seconds, double(facets) / seconds, error.rms(), error.worst);
+    std::fflush(stdout);
+}
+
+/// The forcing of one facet as the peers take it.
+FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& column,
+                   const std::vector<StageForcing>& air) {
+    const SolveOptions o = sample.options();
+    const SunExposure& sun = sample.sun;
+    const std::size_t n = sample.facets.size();
+    const Eigen::Vector3d normal = sample.facets.normal[f].cast<double>();
+    ClearSky clear;
+    clear.longwave_by_direction = false;
+    std::vector<SkyState> sky;
+    FacetDay day{.column = &column,
+                 .air = &air,
+                 .natural = natural_film(normal.z()),
+                 .step = o.step,
+                 .heat = {},
+                 .jump = {}};
+    const auto light = [&](std::size_t i, double fraction) {
+        return facet_sunlight(sky[i], normal.dot(sky[i].to_sun), fraction, sample.view.sky_view[f]);
     };
-    SolveOptions exact = options;
+    for (std::size_t i = 0; i < sun.instant.size(); ++i) {
+        sky.push_back(sky_state(sample.prepared.world.site, sample.prepared.world.sea_level_height,
+                                sun.instant[i], sample.prepared.weather.at(sun.instant[i]), clear));
+        day.heat.push_back(column.absorptance() * light(i, sun.fraction[i * n + f]) +
+                           column.surface.internal_heat);
+    }
+    for (const ShadowEdge& edge : sun.edge) {
+        if (edge.facet != f) continue;
+        const std::size_t i = edge.step;
+        const double change =
+            double(sun.fraction[(i + 1) * n + f]) - double(sun.fraction[i * n + f]);
+        const double at_0 = light(i, 1.0) - light(i, 0.0);
+        const double at_1 = light(i + 1, 1.0) - light(i + 1, 0.0);
+        day.jump.push_back(
+            {i, edge.share, column.absorptance() * change * (at_0 + edge.share * (at_1 - at_0))});
+    }
+    return day;
+}
+
+}  // namespace
+
+int main() {
+    const Prepared prepared =
+        prepare(read_scene(std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/scene.toml"));
+    const SkyView whole = sky_view(prepared.world.facets, prepared.rays, {.rays = 16});
+    const Sample sample(prepared, whole, 1024);
+    set_thread_count(1);
+    const SolveOptions plain = sample.options();
+    SolveOptions exact = plain;
     exact.method = Method::layered;
-    exact.refinement = 24;
+    exact.refinement = 120;
     exact.tolerance = 1e-5;
     exact.max_passes = 20;
     exact.grid = {.first = 0.0125, .growth = 0.08};
-    const SolveResult reference = run(exact);
+    const TemperatureField reference = sample.run(exact).temperature;
+    const std::size_t n = sample.facets.size();
+
     fmt::print("case,method,setting,facets,passes,cpu_s,facet_days_per_s,rms_K,max_K\n");
+    const auto take = [&](const SolveOptions& o, const std::string& setting) {
+        SolveResult result;
+        double seconds = 1e9;
+        for (int again = 0; again < 5; ++again) {
+            result = sample.run(o);
+            seconds = std::min(seconds, result.report.step_cpu_seconds);
+        }
+        Error error;
+        for (std::size_t i = 0; i < reference.kelvin.size(); ++i) {
+            error.add(double(result.temperature.kelvin[i]) - reference.kelvin[i]);
+        }
+        print(o.method == Method::modes ? "modes" : "layered", setting, n, result.report.passes,
+              seconds, error);
+        return error;
+    };
+    Error of_default;
     for (const Method method : {Method::layered, Method::modes}) {
         for (const int refinement : {1, 2, 4}) {
-            for (const double mode_error : {0.03, 0.01, 0.003}) {
-                for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
-                    if (method == Method::layered && mode_error != 0.01) continue;
-                    SolveOptions o = options;
+            for (const double mode_error : {0.03, 0.004}) {
+                for (const double tolerance : {1e-2, 1e-4}) {
+                    if (method == Method::layered && mode_error != 0.004) continue;
+                    SolveOptions o = plain;
                     o.method = method;
                     o.refinement = refinement;
                     o.mode_error = mode_error;
                     o.tolerance = tolerance;
-                    const SolveResult result = run(o);
-                    double worst = 0.0, sum = 0.0;
-                    const std::vector<float>&a = result.temperature.kelvin,
-                          &b = reference.temperature.kelvin;
-                    for (std::size_t i = 0; i < a.size(); ++i) {
-                        const double error = double(a[i]) - b[i];
-                        worst = std::max(worst, std::abs(error));
-                        sum += error * error;
+                    const Error error = take(o, fmt::format("steps/{} modes {} tolerance {:.0e}",
+                                                            refinement, mode_error, tolerance));
+                    if (method == Method::modes && refinement == 1 && mode_error == 0.004) {
+                        of_default = error;
                     }
-                    const SolveReport& r = result.report;
-                    fmt::print(
-                        "column_day,{},steps/{} modes {} tolerance {:.0e},{},{},{:.4f},"
-                        "{:.0f},{:.4f},{:.4f}\n",
-                        method == Method::modes ? "modes" : "layered", refinement, mode_error,
-                        tolerance, facets.size(), r.passes, r.step_cpu_seconds,
-                        double(facets.size()) / r.step_cpu_seconds,
-                        std::sqrt(sum / double(a.size())), worst);
                 }
             }
         }
+    }
+
+    // Peers, on facets of each material in turn.
+    std::map<std::size_t, MaterialColumn> column, thirty;
+    std::map<std::size_t, std::vector<StageForcing>> air;
+    std::vector<std::size_t> asked;
+    for (std::size_t f = 0; f < n; f += 43) asked.push_back(f);
+    for (const std::size_t f : asked) {
+        const MaterialId id = sample.facets.material[f];
+        const ThermalSurface& surface = prepared.scene.materials[id].thermal;
+        const StepSetup setup{.step = plain.step,
+                              .wind_height = prepared.weather.wind_height,
+                              .air_height = prepared.weather.air_height,
+                              .reference = 295.0,
+                              .grid = {}};
+        if (column.contains(index(id))) continue;
+        column.emplace(index(id), material_column(surface, setup));
+        StepSetup coarse = setup;
+        coarse.grid = {.first = 0.04, .growth = 0.14};
+        thirty.emplace(index(id), material_column(surface, coarse));
+        std::vector<StageForcing>& minutes = air[index(id)];
+        for (int m = 0; m <= 1440; ++m) {
+            const Instant when = later(plain.start, 60.0 * m);
+            const Forcing forcing = prepared.weather.at(when);
+            minutes.push_back(
+                {air_film(surface, column.at(index(id)).louis, forcing.air, forcing.wind_speed),
+                 sky_state(prepared.world.site, prepared.world.sea_level_height, when, forcing)
+                     .longwave_down});
+        }
+    }
+    std::vector<FacetDay> day, day_of_thirty;
+    std::vector<std::vector<double>> start;
+    for (const std::size_t f : asked) {
+        const std::size_t id = index(sample.facets.material[f]);
+        day.push_back(facet_day(sample, f, column.at(id), air.at(id)));
+        day_of_thirty.push_back(facet_day(sample, f, thirty.at(id), air.at(id)));
+        start.push_back(periodic_start(day.back()));
+    }
+    const auto peer = [&](const std::string& method, const std::string& setting, auto&& solve_day) {
+        Error error;
+        double seconds = 0.0;
+        for (std::size_t k = 0; k < asked.size(); ++k) {
+            const double since = cpu_seconds();
+            const std::vector<double> surface = solve_day(k);
+            seconds += cpu_seconds() - since;
+            for (std::size_t i = 0; i < surface.size(); ++i) {
+                error.add(surface[i] - reference.kelvin[i * n + asked[k]]);
+            }
+        }
+        print(method, setting, asked.size(), 1, seconds, error);
+    };
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+        peer("cvode", fmt::format("rtol {:.0e} start given", tolerance), [&](std::size_t k) {
+            std::vector<double> state = start[k];
+            return cvode_day(day[k], state, tolerance);
+        });
+    }
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        peer("cvode", fmt::format("rtol {:.0e} 20 days", tolerance), [&](std::size_t k) {
+            std::vector<double> state(start[k].size(), 295.0);
+            for (int d = 0; d < 20; ++d) cvode_day(day[k], state, tolerance);
+            return cvode_day(day[k], state, tolerance);
+        });
+    }
+    peer("backward_euler", "30 nodes 600 s 20 days",
+         [&](std::size_t k) { return euler_days(day_of_thirty[k], 20); });
+
+    // A scene's size: 262 144 facets, 8 192 of the scene 32 times.
+    Sample large(prepared, whole, 8192);
+    large.repeat(32);
+    for (const double tolerance : {1e-2, 1e-4}) {
+        SolveOptions o = plain;
+        o.tolerance = tolerance;
+        o.keep_every = 3600.0;
+        const SolveResult result = large.run(o);
+        print("modes", fmt::format("whole scene, tolerance {:.0e}", tolerance), large.facets.size(),
+              result.report.passes, result.report.step_cpu_seconds, of_default);
     }
     return 0;
 }

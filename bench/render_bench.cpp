@@ -245,14 +245,16 @@ int main(int argc, char** argv) {
         row("cast", "cast_view", setting, threads, cast[threads], 1e-6 * rays / cast[threads],
             "Mray/s");
         const LitFacets lit = lit_facets(input(temperature), view.facet, lw);
+        const LitFacets lit_both = lit_facets(input(temperature), view.facet, both);
         Frame picture;
         frame[threads] = median_time(threads, 7, [&] {
-            picture = render(view, aerial, lw, input(temperature), {.truth = false});
+            picture = render(view, aerial, lw, input(temperature), {.truth = false, .lit = &lit});
         });
         row("frame", "from_view", setting + " 8-12", threads, frame[threads],
             cast[threads] / frame[threads], "x cheaper than casting");
         two_bands[threads] = median_time(threads, 5, [&] {
-            picture = render(view, aerial, both, input(temperature), {.truth = false});
+            picture =
+                render(view, aerial, both, input(temperature), {.truth = false, .lit = &lit_both});
         });
         row("frame", "from_view", setting + " 3-5 8-12", threads, two_bands[threads], 0.0, "");
     }

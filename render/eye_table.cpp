@@ -278,26 +278,28 @@ void EyeTable::refine(const EyeGrid& grid) {
     per_height_ = grid.per_height;
 }
 
-AtEye EyeTable::operator()(MaterialId material, const GridPlaces& places, std::size_t k,
-                           const float* row) const {
-    const std::size_t n = width_;
-    const float* near = table_[index(material)].data() + places.start[k] * n;
-    const float* far = near + heights_ * n;
-    Lane near_low = Lane::Zero(), near_high = near_low, far_low = near_low, far_high = near_low;
-    for (std::size_t j = 0; j < n; j += 8) {
-        const Lane from = load(row + j);
-        near_low += from * load(near + j);
-        near_high += from * load(near + n + j);
-        far_low += from * load(far + j);
-        far_high += from * load(far + n + j);
+void EyeTable::look(const GridPlaces& places, const TargetRows& facets, const float* rows,
+                    std::size_t count, std::size_t stride, AtEye* out) const {
+    const std::size_t n = width_, far = heights_ * n;
+    for (std::size_t k = 0; k < count; ++k) {
+        const float* node = table_[index(facets.material[k])].data() + places.start[k] * n;
+        const float* row = rows + facets.slot[k] * n;
+        Lane near_low = Lane::Zero(), near_high = near_low, far_low = near_low, far_high = near_low;
+        for (std::size_t j = 0; j < n; j += 8) {
+            const Lane from = load(row + j);
+            near_low += from * load(node + j);
+            near_high += from * load(node + n + j);
+            far_low += from * load(node + far + j);
+            far_high += from * load(node + far + n + j);
+        }
+        const float x = places.range[k], y = places.height[k];
+        const std::array<float, 4> corner = sums(near_low, near_high, far_low, far_high);
+        const float up_near = corner[1] - corner[0], up_far = corner[3] - corner[2];
+        const float at_near = corner[0] + y * up_near, at_far = corner[2] + y * up_far;
+        const float deeper = at_far - at_near;
+        out[k * stride] = {at_near + x * deeper, deeper * places.per_metre[k],
+                           (up_near + x * (up_far - up_near)) * per_height_};
     }
-    const float x = places.range[k], y = places.height[k];
-    const std::array<float, 4> corner = sums(near_low, near_high, far_low, far_high);
-    const float up_near = corner[1] - corner[0], up_far = corner[3] - corner[2];
-    const float at_near = corner[0] + y * up_near, at_far = corner[2] + y * up_far;
-    const float deeper = at_far - at_near;
-    return {at_near + x * deeper, deeper * places.per_metre[k],
-            (up_near + x * (up_far - up_near)) * per_height_};
 }
 
 }  // namespace diurna

@@ -72,6 +72,12 @@ struct EyeRow {
     explicit EyeRow(const SpectralBasis& basis) : thermal(basis.thermal), light(basis.size()) {}
 };
 
+/// Which row and which material belong to each of a few targets.
+struct TargetRows {
+    std::array<std::uint32_t, GridPlaces::most> slot;
+    std::array<MaterialId, GridPlaces::most> material;
+};
+
 /// Radiance at the eye of a target, and how it changes with range [1/m] and height [1/m].
 struct AtEye {
     float value = 0.0f, by_range = 0.0f, by_height = 0.0f;
@@ -99,9 +105,11 @@ class EyeTable {
     /// Carries the table over to a finer grid.
     void refine(const EyeGrid& grid);
 
-    /// row  EyeRow of the target's facet; only after refine()
-    AtEye operator()(MaterialId material, const GridPlaces& places, std::size_t k,
-                     const float* row) const;
+    /// Radiance at the eye of a few targets, `stride` apart; only after refine().
+    ///
+    /// rows  (slot, number) EyeRows of their facets
+    void look(const GridPlaces& places, const TargetRows& facets, const float* rows,
+              std::size_t count, std::size_t stride, AtEye* out) const;
 
  private:
     std::size_t width_, ranges_, heights_;

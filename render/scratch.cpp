@@ -1,7 +1,10 @@
 #include "render/scratch.hpp"
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <mutex>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -13,8 +16,20 @@ namespace {
 struct Pool {
     static constexpr std::size_t most = 8;
     std::mutex mutex;
-    std::vector<std::pair<std::size_t, std::unique_ptr<float[]>>> pieces;
+    std::vector<std::pair<std::size_t, Scratch::Memory>> pieces;
 };
+Scratch::Memory allocate(std::size_t size) {
+    constexpr std::size_t page = std::size_t{2} << 20;
+    const std::size_t bytes = (std::max<std::size_t>(size, 1) * sizeof(float) + 63) / 64 * 64;
+    if (bytes < 4 * page) {
+        return Scratch::Memory(static_cast<float*>(std::aligned_alloc(64, bytes)));
+    }
+    const std::size_t whole = (bytes + page - 1) / page * page;
+    auto* memory = static_cast<float*>(std::aligned_alloc(page, whole));
+    if (memory != nullptr) madvise(memory, whole, MADV_HUGEPAGE);  // a wish; small pages do too
+    return Scratch::Memory(memory);
+}
+
 Pool& pool() {
     static Pool only;
     return only;
@@ -35,7 +50,8 @@ Scratch::Scratch(std::size_t size) : size_(size) {
             pieces.erase(fits);
         }
     }
-    if (!memory_) memory_ = std::make_unique_for_overwrite<float[]>(size);
+    if (!memory_) memory_ = allocate(size);
+    if (!memory_) throw std::bad_alloc();
 }
 
 Scratch::~Scratch() {

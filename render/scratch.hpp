@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 
 namespace diurna {
 
 /// Floats without a value yet, from memory that earlier frames have used and given back: what the
-/// system would have to hand out and clear anew costs more than to fill it.
+/// system would have to hand out and clear anew costs more than to fill it. Large pieces lie in
+/// large pages, as facets look at their neighbours' light all over it.
 class Scratch {
  public:
     explicit Scratch(std::size_t size);
@@ -15,11 +17,16 @@ class Scratch {
     Scratch& operator=(const Scratch&) = delete;
     float* data() { return memory_.get(); }
     const float* data() const { return memory_.get(); }
-    float& operator[](std::size_t i) { return memory_[i]; }
-    const float& operator[](std::size_t i) const { return memory_[i]; }
+    float& operator[](std::size_t i) { return memory_.get()[i]; }
+    const float& operator[](std::size_t i) const { return memory_.get()[i]; }
+
+    struct Free {
+        void operator()(float* memory) const { std::free(memory); }
+    };
+    using Memory = std::unique_ptr<float, Free>;
 
  private:
-    std::unique_ptr<float[]> memory_;
+    Memory memory_;
     std::size_t size_;
 };
 

@@ -99,15 +99,16 @@ void look(const View& view, const LitFacets& lit, const LitState& state, const L
     for_each_block(view.facet.size(), 2048, [&](std::size_t begin, std::size_t end) {
         const std::size_t lanes = tables.lanes;
         std::vector<float> black(lanes), around(lanes);
-        std::vector<std::vector<float>> row;
-        for (const EyeRow& r : rows) row.emplace_back(r.width(), 0.0f);
+        std::vector<std::vector<float>> row;  // (band)(slot, number) of the facets of a few targets
+        for (const EyeRow& r : rows) row.emplace_back(GridPlaces::most * r.width(), 0.0f);
         GridPlaces places;
-        std::uint32_t last = LitFacets::absent;
+        TargetRows facets;
         for (std::size_t t0 = begin; t0 < end; t0 += GridPlaces::most) {
             const std::size_t count = std::min(GridPlaces::most, end - t0);
             find_places(grid, std::span(view.range).subspan(t0, count),
                         std::span(view.range_root).subspan(t0, count),
                         std::span(view.target_height).subspan(t0, count), places);
+            std::uint32_t last = LitFacets::absent, slots = 0;
             for (std::size_t k = 0; k < count; ++k) {
                 const std::uint32_t i = lit.target[t0 + k];
                 if (t0 + k + ahead < end) sent.fetch(lit.target[t0 + k + ahead]);
@@ -118,13 +119,17 @@ void look(const View& view, const LitFacets& lit, const LitState& state, const L
                     const std::array<float, 3> up = height_weights(lit.height[i]);
                     for (std::size_t b = 0; b < rows.size(); ++b) {
                         rows[b].fill(&black[tables.first[b]], &around[tables.first[b]],
-                                     lit.sky_view[i], state.sunlight[i], up, row[b].data());
+                                     lit.sky_view[i], state.sunlight[i], up,
+                                     &row[b][slots * rows[b].width()]);
                     }
+                    ++slots;
                 }
-                for (std::size_t c = 0; c < columns; ++c) {
-                    eye[(t0 + k) * columns + c] =
-                        eye_tables[c](lit.material[i], places, k, row[c / per_band].data());
-                }
+                facets.slot[k] = slots - 1;
+                facets.material[k] = lit.material[i];
+            }
+            for (std::size_t c = 0; c < columns; ++c) {
+                eye_tables[c].look(places, facets, row[c / per_band].data(), count, columns,
+                                   eye + t0 * columns + c);
             }
         }
     });

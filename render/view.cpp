@@ -47,40 +47,56 @@ struct Tile {
     std::vector<std::uint32_t> count;  // (pixel of the tile)
 };
 
-/// One sample that hit, ordered by facet, then by its number.
-struct Sample {
-    std::uint64_t key;
-    float range, height;
+/// The samples of a pixel that hit one facet.
+struct Share {
+    std::uint32_t facet, count;
+    double range, height;  // sums
 };
 
-/// Adds the sightings of one pixel: samples on one facet become one.
-void gather(std::span<Sample> samples, float share, Tile& out) {
-    const bool one = std::all_of(samples.begin(), samples.end(), [&](const Sample& s) {
-        return s.key >> 32 == samples[0].key >> 32;
-    });
-    if (!one) {
-        std::sort(samples.begin(), samples.end(),
-                  [](const Sample& a, const Sample& b) { return a.key < b.key; });
-    }
-    std::uint32_t count = 0;
-    for (std::size_t first = 0; first < samples.size();) {
-        std::size_t last = first;
-        double range = 0.0, height = 0.0;
-        for (; last < samples.size() && samples[last].key >> 32 == samples[first].key >> 32;
-             ++last) {
-            range += double{samples[last].range};
-            height += double{samples[last].height};
+/// The facets a pixel sees: few, so that looking through them beats sorting its samples. Sums are
+/// in the order of the samples.
+class Shares {
+ public:
+    void clear() { size_ = 0; }
+    void add(std::uint32_t facet, float range, float height) {
+        // Neighbouring samples mostly hit the facet of the one before.
+        std::size_t k = last_;
+        if (k >= size_ || share_[k].facet != facet) {
+            for (k = 0; k < size_ && share_[k].facet != facet;) ++k;
+            if (k == size_) {
+                if (size_ == share_.size()) share_.resize(2 * size_);
+                share_[size_++] = {facet, 0, 0.0, 0.0};
+            }
+            last_ = k;
         }
-        const double n = double(last - first);
-        out.sighting.push_back({.target = static_cast<std::uint32_t>(samples[first].key >> 32),
-                                .weight = static_cast<float>(n) * share,
-                                .deeper = static_cast<float>(range / n),
-                                .higher = static_cast<float>(height / n)});
-        ++count;
-        first = last;
+        Share& share = share_[k];
+        ++share.count;
+        share.range += double{range};
+        share.height += double{height};
     }
-    out.count.push_back(count);
-}
+    /// Adds the sightings of the pixel, by ascending facet.
+    void gather(float weight, Tile& out) {
+        for (std::size_t k = 1; k < size_; ++k) {
+            const Share share = share_[k];
+            std::size_t at = k;
+            for (; at > 0 && share_[at - 1].facet > share.facet; --at) share_[at] = share_[at - 1];
+            share_[at] = share;
+        }
+        for (std::size_t k = 0; k < size_; ++k) {
+            const Share& share = share_[k];
+            const double n = double(share.count);
+            out.sighting.push_back({.target = share.facet,
+                                    .weight = static_cast<float>(n) * weight,
+                                    .deeper = static_cast<float>(share.range / n),
+                                    .higher = static_cast<float>(share.height / n)});
+        }
+        out.count.push_back(static_cast<std::uint32_t>(size_));
+    }
+
+ private:
+    std::vector<Share> share_ = std::vector<Share>(16);
+    std::size_t size_ = 0, last_ = 0;
+};
 
 /// Part of a facet that a sighting belongs to: 1/128 of an octave of range, 16 m of height.
 std::uint64_t part_of(const Sighting& s) {
@@ -373,7 +389,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
         fan.origin = origin;
         FanHits hits;
         std::array<Eigen::Vector3f, lanes> start{};  // of each ray, where they are parallel
-        std::vector<Sample> seen(samples);
+        Shares shares;
         const float ox = origin.x(), oy = origin.y(), oz = origin.z();
         constexpr auto bend = static_cast<float>(1.0 / (2e3 * earth_radius_km));
         alignas(64) std::array<float, lanes> level;
@@ -383,6 +399,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                 const std::uint32_t hash = pixel_hash(options.seed, pixel);
                 std::size_t solid = 0;
                 double zenith = 0.0;
+                shares.clear();
                 for (std::size_t packet = 0; packet < packets; ++packet) {
                     aim(x, y, hash, packet, fan, start);
                     if (eye.projection == Projection::orthographic) {
@@ -401,9 +418,8 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                         if (hits.facet[s] == nothing) {
                             zenith += zenith_of(fan.z[s]);
                         } else {
-                            seen[solid++] = {
-                                std::uint64_t{hits.facet[s]} << 32 | (packet * lanes + s),
-                                hits.range[s], level[s]};
+                            shares.add(hits.facet[s], hits.range[s], level[s]);
+                            ++solid;
                         }
                     }
                 }
@@ -412,7 +428,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                     view.sky[pixel] = static_cast<float>(open) * share;
                     view.sky_zenith_deg[pixel] = static_cast<float>(zenith / double(open));
                 }
-                gather(std::span(seen).first(solid), share, out);
+                shares.gather(share, out);
             }
         }
     };

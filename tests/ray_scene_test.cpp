@@ -86,6 +86,25 @@ TEST_CASE("no ray leaves a closed mesh", "[terrain][rays]") {
     CHECK(worst <= 0.01);
 }
 
+TEST_CASE("no ray of ten million leaves a closed mesh", "[terrain][rays][long]") {
+    const FacetSet facets = lumpy_ball(5, 1000.0);
+    const RayScene scene(facets);
+    std::vector<Ray> rays(1'000'000);
+    std::vector<Hit> hits(rays.size());
+    std::size_t leaks = 0;
+    for (unsigned seed = 11; seed < 21; ++seed) {
+        std::mt19937 random(seed);
+        for (Ray& ray : rays) {
+            ray.origin = (300.0 * random_direction(random)).cast<float>();
+            ray.direction = random_direction(random).cast<float>();
+        }
+        scene.closest(rays, hits, Coherence::incoherent);
+        leaks += static_cast<std::size_t>(std::count_if(
+            hits.begin(), hits.end(), [](const Hit& hit) { return hit.facet == no_facet; }));
+    }
+    CHECK(leaks == 0);
+}
+
 TEST_CASE("of a million rays aimed at edges hardly one slips through", "[terrain][rays]") {
     // Embree's robust mode evaluates an edge alike for both its triangles, up to rounding; its
     // authors know of cracks at vertices (RenderKit/embree issues 174, 181, 188). Anything like

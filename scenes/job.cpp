@@ -12,6 +12,7 @@
 #include "terrain/exchange.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/relief_light.hpp"
+#include "thermal/sun_exposure.hpp"
 
 namespace diurna {
 
@@ -69,6 +70,14 @@ SunExposure sun_exposure(const Prepared& prepared, Progress& progress) {
                            {.samples = scene.sun_samples, .seed = scene.seed});
         progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
     }
+    // When within a step the sun comes and goes: by rays, which answer for single facets.
+    find_edges(exposure,
+               [&](Instant when, std::span<const std::uint8_t> chosen, std::span<float> fraction) {
+                   sun_fraction(prepared.world.facets, prepared.rays,
+                                sun_direction(sun_position(prepared.world.site, when)), chosen,
+                                fraction, {.samples = scene.sun_samples, .seed = scene.seed});
+               },
+               {.tolerance = 20.0});
     return exposure;
 }
 

@@ -264,15 +264,14 @@ void pass(Job& job, const Level& level, double progress_from, double progress_to
     }
 }
 
-void fill_between(Job& job, std::size_t stride) {
+void fill_between(const Job& job, std::vector<float>& field, std::size_t stride) {
     for_each_index(
         job.steps() / stride,
         [&](std::size_t s) {
-            const auto a = job.row(job.kelvin, s * stride),
-                       b = job.row(job.kelvin, (s + 1) * stride);
+            const auto a = job.row(field, s * stride), b = job.row(field, (s + 1) * stride);
             for (std::size_t i = 1; i < stride; ++i) {
                 const float share = float(i) / float(stride);
-                const auto between = job.row(job.kelvin, s * stride + i);
+                const auto between = job.row(field, s * stride + i);
                 for (std::size_t f = 0; f < job.facets; ++f) {
                     between[f] = a[f] + share * (b[f] - a[f]);
                 }

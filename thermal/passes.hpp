@@ -134,8 +134,8 @@ void set_film(Kind& kind, double film, double step);
 /// and surface slopes.
 void pass(Job& job, const Level& level, double progress_from, double progress_to);
 
-/// Temperatures at the instants a coarse level steps over, on the line between those it lands on.
-void fill_between(Job& job, std::size_t stride);
+/// A field's rows at the instants a coarse level steps over, on the line between those it lands on.
+void fill_between(const Job& job, std::vector<float>& field, std::size_t stride);
 
 /// Mean surface slopes of each material over the last pass, and the period's matrix from them.
 void renew_matrices(const Job& job, Level& level);

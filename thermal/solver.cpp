@@ -167,14 +167,16 @@ Response longwave_response(const Job& job, const Level& level) {
 /// within a pass. Returns the largest change of the first and tells each block its own.
 double exchange_longwave(Job& job, const Level& level) {
     constexpr int sweeps = 3;
+    const std::size_t used = job.steps() / level.stride + 1;  // instants that this level lands on
     const Response response = longwave_response(job, level);
     const std::vector<float> before = job.excess;
     std::vector<float> leaving(job.kelvin.size()), change(job.facets, 0.0f), first_change;
     std::vector<float> mean(job.facets, 0.0f);  // of the longwave beyond `before`
     for (int sweep = 0; sweep < sweeps; ++sweep) {
         for_each_index(
-            job.instant.size(),
-            [&](std::size_t i) {
+            used,
+            [&](std::size_t k) {
+                const std::size_t i = k * level.stride;
                 std::vector<float> warmed(job.row(job.kelvin, i).begin(),
                                           job.row(job.kelvin, i).end());
                 for (std::size_t f = 0; sweep > 0 && f < job.facets; ++f) {
@@ -190,12 +192,12 @@ double exchange_longwave(Job& job, const Level& level) {
         for_each_block(job.facets, 2048, [&](std::size_t begin, std::size_t end) {
             std::fill(mean.begin() + std::ptrdiff_t(begin), mean.begin() + std::ptrdiff_t(end),
                       0.0f);
-            for (std::size_t i = 0; i < job.instant.size(); ++i) {
+            for (std::size_t i = 0; i < job.instant.size(); i += level.stride) {
                 arriving_longwave(job.input.sky_view, job.row(leaving, i), begin, end,
                                   job.row(job.excess, i), change);
                 for (std::size_t f = begin; f < end; ++f) {
                     const std::size_t at = i * job.facets + f;
-                    mean[f] += (job.excess[at] - before[at]) / float(job.instant.size());
+                    mean[f] += (job.excess[at] - before[at]) / float(used);
                 }
             }
         });
@@ -346,7 +348,8 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
             pass(job, coarse, 0.0, 0.0);
             renew_matrices(job, coarse);
             correct(job, coarse, false);
-            fill_between(job, stride);
+            fill_between(job, job.kelvin, stride);
+            if (exchanging) fill_between(job, job.excess, stride);
         }
         set_films(fine, coarse);
         for (Block& block : job.block) {

@@ -81,14 +81,10 @@ void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet
                           normal = facets.normal[facet];
     const std::uint64_t key = mixed(seed_ ^ mixed(facet)), start = mixed(key);
     const auto jitter = static_cast<std::uint32_t>(key);
-    const auto at = [&](std::uint32_t random, std::uint32_t step) {
-        return ((random + step * static_cast<std::uint32_t>(packet)) >> 8) * 0x1p-24;
-    };
-    const Eigen::Vector3f origin = from.at(at(static_cast<std::uint32_t>(start), r2_x),
-                                           at(static_cast<std::uint32_t>(start >> 32), r2_y));
-    rays.origin_x.fill(origin.x());
-    rays.origin_y.fill(origin.y());
-    rays.origin_z.fill(origin.z());
+    const auto start_x = static_cast<std::uint32_t>(start);
+    const auto start_y = static_cast<std::uint32_t>(start >> 32);
+    const Eigen::Vector3f corner = from.corner.cast<float>(), to_b = from.to_b.cast<float>(),
+                          to_c = from.to_c.cast<float>();
     const float* column = &column_[width * packet];
     const float* row = &row_[width * packet];
     const float across_cell = 2.0f / static_cast<float>(columns_);
@@ -99,6 +95,13 @@ void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet
 #pragma omp simd
     for (std::uint32_t i = 0; i < width; ++i) {
         const std::uint32_t k = first + i;
+        // A point of the facet: the square's far half folds back onto the triangle.
+        const float p = static_cast<float>(static_cast<int>((start_x + r2_x * k) >> 8)) * 0x1p-24f;
+        const float q = static_cast<float>(static_cast<int>((start_y + r2_y * k) >> 8)) * 0x1p-24f;
+        const float to_p = p + q > 1.0f ? 1.0f - p : p, to_q = p + q > 1.0f ? 1.0f - q : q;
+        rays.origin_x[i] = corner.x() + to_p * to_b.x() + to_q * to_c.x();
+        rays.origin_y[i] = corner.y() + to_p * to_b.y() + to_q * to_c.y();
+        rays.origin_z[i] = corner.z() + to_p * to_b.z() + to_q * to_c.z();
         const std::uint32_t random = mixed32(jitter + 0x9E3779B9u * k);
         // In the middle of 2^-16 of a cell, so never on its edge.
         const float u = (static_cast<float>(static_cast<int>(random & 0xFFFFu)) + 0.5f) * 0x1p-16f;

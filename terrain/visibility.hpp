@@ -39,7 +39,7 @@ struct SkyViewOptions {
     bool exchange = true;  // or leave its rows empty
 };
 
-/// By rays from points spread over each facet, sixteen from each. Standard error of a facet about
+/// By rays from points spread over each facet. Standard error of a facet about
 /// 0.65/rays^0.75 (0.03 at 64 rays, 0.011 at 256, measured in bowls), of means over n facets √n
 /// less; the same numbers for any number of threads. Rays above everything near (SkyBound) are not
 /// traced, the others asked whether anything blocks them, and those that are blocked, what.

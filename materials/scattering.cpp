@@ -75,31 +75,41 @@ double SunField::angle_from_sun_deg(double zenith_deg, double azimuth_from_sun_d
 
 std::vector<double> SunField::sky(double height_km, double zenith_deg,
                                   double azimuth_from_sun_deg) const {
+    return std::move(skies(height_km, zenith_deg, std::span(&azimuth_from_sun_deg, 1)).front());
+}
+
+std::vector<std::vector<double>> SunField::skies(
+    double height_km, double zenith_deg, std::span<const double> azimuth_from_sun_deg) const {
     const State& s = *state_;
     const CloudLayer& cloud = s.model.cloud;
     const SightLine line = line_of(s.model, height_km, zenith_deg);
     const bool ground = ends_on_ground(s.model, height_km, zenith_deg);
-    if (cloud.fraction > 0.0 && (height_km >= cloud.base_km || ground)) {
-        return path(line, zenith_deg, azimuth_from_sun_deg);
-    }
     const double cosine = std::cos(radians(zenith_deg));
-    const auto turn = s.turns(zenith_deg, std::span(&azimuth_from_sun_deg, 1));
-    std::vector<double> radiance = s.along(line, turn, false, ground).towards(0, cosine);
-    if (cloud.fraction > 0.0) {
+    const auto turn = s.turns(zenith_deg, azimuth_from_sun_deg);
+    const bool over_cloud = cloud.fraction > 0.0 && (height_km >= cloud.base_km || ground);
+    const State::Scattered light =
+        over_cloud ? s.mixed(line, turn) : s.along(line, turn, false, ground);
+    std::vector<std::vector<double>> radiance;
+    for (std::size_t a = 0; a < turn.size(); ++a) radiance.push_back(light.towards(a, cosine));
+    if (cloud.fraction > 0.0 && !over_cloud) {
         std::size_t below_base = 0;
         while (below_base < line.size() && line.height_km[below_base] < cloud.base_km) {
             ++below_base;
         }
         const SightLine below = line.first(below_base);
-        const std::vector<double> under = s.along(below, turn, true, true).towards(0, cosine);
+        const State::Scattered covered = s.along(below, turn, true, true);
         const std::vector<double> tau = transmittance(s.model, below, s.bins);
         const HermiteWeights w = s.at_height(cloud.base_km);
-        for (std::size_t b = 0; b < radiance.size(); ++b) {
-            const double base = s.cloudy.down.at(w, b) * std::numbers::inv_pi;
-            radiance[b] += cloud.fraction * (under[b] + tau[b] * base - radiance[b]);
+        for (std::size_t a = 0; a < turn.size(); ++a) {
+            const std::vector<double> under = covered.towards(a, cosine);
+            for (std::size_t b = 0; b < under.size(); ++b) {
+                const double base = s.cloudy.down.at(w, b) * std::numbers::inv_pi;
+                radiance[a][b] += cloud.fraction * (under[b] + tau[b] * base - radiance[a][b]);
+            }
         }
     }
-    return s.per_node(radiance);
+    for (std::vector<double>& of_azimuth : radiance) of_azimuth = s.per_node(of_azimuth);
+    return radiance;
 }
 
 SunFlux SunField::flux(double height_km) const {

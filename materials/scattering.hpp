@@ -59,6 +59,9 @@ class SunField {
     /// Scattered radiance of the sky (path to the top of the air, or to the cloud layer and what
     /// shines through it), or of the air above the ground it ends on.
     std::vector<double> sky(double height_km, double zenith_deg, double azimuth_from_sun_deg) const;
+    /// The same under several azimuths, (azimuth)(node): they cost little more than one.
+    std::vector<std::vector<double>> skies(double height_km, double zenith_deg,
+                                           std::span<const double> azimuth_from_sun_deg) const;
 
     SunFlux flux(double height_km) const;
 

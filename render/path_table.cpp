@@ -310,16 +310,21 @@ void BackgroundTable::add_sunlight(const RadianceInput& input, const Band& band,
     const std::size_t azimuths = static_cast<std::size_t>(std::ceil(span / step_deg)) + 3;
     azimuth_low_ = least_azimuth_deg;
     azimuth_step_ = span / double(azimuths - 1);
+    std::vector<double> azimuth_deg(azimuths);
+    for (std::size_t a = 0; a < azimuths; ++a) {
+        azimuth_deg[a] = azimuth_low_ + azimuth_step_ * double(a);
+    }
     const auto fill = [&](Sunlit& part, const auto& zenith_deg) {
         part.radiance.assign(azimuths, std::vector<double>(sunlit_nodes));
         for_each_index(
-            azimuths * sunlit_nodes,
-            [&](std::size_t k) {
-                const std::size_t a = k / sunlit_nodes, z = k % sunlit_nodes;
-                part.radiance[a][z] = band_sum_nodes(
-                    band, scattered_background_at(input, scattered, height_km,
-                                                  zenith_deg(part.low + part.step * double(z)),
-                                                  azimuth_low_ + azimuth_step_ * double(a)));
+            sunlit_nodes,
+            [&](std::size_t z) {
+                const auto spectra = scattered_backgrounds_at(
+                    input, scattered, height_km, zenith_deg(part.low + part.step * double(z)),
+                    azimuth_deg);
+                for (std::size_t a = 0; a < azimuths; ++a) {
+                    part.radiance[a][z] = band_sum_nodes(band, spectra[a]);
+                }
             },
             1);
     };

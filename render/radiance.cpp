@@ -143,12 +143,31 @@ std::vector<double> background_at(const RadianceInput& input, double height_km, 
 std::vector<double> scattered_background_at(const RadianceInput& input, const SunField& scattered,
                                             double height_km, double zenith_deg,
                                             double azimuth_from_sun_deg) {
+    return std::move(scattered_backgrounds_at(input, scattered, height_km, zenith_deg,
+                                              std::span(&azimuth_from_sun_deg, 1))
+                         .front());
+}
+
+std::vector<std::vector<double>> scattered_backgrounds_at(
+    const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
+    std::span<const double> azimuth_from_sun_deg) {
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
-        return scattered.sky(height_km, zenith_deg, azimuth_from_sun_deg);
+        return scattered.skies(height_km, zenith_deg, azimuth_from_sun_deg);
     }
-    return scattered.path(
+    std::vector<double> angle_deg;
+    for (const double azimuth : azimuth_from_sun_deg) {
+        angle_deg.push_back(scattered.angle_from_sun_deg(zenith_deg, azimuth));
+    }
+    SunField::Apart light = scattered.path_apart(
         chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
-        zenith_deg, azimuth_from_sun_deg);
+        angle_deg);
+    const double cosine = std::cos(radians(zenith_deg));
+    for (std::vector<double>& radiance : light.at_angle) {
+        for (std::size_t n = 0; n < radiance.size(); ++n) {
+            radiance[n] += cosine * light.by_cosine[n];
+        }
+    }
+    return std::move(light.at_angle);
 }
 
 int chord_segments(double height_change_km) {

@@ -70,6 +70,10 @@ std::vector<double> background_at(const RadianceInput& input, double height_km, 
 std::vector<double> scattered_background_at(const RadianceInput& input, const SunField& scattered,
                                             double height_km, double zenith_deg,
                                             double azimuth_from_sun_deg);
+/// The same under several azimuths, (azimuth)(node): they cost little more than one.
+std::vector<std::vector<double>> scattered_backgrounds_at(
+    const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
+    std::span<const double> azimuth_from_sun_deg);
 
 /// A line from a height to another over a range, in segments that grow from the observer: heights
 /// on the straight chord over a spherical earth. Defined and smooth for any two heights, which

@@ -154,6 +154,10 @@ Response longwave_response(const Job& job, const Level& level) {
             ground = 1.0 / std::abs(impedance(column, 2.0 * M_PI / 86400.0));
             under = column.below > 0.0 ? 1.0 / std::abs(impedance(column, 0.0)) : 0.0;
         }
+        // A thin plate's back gives off about as much as its front.
+        if (job.input.materials[job.input.facets.material[block.facet.front()]].thermal.back) {
+            ground = under = film;
+        }
         for (const std::size_t f : block.facet) {
             response.steady[f] = float(emissivity / (film + under));
             response.daily[f] = float(emissivity / (film + ground));
@@ -170,34 +174,41 @@ double exchange_longwave(Job& job, const Level& level) {
     const std::size_t used = job.steps() / level.stride + 1;  // instants that this level lands on
     const Response response = longwave_response(job, level);
     const std::vector<float> before = job.excess;
-    std::vector<float> leaving(job.kelvin.size()), change(job.facets, 0.0f), first_change;
+    std::vector<float> leaving(used * job.facets);  // (facet, instant)
+    std::vector<float> change(job.facets), first_change;
     std::vector<float> mean(job.facets, 0.0f);  // of the longwave beyond `before`
+    constexpr std::size_t facets_at_once = 256;
     for (int sweep = 0; sweep < sweeps; ++sweep) {
-        for_each_index(
-            used,
-            [&](std::size_t k) {
+        for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = 0; k < used; ++k) {
                 const std::size_t i = k * level.stride;
-                std::vector<float> warmed(job.row(job.kelvin, i).begin(),
-                                          job.row(job.kelvin, i).end());
-                for (std::size_t f = 0; sweep > 0 && f < job.facets; ++f) {
-                    const std::size_t at = i * job.facets + f;
-                    const float beyond = job.excess[at] - before[at];
-                    warmed[f] +=
-                        response.steady[f] * mean[f] + response.daily[f] * (beyond - mean[f]);
-                }
-                leaving_longwave(job.optics, job.sky[i].longwave_down, warmed,
-                                 job.row(job.excess, i), job.row(leaving, i));
-            },
-            1);
-        for_each_block(job.facets, 2048, [&](std::size_t begin, std::size_t end) {
-            std::fill(mean.begin() + std::ptrdiff_t(begin), mean.begin() + std::ptrdiff_t(end),
-                      0.0f);
-            for (std::size_t i = 0; i < job.instant.size(); i += level.stride) {
-                arriving_longwave(job.input.sky_view, job.row(leaving, i), begin, end,
-                                  job.row(job.excess, i), change);
                 for (std::size_t f = begin; f < end; ++f) {
                     const std::size_t at = i * job.facets + f;
-                    mean[f] += (job.excess[at] - before[at]) / float(used);
+                    float kelvin = job.kelvin[at];
+                    if (sweep > 0) {
+                        const float beyond = job.excess[at] - before[at];
+                        kelvin +=
+                            response.steady[f] * mean[f] + response.daily[f] * (beyond - mean[f]);
+                    }
+                    leaving[f * used + k] = leaving_longwave(
+                        job.optics.emissivity[f], job.sky[i].longwave_down, kelvin, job.excess[at]);
+                }
+            }
+        });
+        for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+            std::vector<float> arriving((end - begin) * used);
+            for (std::size_t f = begin; f < end; ++f) {
+                arriving_longwave(job.input.sky_view, leaving, f,
+                                  std::span(arriving).subspan((f - begin) * used, used));
+                change[f] = mean[f] = 0.0f;
+            }
+            for (std::size_t k = 0; k < used; ++k) {
+                for (std::size_t f = begin; f < end; ++f) {
+                    const std::size_t at = k * level.stride * job.facets + f;
+                    const float next = arriving[(f - begin) * used + k];
+                    change[f] = std::max(change[f], std::abs(next - job.excess[at]));
+                    job.excess[at] = next;
+                    mean[f] += (next - before[at]) / float(used);
                 }
             }
         });

@@ -58,23 +58,25 @@ void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetO
     }
 }
 
-void leaving_longwave(const FacetOptics& optics, double sky_longwave,
-                      std::span<const float> temperature, std::span<const float> excess,
-                      std::span<float> leaving) {
-    for (std::size_t f = 0; f < temperature.size(); ++f) {
-        const double black = stefan_boltzmann * power4(double(temperature[f]));
-        const double emissivity = optics.emissivity[f];
-        leaving[f] = float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess[f]);
-    }
+float leaving_longwave(float emissivity, double sky_longwave, float temperature, float excess) {
+    const double black = stefan_boltzmann * power4(double(temperature));
+    return float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess);
 }
 
-void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t begin,
-                       std::size_t end, std::span<float> excess, std::span<float> change) {
-    for (std::size_t f = begin; f < end; ++f) {
-        const float next =
-            float(gathered(view.exchange, f, leaving) + double(view.below[f]) * leaving[f]);
-        change[f] = std::max(change[f], std::abs(next - excess[f]));
-        excess[f] = next;
+void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,
+                       std::span<float> excess) {
+    const std::size_t instants = excess.size();
+    const auto add = [&](std::size_t from, float factor, bool first) {
+        const float* sent = leaving.data() + from * instants;
+        if (first) {
+            for (std::size_t i = 0; i < instants; ++i) excess[i] = factor * sent[i];
+        } else {
+            for (std::size_t i = 0; i < instants; ++i) excess[i] += factor * sent[i];
+        }
+    };
+    add(facet, view.below[facet], true);
+    for (auto k = view.exchange.row[facet]; k < view.exchange.row[facet + 1]; ++k) {
+        add(index(view.exchange.facet[k]), view.exchange.factor[k], false);
     }
 }
 

@@ -27,17 +27,18 @@ void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetO
 
 /// Longwave from other facets beyond what the sky they hide would send, D = L_in − L_sky [W m⁻²]:
 /// neighbours emit ε σ T⁴ and reflect the rest of what reaches them. Zero, whatever the
-/// emissivities, where ground and sky are equally warm. In two halves, so that one may run over
-/// instants and the other over facets: what leaves each facet beyond the sky's radiance,
+/// emissivities, where ground and sky are equally warm. In two halves: what leaves a
+/// facet beyond the sky's radiance,
 ///
-/// excess   (facet) D as it was
-/// leaving  (facet) ε (σ T⁴ − L_sky) + (1 − ε) D
-void leaving_longwave(const FacetOptics& optics, double sky_longwave,
-                      std::span<const float> temperature, std::span<const float> excess,
-                      std::span<float> leaving);
-/// and what arrives at the facets [begin, end): their `excess` is replaced, and `change` (facet)
-/// raised to the size of its change.
-void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t begin,
-                       std::size_t end, std::span<float> excess, std::span<float> change);
+/// excess   D as it was
+/// returns  ε (σ T⁴ − L_sky) + (1 − ε) D
+float leaving_longwave(float emissivity, double sky_longwave, float temperature, float excess);
+/// and what arrives at a facet, at all instants at once: a row of the exchange is read once, and
+/// what its partners send lies together.
+///
+/// leaving  (facet, instant)
+/// excess   (instant) D as it becomes
+void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,
+                       std::span<float> excess);
 
 }  // namespace diurna

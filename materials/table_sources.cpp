@@ -6,6 +6,7 @@
 
 #include "materials/atmosphere.hpp"
 #include "materials/modtran.hpp"
+#include "materials/table_state.hpp"
 #include "materials/tabulated.hpp"
 #include "materials/units.hpp"
 
@@ -42,6 +43,35 @@ PathSource path_source(const BandModel& model) {
     };
 }
 
+BinPath binned(const Tape7Run& run, BinRange bins) {
+    const std::vector<double>& nu = run.table.axis;
+    const std::vector<double>& tau_at = run.table.column("TOT_TRANS");
+    const std::vector<double>& thermal_at = run.table.column("PTH_THRML");
+    const std::span<const double> edges = bin_edges_um();
+    BinPath path;
+    for (std::size_t b = bins.first; b < bins.last; ++b) {
+        // Mean over the bin's wavenumbers, by the trapezoid rule.
+        const double low = 1e4 / edges[b + 1], high = 1e4 / edges[b];
+        double sum = 0.0, tau = 0.0, radiance = 0.0;
+        const auto first = std::lower_bound(nu.begin(), nu.end(), low - 1e-6) - nu.begin();
+        for (auto i = static_cast<std::size_t>(first); i < nu.size() && nu[i] <= high + 1e-6; ++i) {
+            const bool edge = nu[i] < low + 1e-6 || nu[i] > high - 1e-6;
+            const double weight = edge ? 0.5 : 1.0;  // shared with the next bin
+            sum += weight;
+            tau += weight * tau_at[i];
+            radiance += std::isnan(thermal_at[i]) ? 0.0 : weight * thermal_at[i];
+        }
+        if (sum == 0.0) {
+            throw std::runtime_error(
+                fmt::format("MODTRAN gave nothing from {:g} to {:g} cm-1", low, high));
+        }
+        path.transmittance.push_back(tau / sum);
+        path.radiance.push_back(
+            per_um_from_modtran(radiance / sum, wavenumber_of_um(bin_middles_um()[b])));
+    }
+    return path;
+}
+
 PathSource path_source(const ModtranRunner& runner, const ModtranDeck& like) {
     return [runner, like](std::span<const TablePath> paths, BinRange bins) {
         std::vector<ModtranDeck> decks;
@@ -69,30 +99,7 @@ PathSource path_source(const ModtranRunner& runner, const ModtranDeck& like) {
         const std::vector<Tape7Run> runs = run_decks(runner, decks);
         std::vector<BinPath> found;
         for (const Tape7Run& run : runs) {
-            const std::vector<double>& nu = run.table.axis;
-            BinPath path;
-            for (std::size_t b = bins.first; b < bins.last; ++b) {
-                // Mean over the bin's wavenumbers, by the trapezoid rule.
-                const double low = 1e4 / edges[b + 1], high = 1e4 / edges[b];
-                double sum = 0.0, tau = 0.0, radiance = 0.0;
-                for (std::size_t i = 0; i < nu.size(); ++i) {
-                    if (nu[i] < low - 1e-6 || nu[i] > high + 1e-6) continue;
-                    const bool edge = nu[i] < low + 1e-6 || nu[i] > high - 1e-6;
-                    const double weight = edge ? 0.5 : 1.0;  // shared with the next bin
-                    const double thermal = run.table.column("PTH_THRML")[i];
-                    sum += weight;
-                    tau += weight * run.table.column("TOT_TRANS")[i];
-                    radiance += std::isnan(thermal) ? 0.0 : weight * thermal;
-                }
-                if (sum == 0.0) {
-                    throw std::runtime_error(
-                        fmt::format("MODTRAN gave nothing from {:g} to {:g} cm-1", low, high));
-                }
-                path.transmittance.push_back(tau / sum);
-                path.radiance.push_back(
-                    per_um_from_modtran(radiance / sum, wavenumber_of_um(bin_middles_um()[b])));
-            }
-            found.push_back(std::move(path));
+            found.push_back(binned(run, bins));
         }
         return found;
     };

@@ -10,6 +10,7 @@
 #include "materials/atmosphere.hpp"
 #include "materials/error.hpp"
 #include "materials/planck.hpp"
+#include "materials/table_state.hpp"
 #include "materials/units.hpp"
 
 namespace diurna {
@@ -50,15 +51,13 @@ Weights weights(const Axis& axis, double x) {
 
 /// Zenith angles crowd towards the horizon: v = 1 − √(1 − zenith / 90°).
 double zenith_of(double v) { return 90.0 * (1.0 - (1.0 - v) * (1.0 - v)); }
+
+}  // namespace
+
 double variable_of(double zenith_deg) {
     return 1.0 - std::sqrt(std::max(0.0, 1.0 - zenith_deg / 90.0));
 }
 
-/// What is stored of a path, smooth along the axes: optical depth, and the temperature of the black
-/// body whose light times 1 − τ is the path's.
-struct Stored {
-    std::vector<double> depth, temperature;
-};
 Stored stored(const BinPath& path, BinRange bins, double fallback) {
     Stored s;
     for (std::size_t b = 0; b < bins.size(); ++b) {
@@ -92,8 +91,6 @@ BinPath restored(std::span<const double> depth, std::span<const double> temperat
     }
     return path;
 }
-
-}  // namespace
 
 struct PathGrid {
     BinRange bins;
@@ -297,6 +294,7 @@ const TableError& table_error(const Tabulated& table) { return table.grid->error
 
 BinPath table_path(const Tabulated& table, double from_km, double to_km, double range_km,
                    std::span<const double> node_um) {
+    if (table.file) return file_path(*table.file, from_km, to_km, range_km, node_um);
     const PathGrid& g = *table.grid;
     const auto inside = [](const char* what, double value, double low, double high) {
         const double slack = 1e-3 + 1e-3 * std::abs(high);
@@ -333,6 +331,7 @@ BinPath table_path(const Tabulated& table, double from_km, double to_km, double 
 
 BinPath table_sky(const Tabulated& table, double height_km, double zenith_deg,
                   std::span<const double> node_um) {
+    if (table.file) return file_sky(*table.file, height_km, zenith_deg, node_um);
     const PathGrid& g = *table.grid;
     const Weights wf = weights(g.from, height_km);
     const Weights wz = weights(g.sky, variable_of(std::clamp(zenith_deg, 0.0, 90.0)));
@@ -351,8 +350,10 @@ BinPath table_sky(const Tabulated& table, double height_km, double zenith_deg,
 }
 
 double table_air_temperature(const Tabulated& table, double height_km) {
-    return air_at(table.grid->profile, height_km).temperature;
+    return air_at(table.profile ? *table.profile : table.grid->profile, height_km).temperature;
 }
-double table_space_temperature(const Tabulated& table) { return table.grid->space_temperature; }
+double table_space_temperature(const Tabulated& table) {
+    return table.file ? 2.725 : table.grid->space_temperature;
+}
 
 }  // namespace diurna

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -14,11 +15,14 @@
 namespace diurna {
 
 struct PathGrid;
+struct FileGrid;
 
 /// An atmosphere known from a table of paths, of MODTRAN or of another model: interpolated in the
 /// heights of both ends and in range, the sky in height and zenith angle. Copies share the table.
 struct Tabulated {
-    std::shared_ptr<const PathGrid> grid;
+    std::shared_ptr<const PathGrid> grid = nullptr;    // made by tabulate(), or
+    std::shared_ptr<const FileGrid> file = nullptr;    // read by read_path_table()
+    std::shared_ptr<const Profile> profile = nullptr;  // of table_air_temperature; a grid has one
 };
 
 /// What a scene's lines span. Lines outside are refused; the sky is known to zenith 90° and below
@@ -73,6 +77,23 @@ Tabulated tabulate(const PathSource& source, const Profile& profile, const Table
                    double surface_temperature = 290.0, double space_temperature = 2.725);
 
 const TableError& table_error(const Tabulated& table);
+
+/// A table of the paths of a tape7 of MODTRAN's (IEMSCT 1 or 2, every run one path of the same
+/// wavenumbers): from every H1 to every H2 over some ranges of its own (ITYPE 2; ITYPE 1 where the
+/// two are the same), and from some H1 to space under zenith angles from 0 to at least 89° (ITYPE
+/// 3). Between them as above, cubic in heights, in range^⅓ and in zenith; shorter than the shortest
+/// a path is thinner in proportion; longer ones are refused. `profile` is left to be set.
+/// Scattered sun is not read: it belongs to one place of the sun. Throws InputError.
+Tabulated read_path_table(const std::filesystem::path& file);
+
+/// What such a table holds.
+struct TableSpan {
+    TableExtent extent;                            // of paths to surfaces
+    double least_sky_km = 0.0, most_sky_km = 0.0;  // of paths to space
+    double least_um = 0.0, most_um = 0.0;
+    std::size_t paths = 0;
+};
+TableSpan table_span(const Tabulated& table);
 
 /// Lookups; nodes must lie in the bins of the bands the table was made for.
 BinPath table_path(const Tabulated& table, double from_km, double to_km, double range_km,

@@ -12,6 +12,12 @@ namespace diurna {
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
                          Instant instant);
 
+/// Throws InputError unless a table of paths holds the heights of the scene's surfaces and
+/// observers and the lengths of its lines of sight. Scenes without one pass.
+void check_table(const Scene& scene, const World& world, const std::vector<Observer>& observers);
+/// What such a table leaves out, for the report.
+std::vector<std::string> table_notes(const Scene& scene);
+
 /// The weather of a scene. With `[atmosphere] drives_heat = true`, direct, diffuse and longwave
 /// radiation that nobody measured come from atmosphere_at() every `step` instead of the broadband
 /// formulas of thermal/irradiance.hpp, so that solver and camera look through the same air.

@@ -94,6 +94,7 @@ Prepared prepare(Scene scene) {
     for (const ObserverInput& observer : scene.observers) {
         observers.push_back(placed(observer, dem, world, rays, scene));
     }
+    check_table(scene, world, observers);
     std::vector<Plume> plumes;
     for (const PlumeInput& plume : scene.plumes) {
         const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
@@ -101,6 +102,7 @@ Prepared prepare(Scene scene) {
     }
     Plan plan = make_plan(scene, world);
     std::vector<std::string> notes = dem.notes;
+    for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {
         notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
                                     dem.voids, dem.height.size(), world.filled_facets,

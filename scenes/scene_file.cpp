@@ -187,7 +187,55 @@ WeatherInput read_weather_input(const Section& section, const Reading& reading) 
             .air_height = section.number_or("air_height_m", 2.0, 0.1, 200)};
 }
 
-AirInput read_air(const Section& section) {
+/// The table of paths, its own mistakes told where the scene names it.
+void read_table(const Section& section, const Reading& reading, AirInput& air) {
+    air.table_file = reading.file(section, "table");
+    if (air.vacuum || air.drives_heat) {
+        section.mistake("table", air.vacuum
+                                     ? "a vacuum has no table of paths"
+                                     : "a table has no fluxes for drives_heat = true to take");
+    }
+    if (!fs::is_regular_file(air.table_file)) return;
+    try {
+        air.table = read_path_table(air.table_file);
+    } catch (const InputError& error) {
+        section.mistake("table", error.mistakes().front().line());
+    } catch (const std::runtime_error& error) {
+        section.mistake("table", fmt::format("{}: {}", air.table_file.string(), error.what()));
+    }
+}
+
+/// Every band needs its bins in the table, and no scattered sun: the table has none.
+void check_table_bands(const Section& section, const Scene& scene) {
+    if (!scene.air.table) return;
+    constexpr double least_um = 3.0;
+    const TableSpan span = table_span(*scene.air.table);
+    const auto check = [&](const std::string& name, double from_um, double to_um) {
+        if (from_um < least_um) {
+            section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "
+                                                 "scattered sun, expected {:g} um or more",
+                                                 name, from_um, least_um));
+        } else if (from_um < span.least_um || to_um > span.most_um) {
+            section.mistake("table",
+                            fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to "
+                                        "{:.4g}",
+                                        name, from_um, to_um, span.least_um, span.most_um));
+        }
+    };
+    for (const ObserverInput& observer : scene.observers) {
+        for (const std::string& name : observer.bands) {
+            try {
+                const Band band = named_band(scene.bands, name, bin_edges_um());
+                check(name, band.from_um(), band.to_um());
+            } catch (const InputError&) {
+                // Told of where the observer names it.
+            }
+        }
+    }
+    for (const CubeInput& cube : scene.cubes) check(cube.name, cube.from_um, cube.to_um);
+}
+
+AirInput read_air(const Section& section, const Reading& reading) {
     std::vector<std::string> profiles = afgl_profile_names();
     profiles.push_back("vacuum");
     AirInput air;
@@ -202,6 +250,7 @@ AirInput read_air(const Section& section) {
         section.mistake("drives_heat",
                         "a vacuum has neither sky nor air to drive the heat balance");
     }
+    if (section.has("table")) read_table(section, reading, air);
     return air;
 }
 
@@ -342,7 +391,8 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
         }
     }
     scene.weather = read_weather_input(root.section("weather", true), reading);
-    scene.air = read_air(root.section("atmosphere"));
+    const Section atmosphere = root.section("atmosphere");
+    scene.air = read_air(atmosphere, reading);
     scene.time = read_time(root.section("time", true));
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
@@ -353,6 +403,7 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");
     }
+    check_table_bands(atmosphere, scene);
     document.finish();
     return scene;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -276,6 +277,91 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
             CHECK(worst < 0.012);  // three digits in each of two numbers
         }
     }
+}
+
+TEST_CASE("published tape7 files have the columns and headers that FORMATS.md tells of",
+          "[materials][modtran][reference]") {
+    const auto folder = shared_data("data/atmosphere/tape7/modtran5_pyradi");
+    if (!folder) return;
+    // 36 columns of MODTRAN 5.2, 40 of 5.3; the wavenumber is one of them.
+    const Tape7Run older = read_tape7(sample(*folder, "tape7-01"))[0];
+    const Tape7Run newer = read_tape7(sample(*folder, "tape7-01b"))[0];
+    CHECK(older.table.name.size() == 35);
+    CHECK(newer.table.name.size() == 39);
+    // Level paths echo H2 and ANGLE unused: H1 and RANGE count.
+    CHECK(older.path_type == 1);
+    CHECK(older.h1_km == 2.0);
+    CHECK(older.range_km == 2.0);
+    // SURREF runs into the field before it: "   0.0000.30000".
+    CHECK(newer.ground_temperature == 0.0);
+    CHECK(newer.range_km == 1.0);
+    // Without a cloud its transmittance is printed as 0 in 5.2, and is no factor of the total.
+    const Tape7Run level = read_tape7(sample(*folder, "horizon5kmtropical.fl7"))[0];
+    CHECK(level.range_km == 5.0);
+    const std::vector<double>& cloud = level.table.value.at(21);
+    CHECK(level.table.name.at(21).find("CLOUD") != std::string::npos);
+    CHECK(*std::max_element(cloud.begin(), cloud.end()) == 0.0);
+    const std::vector<double>& total = level.table.column("TOT_TRANS");
+    CHECK(*std::max_element(total.begin(), total.end()) > 0.5);
+    const auto all_blank = [&](const char* name, const char* column) {
+        const SpectralTable table = read_tape7(sample(*folder, name))[0].table;
+        const std::vector<double>& value = table.column(column);
+        return std::all_of(value.begin(), value.end(), [](double v) { return std::isnan(v); });
+    };
+    for (const char* column :
+         {"SOL_SCAT", "SING_SCAT", "DRCT_RFLT", "REF_SOL", "SOL@OBS", "TOA_SUN"}) {
+        CAPTURE(column);
+        CHECK(all_blank("tape7-02", column));
+        CHECK_FALSE(all_blank("tape7-02c", column));
+    }
+    CHECK(all_blank("tape7-02b", "THRML_SCT"));
+    CHECK(all_blank("tape7-02c", "THRML_SCT"));
+    CHECK_FALSE(all_blank("tape7-02", "THRML_SCT"));
+    // DRCT_RFLT = REF_SOL (1 - DIR_EM) cos(sun) / pi: these grounds are black, and reflect none.
+    for (const char* name : {"tape7-03b", "tape7-05b", "tape7.MWIRSun"}) {
+        const SpectralTable t = read_tape7(sample(*folder, name))[0].table;
+        for (std::size_t i = 0; i < t.axis.size(); ++i) {
+            CHECK(t.column("DIR_EM")[i] == 1.0);
+            CHECK(t.column("DRCT_RFLT")[i] == 0.0);
+            CHECK((i == 0 || t.axis[i] > t.axis[i - 1]));
+        }
+    }
+}
+
+TEST_CASE("the last word of a tape7's first line is what it may be", "[materials][modtran]") {
+    for (const char* surface : {"   0.00", "0.30000", " LAMBER", "     -4"}) {
+        CAPTURE(surface);
+        std::string text = header + row_a + " -9999.\n";
+        text.replace(text.find("   0.00\n"), 7, surface);
+        const auto runs = read_tape7(file_with(text));
+        CHECK(runs.at(0).ground_temperature == 300.0);
+        CHECK(runs.at(0).path_type == 3);
+    }
+}
+
+TEST_CASE("convolved tables over nanometres, fluxes in descending order", "[materials][modtran]") {
+    const auto tables = read_7sc(
+        file_with("  WAVLEN (NM)  TRANS  TOTAL RAD\n"
+                  "      3500.00 0.5000 1.0000E-07\n      3501.00 0.6000 1.0000E-07\n -9999.\n",
+                  "7sc"));
+    REQUIRE(tables.size() == 1);
+    CHECK(tables[0].unit == SpectralUnit::nm);
+    CHECK(tables[0].column("TRANS")[1] == 0.6);
+    const FluxTable flux =
+        read_flx(file_with(" SPECTRAL VERTICAL FLUX TABLE (W CM-2 / MICRON)\n"
+                           " --------------------------------------------\n"
+                           "   1 LAYER BOUNDARIES (  4 TABLE COLUMNS)\n"
+                           " TRIANGULAR SLIT FULL-WIDTH-AT-HALF-MAXIMUM:    2.00 MICRONS.\n"
+                           " ALTITUDES:        0.00000 KM\n"
+                           "            UP      DOWN    DIRECT\n"
+                           " ----------------------------------------------------\n"
+                           "  11.0  1.0E-05  2.0E-06  3.0E-07\n"
+                           "  10.0  1.1E-05  2.5E-06  3.1E-07\n"
+                           " ======\n W CM-2: 1 2 3\n",
+                           "flx"));
+    CHECK(flux.unit == SpectralUnit::um);
+    CHECK(flux.axis == std::vector<double>{11.0, 10.0});
+    CHECK(flux.down[0] == std::vector<double>{2e-6, 2.5e-6});
 }
 
 TEST_CASE("LOWTRAN7's tapes read by their own columns", "[materials][modtran][reference]") {

@@ -233,10 +233,8 @@ int main(int argc, char** argv) {
     const std::string setting = fmt::format("{}x{}x16", size, size);
     const double rays = 17.0 * size * size;  // with the one through the pixel's centre
 
-    // A device of Embree's made under a limit of one thread would keep all work to one from then
-    // on.
-    const double bare = bare_rate(facets, aerial);
     set_thread_count(1);
+    const double bare = bare_rate(facets, aerial);
     row("cast", "embree_alone", setting, 1, 1e-6 * rays / bare, bare, "Mray/s");
     View view;
     double cast[3] = {}, frame[3] = {}, two_bands[3] = {};

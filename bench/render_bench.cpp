@@ -233,9 +233,6 @@ int main(int argc, char** argv) {
     const std::string setting = fmt::format("{}x{}x16", size, size);
     const double rays = 17.0 * size * size;  // with the one through the pixel's centre
 
-    set_thread_count(1);
-    const double bare = bare_rate(facets, aerial);
-    row("cast", "embree_alone", setting, 1, 1e-6 * rays / bare, bare, "Mray/s");
     View view;
     double cast[3] = {}, frame[3] = {}, two_bands[3] = {};
     for (const int threads : {1, 2}) {
@@ -260,7 +257,6 @@ int main(int argc, char** argv) {
     }
     fmt::print(stderr, "{} targets, {:.2f} sightings a pixel\n", view.facet.size(),
                double(view.sighting.size()) / double(view.pixels()));
-    row("ratio", "cast_view_to_embree", setting, 1, 0.0, rays * 1e-6 / cast[1] / bare, "must 0.90");
     row("ratio", "cast_to_cast_and_shade", setting, 1, 0.0, cast[1] / (cast[1] + frame[1]),
         "must 0.80");
     row("ratio", "frame_to_rendering_again", setting, 1, 0.0, frame[1] / (cast[1] + frame[1]),
@@ -316,4 +312,10 @@ int main(int argc, char** argv) {
         row("samples", "uniform", fmt::format("{}x{}x{}", small.width, small.height, samples), 2,
             seconds, rms(picture, truth, "apparent_temperature.8-12"), "K rms");
     }
+
+    // Last: a second device made while threads are limited keeps the first to one for good.
+    set_thread_count(1);
+    const double bare = bare_rate(facets, aerial);
+    row("cast", "embree_alone", setting, 1, 1e-6 * rays / bare, bare, "Mray/s");
+    row("ratio", "cast_view_to_embree", setting, 1, 0.0, rays * 1e-6 / cast[1] / bare, "must 0.90");
 }

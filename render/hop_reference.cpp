@@ -164,6 +164,14 @@ double hop_radiance(const Hops& hops, std::size_t pixel, std::span<const Plume> 
         } else {
             path = path_at_nodes(input.atmosphere,
                                  chord(eye_km, height_km, 1e-3 * double{hop.range}), band.node_um);
+            if (scattered && hop.straight) {
+                const Eigen::Vector3d to = hop.direction.cast<double>();
+                const double azimuth = degrees(std::atan2(to.x(), to.y())) -
+                                       degrees(std::atan2(input.to_sun.x(), input.to_sun.y()));
+                const auto haze = scattered->path(
+                    chord(eye_km, height_km, 1e-3 * double{hop.range}), zenith_deg(to), azimuth);
+                for (std::size_t n = 0; n < nodes; ++n) path.radiance[n] += haze[n];
+            }
             std::vector<double> sent(nodes, 0.0);
             if (hop.kind == Hop::Kind::plume) {
                 const Plume& plume = plumes[hop.what];

@@ -12,6 +12,7 @@
 #include "render/lit_facets.hpp"
 #include "render/node_optics.hpp"
 #include "render/path_table.hpp"
+#include "render/scattered_path.hpp"
 #include "render/scene_basis.hpp"
 #include "render/sky_table.hpp"
 #include "render/spectral_basis.hpp"
@@ -184,6 +185,11 @@ struct BandLight {
     std::vector<std::vector<float>> glow;        // (plume)(channel) B(T)
     std::array<std::vector<float>, 3> sun;       // (height)(channel)
     std::optional<SkyTable> from_eye, from_mirror;
+    std::optional<ScatteredPath> haze;  // sunlight scattered before places on the line of sight
+    float angle_deg(const Eigen::Vector3f& direction, const Eigen::Vector3d& to_sun) const {
+        const double cosine = direction.cast<double>().dot(to_sun);
+        return static_cast<float>(degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
+    }
 };
 
 /// Heights from which mirrors see the sky, their mean [km].
@@ -365,8 +371,19 @@ HopLight::HopLight(const Hops& hops, std::span<const Plume> plumes, double obser
             probes(bands[b], s.channels[b], input, s.band[b].light[1], s.state.extent));
     }
     if (!s.facets.empty()) s.send(bounces, tolerance);
-    s.path.emplace(input.atmosphere, extent_of(hops, observer_height, input.ground_height_km),
-                   s.bands, s.channels, s.probes, tolerance);
+    const PathExtent extent = extent_of(hops, observer_height, input.ground_height_km);
+    s.path.emplace(input.atmosphere, extent, s.bands, s.channels, s.probes, tolerance);
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        BandLight& light = s.band[b];
+        if (!light.scattered) continue;
+        ScatteredPath::Angles angles{180.0, 0.0};
+        for (const Hop& hop : hops.hop) {
+            const double angle = light.angle_deg(hop.direction, input.to_sun);
+            angles.least_deg = std::min(angles.least_deg, angle);
+            angles.most_deg = std::max(angles.most_deg, angle);
+        }
+        light.haze.emplace(*light.scattered, s.bands[b], extent, angles);
+    }
 }
 
 HopLight::~HopLight() = default;
@@ -438,10 +455,11 @@ void HopLight::State::add_pixel(std::size_t b, std::size_t k,
     const BandLight& light = band[b];
     const std::size_t n = light.channels.padded();
     const std::span<const Hop> list(&hops.hop[hops.row[k]], hops.row[k + 1] - hops.row[k]);
-    std::vector<float> filter(list.size() * n), passed(n), total(n);
+    std::vector<float> filter(list.size() * n), total(n);
     std::vector<float> own(term_count * n);
     std::vector<Air> air(list.size());
     std::array<double, term_count> sum{};
+    std::vector<float> haze(list.size(), 0.0f);
     std::vector<Term> as(list.size(), Term::path);  // what a hop's light counts as
     for (std::size_t i = 0; i < list.size(); ++i) {
         const Hop& hop = list[i];
@@ -476,6 +494,26 @@ void HopLight::State::add_pixel(std::size_t b, std::size_t k,
             sum[static_cast<std::size_t>(t)] +=
                 double{hop.weight} * double{past[c]} * double{value};
         };
+        // What the air scatters into the line of sight since the hop before; a mirror's own way is
+        // left dark.
+        if (light.haze && hop.straight) {
+            float passed_sun = 0.0f, all_sun = 0.0f;
+            for (std::size_t c = 0; c < light.channels.size(); ++c) {
+                passed_sun += past[c] * light.sun[1][c];
+                all_sun += light.sun[1][c];
+            }
+            if (hop.kind != Hop::Kind::sky) {
+                haze[i] = (*light.haze)(
+                    light.haze->towards(double{light.angle_deg(hop.direction, input.to_sun)},
+                                        double{hop.direction.z()}),
+                    hop.range, static_cast<float>(height_km));
+            }
+            const float before =
+                hop.before >= 0 ? haze[static_cast<std::size_t>(hop.before)] : 0.0f;
+            sum[static_cast<std::size_t>(as[i])] += double{hop.weight} *
+                                                    double{passed_sun / std::max(all_sun, 1e-30f)} *
+                                                    double{haze[i] - before};
+        }
         const Air* from = hop.before >= 0 ? &air[static_cast<std::size_t>(hop.before)] : nullptr;
         if (hop.kind == Hop::Kind::sky) {
             const SkyTable& sky = hop.straight ? *light.from_eye : *light.from_mirror;

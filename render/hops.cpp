@@ -221,7 +221,7 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
                  const Observer& observer, const ViewOptions& options) {
     Hops hops;
     hops.pixel = special_pixels(view, facets, materials, plumes, observer);
-    hops.row.assign(hops.pixel.size() + 1, 0);
+    hops.row.assign(1, 0);
     if (hops.pixel.empty()) return hops;
 
     const PixelRays eye = pixel_rays(observer);
@@ -249,6 +249,11 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
                        1.0f / static_cast<float>(options.samples), chance, tree);
                 gather(tree, trees);
             }
+            // Past the plumes after all: the view has it already.
+            const auto plain = [](const std::vector<Hop>& one) {
+                return one.size() == 1 && !one[0].closed && one[0].kind != Hop::Kind::plume;
+            };
+            if (std::all_of(trees.begin(), trees.end(), plain)) return;
             for (const std::vector<Hop>& one : trees) {
                 const auto offset = static_cast<std::int32_t>(found[k].size());
                 for (Hop hop : one) {
@@ -258,15 +263,28 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
             }
         },
         16);
+    std::vector<bool> taken(view.pixels(), false);
+    const std::vector<std::uint32_t> asked = std::move(hops.pixel);
+    hops.pixel.clear();
+    hops.row.assign(1, 0);
     for (std::size_t k = 0; k < found.size(); ++k) {
-        hops.row[k + 1] = hops.row[k] + static_cast<std::uint32_t>(found[k].size());
+        if (found[k].empty()) continue;
+        hops.pixel.push_back(asked[k]);
         hops.hop.insert(hops.hop.end(), found[k].begin(), found[k].end());
-        const std::size_t p = hops.pixel[k];
-        for (std::uint32_t i = view.row[p]; i < view.row[p + 1]; ++i) {
-            view.sighting[i].weight = 0.0f;
-        }
-        view.sky[p] = 0.0f;
+        hops.row.push_back(static_cast<std::uint32_t>(hops.hop.size()));
+        taken[asked[k]] = true;
+        view.sky[asked[k]] = 0.0f;
     }
+    std::uint32_t kept = 0, begin = 0;
+    for (std::size_t p = 0; p < taken.size(); ++p) {
+        const std::uint32_t end = view.row[p + 1];
+        for (std::uint32_t i = begin; i < end && !taken[p]; ++i) {
+            view.sighting[kept++] = view.sighting[i];
+        }
+        begin = end;
+        view.row[p + 1] = kept;
+    }
+    view.sighting.resize(kept);
     hops.rays = hops.hop.size();
     return hops;
 }

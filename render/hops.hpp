@@ -45,7 +45,7 @@ struct Hops {
 };
 
 /// Follows the rays of every pixel of `view` that sees a material that needs_rays() or comes near
-/// a plume, `samples` a pixel, and takes these pixels' sightings out of `view` (weights zero):
+/// a plume, `samples` a pixel, and takes these pixels' sightings out of `view`:
 /// what they see is in the hops instead. Empty, and nothing cast, where there is no such pixel.
 ///
 /// Behind panes and nets a ray goes on, up to 8 times. A mirror sends one ray a sample into its

@@ -41,44 +41,9 @@ Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
     return observer;
 }
 
-SolveOptions solve_options(const Scene& scene) {
-    SolveOptions options;
-    options.start = scene.time.start;
-    options.duration = scene.time.duration;
-    options.step = scene.time.step;
-    options.keep_every = scene.time.frame_every;
-    options.periodic = scene.time.duration == 86400.0;
-    return options;
-}
-
 ReliefLight light_of(const Prepared& prepared) {
     return {prepared.world.facets, prepared.rays, *prepared.world.relief,
             prepared.world.ground_facets};
-}
-
-/// Shadows at every step; nothing is asked while the sun is down.
-SunExposure sun_exposure(const Prepared& prepared, Progress& progress) {
-    const Scene& scene = prepared.scene;
-    const std::size_t facets = prepared.world.facets.size();
-    const ReliefLight light = light_of(prepared);
-    SunExposure exposure{.instant = step_instants(solve_options(scene)), .fraction = {}};
-    exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
-    for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
-        const SunPosition sun = sun_position(prepared.world.site, exposure.instant[i]);
-        light.sun_fraction(sun_direction(sun),
-                           std::span(exposure.fraction).subspan(i * facets, facets),
-                           {.samples = scene.sun_samples, .seed = scene.seed});
-        progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
-    }
-    // When within a step the sun comes and goes: by rays, which answer for single facets.
-    find_edges(exposure,
-               [&](Instant when, std::span<const std::uint8_t> chosen, std::span<float> fraction) {
-                   sun_fraction(prepared.world.facets, prepared.rays,
-                                sun_direction(sun_position(prepared.world.site, when)), chosen,
-                                fraction, {.samples = scene.sun_samples, .seed = scene.seed});
-               },
-               {.tolerance = 20.0});
-    return exposure;
 }
 
 }  // namespace
@@ -121,11 +86,45 @@ SkyView scene_sky_view(const Prepared& prepared) {
     return view;
 }
 
+SolveOptions scene_solve_options(const Scene& scene) {
+    SolveOptions options;
+    options.start = scene.time.start;
+    options.duration = scene.time.duration;
+    options.step = scene.time.step;
+    options.keep_every = scene.time.frame_every;
+    options.periodic = scene.time.duration == 86400.0;
+    return options;
+}
+
+SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
+    const Scene& scene = prepared.scene;
+    const std::size_t facets = prepared.world.facets.size();
+    const ReliefLight light = light_of(prepared);
+    SunExposure exposure{.instant = step_instants(scene_solve_options(scene)), .fraction = {}};
+    exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
+    for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
+        const SunPosition sun = sun_position(prepared.world.site, exposure.instant[i]);
+        light.sun_fraction(sun_direction(sun),
+                           std::span(exposure.fraction).subspan(i * facets, facets),
+                           {.samples = scene.sun_samples, .seed = scene.seed});
+        progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
+    }
+    // When within a step the sun comes and goes: by rays, which answer for single facets.
+    find_edges(exposure,
+               [&](Instant when, std::span<const std::uint8_t> chosen, std::span<float> fraction) {
+                   sun_fraction(prepared.world.facets, prepared.rays,
+                                sun_direction(sun_position(prepared.world.site, when)), chosen,
+                                fraction, {.samples = scene.sun_samples, .seed = scene.seed});
+               },
+               {.tolerance = 20.0});
+    return exposure;
+}
+
 SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress) {
     progress.stage("shadows");
-    const SunExposure exposure = sun_exposure(prepared, progress);
+    const SunExposure exposure = scene_sun_exposure(prepared, progress);
     progress.stage("heat balance");
-    SolveOptions options = solve_options(prepared.scene);
+    SolveOptions options = scene_solve_options(prepared.scene);
     options.progress = [&](double share) { progress.done(share); };
     return solve({.facets = prepared.world.facets,
                   .sky_view = sky_view,

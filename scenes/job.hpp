@@ -58,6 +58,12 @@ JobReport run_job(Scene scene, const JobOptions& options);
 /// What each facet sees: the ground's sky by the march over the raster, all else by rays.
 SkyView scene_sky_view(const Prepared& prepared);
 
+/// How the heat balance of a scene is stepped.
+SolveOptions scene_solve_options(const Scene& scene);
+
+/// Who is in the sun at each of its steps, and when within them shadows' edges pass.
+SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress);
+
 /// Shadows and heat balance: temperatures alone.
 SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress);
 

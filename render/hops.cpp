@@ -1,144 +1,14 @@
 #include "render/hops.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "materials/microfacet.hpp"
+#include "render/hop_walk.hpp"
 #include "terrain/parallel.hpp"
 
 namespace diurna {
 
 namespace {
-
-constexpr int most_through = 8, most_mirrored = 2;
-
-/// Uniform in [0, 1): depends on the given numbers alone (SplitMix64's finaliser).
-struct Chance {
-    std::uint64_t state;
-    double operator()() {
-        state += 0x9E3779B97F4A7C15u;
-        std::uint64_t x = state;
-        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-        x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-        return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
-    }
-};
-
-/// The scene as rays meet it.
-struct Place {
-    const RayScene& scene;
-    const FacetSet& facets;
-    const MaterialLibrary& materials;
-    const PlumeScene& plumes;
-};
-
-/// A ray on its way.
-struct Walker {
-    Eigen::Vector3d origin, direction;
-    double near = 0.0;    // [m] from the origin: what is nearer is the surface it comes from
-    double walked = 0.0;  // [m] before the origin
-    std::int32_t before = -1;
-    Hop::Way way = Hop::Way::direct;
-    bool straight = true;
-    int through = 0, mirrored = 0;
-};
-
-/// A direction of the mirrored lobe about `normal` for a ray that arrives along `direction`.
-Eigen::Vector3d mirrored(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal,
-                         double roughness, Chance& chance) {
-    const Eigen::Vector3d plain = direction - 2.0 * direction.dot(normal) * normal;
-    if (roughness < 1e-3) return plain;
-    const Eigen::Vector3d aside =
-        std::abs(normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-    const Eigen::Vector3d x = aside.cross(normal).normalized(), y = normal.cross(x);
-    Eigen::Vector3d eye(-direction.dot(x), -direction.dot(y), -direction.dot(normal));
-    eye.z() = std::max(eye.z(), 1e-3);
-    eye.normalize();
-    const Microfacets surface{.roughness = roughness};
-    constexpr std::size_t candidates = 4;
-    std::array<Eigen::Vector3d, candidates> half;
-    std::array<double, candidates> weight{};
-    double total = 0.0;
-    for (std::size_t i = 0; i < candidates; ++i) {
-        const double u = chance(), v = chance();
-        half[i] = surface.normal(eye, u, v);
-        weight[i] = surface.weight(eye, half[i]);
-        total += weight[i];
-    }
-    double pick = chance() * total;
-    if (!(total > 0.0)) return plain;
-    std::size_t i = 0;
-    while (i + 1 < candidates && pick >= weight[i]) pick -= weight[i++];
-    const Eigen::Vector3d out = 2.0 * eye.dot(half[i]) * half[i] - eye;
-    return (out.x() * x + out.y() * y + out.z() * normal).normalized();
-}
-
-/// Follows one ray to its ends.
-void follow(const Place& place, Walker walker, float weight, Chance& chance,
-            std::vector<Hop>& out) {
-    const auto add = [&](Hop hop, double along) {
-        hop.way = walker.way;
-        hop.straight = walker.straight;
-        hop.before = walker.before;
-        hop.weight = weight;
-        hop.range = static_cast<float>(walker.walked + along);
-        hop.height = static_cast<float>(level_height(walker.origin + along * walker.direction));
-        hop.direction = walker.direction.cast<float>();
-        out.push_back(hop);
-        walker.before = static_cast<std::int32_t>(out.size()) - 1;
-        walker.way = Hop::Way::through;
-    };
-    for (;;) {
-        const Ray ray{.origin = walker.origin.cast<float>(),
-                      .near = static_cast<float>(walker.near),
-                      .direction = walker.direction.cast<float>()};
-        Hit hit;
-        place.scene.closest({&ray, 1}, {&hit, 1});
-        const double far = hit.facet == no_facet ? 1e30 : double{hit.range};
-        for (const Chord& chord :
-             place.plumes.chords(walker.origin, walker.direction, std::min(far, 1e6))) {
-            const double from = std::max(chord.from, walker.near);
-            if (chord.to <= from) continue;
-            Hop hop{.kind = Hop::Kind::plume, .what = chord.plume};
-            hop.chord = static_cast<float>(chord.to - from);
-            add(hop, 0.5 * (from + chord.to));
-        }
-        if (hit.facet == no_facet) {
-            Hop hop{.kind = Hop::Kind::sky};
-            add(hop, 0.0);
-            return;
-        }
-        const std::size_t f = index(hit.facet);
-        const Material& material = place.materials[place.facets.material[f]];
-        Eigen::Vector3d normal = place.facets.normal[f].cast<double>();
-        if (normal.dot(walker.direction) > 0.0) normal = -normal;
-        Hop hop{.kind = Hop::Kind::facet, .what = static_cast<std::uint32_t>(f)};
-        hop.cosine = static_cast<float>(-normal.dot(walker.direction));
-        const auto* glossy = std::get_if<Glossy>(&material.finish);
-        hop.closed = (material.see_through && walker.through >= most_through) ||
-                     (glossy && walker.mirrored >= most_mirrored);
-        add(hop, far);
-        if (hop.closed || !material.needs_rays()) return;
-        const double step = std::max(1e-3, 2e-6 * (far + walker.origin.norm()));
-        if (glossy) {
-            Walker other = walker;
-            other.origin = walker.origin + far * walker.direction;
-            other.direction = mirrored(walker.direction, normal, glossy->roughness, chance);
-            other.near = step;
-            other.walked = walker.walked + far;
-            other.way = Hop::Way::mirrored;
-            other.straight = false;
-            other.mirrored = walker.mirrored + 1;
-            other.before = walker.before;
-            follow(place, other, weight, chance, out);
-        }
-        if (!material.see_through) return;
-        walker.near = far + step;
-        ++walker.through;
-    }
-}
 
 /// Whether two samples' trees met the same things, so that their mean stands for both.
 bool alike(std::span<const Hop> a, std::span<const Hop> b) {
@@ -228,7 +98,7 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
     int rows = static_cast<int>(std::sqrt(double(options.samples)));
     while (options.samples % rows != 0) --rows;
     const int columns = options.samples / rows;
-    const Place place{scene, facets, materials, plumes};
+    const HopScene place{scene, facets, materials, plumes};
     std::vector<std::vector<Hop>> found(hops.pixel.size());
     for_each_index(
         hops.pixel.size(),
@@ -243,10 +113,8 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
                 const double column = double(p % width) + (s % columns + x) / columns;
                 const double row = double(p / width) + (double(s / columns) + y) / rows;
                 tree.clear();
-                follow(place,
-                       {.origin = observer.position + eye.start(column, row),
-                        .direction = eye.towards(column, row)},
-                       1.0f / static_cast<float>(options.samples), chance, tree);
+                walk(place, observer.position + eye.start(column, row), eye.towards(column, row),
+                     1.0f / static_cast<float>(options.samples), chance, tree);
                 gather(tree, trees);
             }
             // Past the plumes after all: the view has it already.

@@ -70,6 +70,21 @@ TEST_CASE("films and vapour change with temperature as their derivatives say",
     CHECK(slope == Approx(saturation_vapour_pressure_derivative(temperature)).epsilon(1e-12));
 }
 
+TEST_CASE("the cube root is the library's", "[thermal][turbulence]") {
+    double worst = 0.0;
+    for (double x = 1e-290; x < 1e290; x *= 1.0137) {
+        worst = std::max(worst, std::abs(cube_root(x) / std::cbrt(x) - 1.0));
+    }
+    for (double x = 1e-12; x < 1e4; x *= 1.00037) {
+        worst = std::max(worst, std::abs(cube_root(x) / std::cbrt(x) - 1.0));
+    }
+    CHECK(worst < 2e-15);
+    CHECK(cube_root(0.0) == 0.0);
+    CHECK(cube_root(5e-324) >= 0.0);
+    CHECK(cube_root(5e-324) < 1e-90);
+    CHECK(std::isnan(cube_root(std::nan(""))));
+}
+
 TEST_CASE("plate films are those of TARP and MoWiTT", "[thermal][turbulence][a14]") {
     const AirState air{.temperature = 290.0, .pressure = 1e5, .vapour_pressure = 0.0};
     const LouisForm form = louis_form(0.01, 0.001, 10.0, 2.0);

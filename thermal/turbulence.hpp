@@ -6,6 +6,7 @@
 #include "materials/air.hpp"
 #include "materials/fast_exp.hpp"
 #include "materials/material.hpp"
+#include "thermal/cube_root.hpp"
 
 namespace diurna {
 
@@ -109,7 +110,7 @@ inline Film ground_film(const AirFilm& air, double temperature) {
 /// (MoWiTT).
 inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperature) {
     const double excess = temperature - air.air_temperature;
-    const double n = (excess > 0.0 ? natural.warm : natural.cold) * std::cbrt(std::abs(excess));
+    const double n = (excess > 0.0 ? natural.warm : natural.cold) * cube_root(std::abs(excess));
     if (!air.quadratic) return {n + air.neutral, n / 3.0, 0.0};
     const double h = std::sqrt(n * n + air.neutral * air.neutral);
     return {h, h > 0.0 ? n * n / (3.0 * h) : 0.0, 0.0};

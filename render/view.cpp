@@ -47,10 +47,13 @@ struct Tile {
     std::vector<std::uint32_t> count;  // (pixel of the tile)
 };
 
+/// A sample's weight in a pixel, so that parts of it are whole numbers.
+constexpr std::uint32_t one_sample = 1u << 16;
+
 /// The samples of a pixel that hit one facet.
 struct Share {
-    std::uint32_t facet, count;
-    double range, height;  // sums
+    std::uint32_t facet, count;  // in parts of one_sample
+    double range, height;        // sums, by part
 };
 
 /// The facets a pixel sees: few, so that looking through them beats sorting its samples. Sums are
@@ -58,7 +61,7 @@ struct Share {
 class Shares {
  public:
     void clear() { size_ = 0; }
-    void add(std::uint32_t facet, float range, float height) {
+    void add(std::uint32_t facet, float range, float height, std::uint32_t part = one_sample) {
         // Neighbouring samples mostly hit the facet of the one before.
         std::size_t k = last_;
         if (k >= size_ || share_[k].facet != facet) {
@@ -70,9 +73,9 @@ class Shares {
             last_ = k;
         }
         Share& share = share_[k];
-        ++share.count;
-        share.range += double{range};
-        share.height += double{height};
+        share.count += part;
+        share.range += double{range} * part;
+        share.height += double{height} * part;
     }
     /// Adds the sightings of the pixel, by ascending facet.
     void gather(float weight, Tile& out) {
@@ -86,7 +89,7 @@ class Shares {
             const Share& share = share_[k];
             const double n = double(share.count);
             out.sighting.push_back({.target = share.facet,
-                                    .weight = static_cast<float>(n) * weight,
+                                    .weight = static_cast<float>(n / one_sample) * weight,
                                     .deeper = static_cast<float>(share.range / n),
                                     .higher = static_cast<float>(share.height / n)});
         }
@@ -296,6 +299,25 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     view.centre_range.assign(width * height, std::numeric_limits<float>::quiet_NaN());
     view.rays = width * height * (samples + 1);
 
+    const Patchwork* const textured =
+        options.patchwork != nullptr && !options.patchwork->empty() ? options.patchwork : nullptr;
+    if (textured) view.centre_blend.assign(width * height, {no_facet, no_facet});
+    // Between neighbouring samples: angle [rad], or length [m] where rays are parallel.
+    const double middle_column = 0.5 * observer.width, middle_row = 0.5 * observer.height;
+    const double sample_angle = (eye.projection == Projection::orthographic
+                                     ? observer.picture_width / observer.width
+                                     : (eye.towards(middle_column + 1.0, middle_row) -
+                                        eye.towards(middle_column, middle_row))
+                                           .norm()) /
+                                std::sqrt(double(samples));
+    const auto blend_at = [&](std::uint32_t facet, const Eigen::Vector3f& from,
+                              const Eigen::Vector3f& towards, float range, double angle) {
+        const Eigen::Vector3d place = from.cast<double>() + double{range} * towards.cast<double>();
+        const double across = std::max(0.01f, std::abs(facets.normal[facet].dot(towards)));
+        const double apart = eye.projection == Projection::orthographic ? angle : angle * range;
+        return textured->at(FacetId{facet}, place, apart / std::sqrt(across));
+    };
+
     // Where in the pixel each sample's cell begins; lanes beyond the last repeat the first.
     const std::size_t packets = (samples + lanes - 1) / lanes;
     std::vector<float> cell_right(packets * lanes), cell_down(packets * lanes);
@@ -334,6 +356,11 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                     const std::size_t pixel = (y + k / 4) * width + x + k % 4;
                     view.centre[pixel] = hit.facet;
                     view.centre_range[pixel] = hit.range;
+                    if (textured == nullptr) continue;
+                    const Ray& ray = rays[at + k];
+                    view.centre_blend[pixel] =
+                        blend_at(static_cast<std::uint32_t>(index(hit.facet)), ray.origin,
+                                 ray.direction, hit.range, sample_angle);
                 }
             }
         }
@@ -418,8 +445,24 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                         if (hits.facet[s] == nothing) {
                             zenith += zenith_of(fan.z[s]);
                         } else {
-                            shares.add(hits.facet[s], hits.range[s], level[s]);
                             ++solid;
+                            if (textured == nullptr) {
+                                shares.add(hits.facet[s], hits.range[s], level[s]);
+                                continue;
+                            }
+                            const Blend blend = blend_at(hits.facet[s], origin + start[s],
+                                                         {fan.x[s], fan.y[s], fan.z[s]},
+                                                         hits.range[s], sample_angle);
+                            const auto part = static_cast<std::uint32_t>(
+                                std::lround(blend.second_share * float{one_sample}));
+                            if (part < one_sample) {
+                                shares.add(static_cast<std::uint32_t>(index(blend.first)),
+                                           hits.range[s], level[s], one_sample - part);
+                            }
+                            if (part > 0) {
+                                shares.add(static_cast<std::uint32_t>(index(blend.second)),
+                                           hits.range[s], level[s], part);
+                            }
                         }
                     }
                 }

@@ -6,6 +6,7 @@
 
 #include "render/observer.hpp"
 #include "terrain/facets.hpp"
+#include "terrain/patchwork.hpp"
 #include "terrain/ray_scene.hpp"
 
 namespace diurna {
@@ -13,6 +14,10 @@ namespace diurna {
 struct ViewOptions {
     int samples = 16;  // a pixel: multiples of 16 fill whole ray packets
     std::uint64_t seed = 1;
+    /// Where a sample meets a textured facet it counts for the two it is a mixture of there, in
+    /// parts of 2^-16; null: no textures. A sample stands for a square as wide as the distance to
+    /// the next sample, on slanting ground by the root of what that stretches it.
+    const Patchwork* patchwork = nullptr;
 };
 
 /// What a pixel sees of one target.
@@ -52,6 +57,7 @@ struct View {
                                          // −180 to 180; 0 where no sky
     std::vector<FacetId> centre;         // (pixel) facet at the pixel's centre, or no_facet
     std::vector<float> centre_range;     // (pixel) [m]; NaN where no facet
+    std::vector<Blend> centre_blend{};   // (pixel) what `centre` is made of; empty: no textures
     double observer_height = 0.0;        // [m] above the origin's level surface
     std::uint64_t rays = 0;              // cast to make it
     ViewExtent extent;

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <span>
 #include <stdexcept>
 
@@ -15,6 +14,7 @@
 #include "materials/files.hpp"
 #include "materials/units.hpp"
 #include "render/bitmap_font.hpp"
+#include "render/palette.hpp"
 
 namespace diurna {
 
@@ -22,46 +22,8 @@ namespace {
 
 constexpr int colours = 250;
 constexpr std::uint8_t background = 250, ink = 251, no_data = 252;
-
-using Rgb = std::array<std::uint8_t, 3>;
-
-/// CIE L*C*h (D65) to sRGB components before rounding; outside [0, 1] where it cannot be shown.
-std::array<double, 3> srgb(double lightness, double chroma, double hue_deg) {
-    const double fy = (lightness + 16.0) / 116.0;
-    const double fx = fy + chroma * std::cos(radians(hue_deg)) / 500.0;
-    const double fz = fy - chroma * std::sin(radians(hue_deg)) / 200.0;
-    const auto unfold = [](double f) {
-        return f > 6.0 / 29.0 ? f * f * f : (f - 4.0 / 29.0) * 3.0 * 36.0 / 841.0;
-    };
-    const double x = 0.95047 * unfold(fx), y = unfold(fy), z = 1.08883 * unfold(fz);
-    const std::array<double, 3> linear = {3.2404542 * x - 1.5371385 * y - 0.4985314 * z,
-                                          -0.9692660 * x + 1.8760108 * y + 0.0415560 * z,
-                                          0.0556434 * x - 0.2040259 * y + 1.0572252 * z};
-    std::array<double, 3> shown{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double v = linear[i];
-        shown[i] = v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1.0 / 2.4) - 0.055;
-    }
-    return shown;
-}
-
-Rgb palette_colour(double t) {
-    // Lightness rises evenly from night violet over red to warm white; as colourful as it can be.
-    const double lightness = 8.0 + 87.0 * t;
-    const double hue_deg = 285.0 + 165.0 * t;
-    double chroma = 14.0 + 50.0 * std::sin(std::numbers::pi * std::min(1.0, 0.05 + 0.9 * t));
-    std::array<double, 3> rgb{};
-    for (;; chroma -= 0.5) {
-        rgb = srgb(lightness, chroma, hue_deg);
-        const auto [least, most] = std::minmax_element(rgb.begin(), rgb.end());
-        if ((*least >= 0.0 && *most <= 1.0) || chroma <= 0.0) break;
-    }
-    Rgb colour{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        colour[i] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(rgb[i], 0.0, 1.0)));
-    }
-    return colour;
-}
+/// Top of a scale of radiance at least [W m-2 sr-1]: what starlit ground sends back is about this.
+constexpr double least_light = 1e-6;
 
 /// An 8-bit picture of palette indices to draw on.
 class Canvas {
@@ -112,45 +74,57 @@ double tick_step(double span, int most) {
     return 10.0 * decade;
 }
 
-void draw_scale(Canvas& canvas, int x, int y, int height, const ColourScale& scale) {
+void draw_scale(Canvas& canvas, int x, int y, int height, const ColourScale& scale,
+                std::string_view unit) {
     constexpr int bar = 18;
     for (int j = 0; j < height; ++j) {
         const double t = 1.0 - (j + 0.5) / height;
         canvas.rectangle(x, y + j, bar, 1,
                          static_cast<std::uint8_t>(std::min(colours - 1., t * colours)));
     }
-    const double span = scale.high_C - scale.low_C;
+    const double span = scale.high - scale.low;
     const double step = tick_step(span, std::max(2, height / 48));
-    const int decimals = step < 0.1 ? 2 : step < 1.0 ? 1 : 0;
-    for (double tick = std::ceil(scale.low_C / step - 1e-9) * step;
-         tick <= scale.high_C + 1e-9 * span; tick += step) {
+    for (double tick = std::ceil(scale.low / step - 1e-9) * step; tick <= scale.high + 1e-9 * span;
+         tick += step) {
         const int row =
-            y + static_cast<int>(std::lround((scale.high_C - tick) / span * (height - 1)));
+            y + static_cast<int>(std::lround((scale.high - tick) / span * (height - 1)));
         canvas.rectangle(x + bar, row, 6, 1, ink);
-        const double shown = std::abs(tick) < 1e-9 * step ? 0.0 : tick;
+        const double number = std::abs(tick) < 1e-9 * step ? 0.0 : tick;
         canvas.text(x + bar + 10, std::clamp(row - 7, y - 7, y + height - 9), 2,
-                    fmt::format("{:.{}f}", shown, decimals));
+                    fmt::format("{:.6g}", number));
     }
-    canvas.text(x, y - 24, 2, "°C");
+    canvas.text(x, y - 24, unit.size() > 4 ? 1 : 2, unit);
 }
 
 std::string default_title(const Frame& frame, const Plane& plane) {
-    constexpr std::string_view apparent = "apparent_temperature.";
-    const std::string what =
-        plane.name.starts_with(apparent) ? plane.name.substr(apparent.size()) + " µm" : plane.name;
-    return fmt::format("{}  {}  {}", frame.observer, what, format_instant(frame.instant));
+    std::string_view what = plane.name;
+    for (const std::string_view quantity : {"apparent_temperature.", "radiance."}) {
+        if (what.starts_with(quantity)) what.remove_prefix(quantity.size());
+    }
+    // Bands without a name are called by their ends in µm.
+    const bool ends = !what.empty() && what.find_first_not_of("0123456789.-") == what.npos;
+    return fmt::format("{}  {}{}  {}", frame.observer, what, ends ? " µm" : "",
+                       format_instant(frame.instant));
 }
 
-std::uint8_t colour_of(float kelvins, const ColourScale& scale) {
-    if (!std::isfinite(kelvins)) return no_data;
-    const double t = (celsius(double{kelvins}) - scale.low_C) / (scale.high_C - scale.low_C);
+bool is_temperature(const Plane& plane) { return plane.unit == "K"; }
+
+/// In the unit of the colour scale: °C for kelvins.
+double shown(const Plane& plane, float value) {
+    return is_temperature(plane) ? celsius(double{value}) : double{value};
+}
+
+std::uint8_t colour_of(double value, const ColourScale& scale) {
+    if (!std::isfinite(value)) return no_data;
+    const double t = (value - scale.low) / (scale.high - scale.low);
     return static_cast<std::uint8_t>(std::clamp(t, 0.0, 1.0 - 1e-9) * colours);
 }
 
-std::vector<std::byte> encode_png(const Canvas& canvas) {
+std::vector<std::byte> encode_png(const Canvas& canvas, bool temperature) {
     std::array<std::uint8_t, 3 * 256> map{};
     for (int i = 0; i < colours; ++i) {
-        const Rgb c = palette_colour(double(i) / (colours - 1));
+        const double t = double(i) / (colours - 1);
+        const Rgb c = temperature ? warm_colour(t) : grey_of_light(t);
         std::copy(c.begin(), c.end(), map.begin() + 3 * i);
     }
     const auto name = [&](std::uint8_t colour, Rgb rgb) {
@@ -189,29 +163,38 @@ ColourScale colour_scale(const Frame& frame, const std::string& plane) {
 }
 
 ColourScale colour_scale(const Plane& plane) {
+    const bool temperature = is_temperature(plane);
     std::vector<float> value;
     for (const float v : plane.pixel) {
-        if (std::isfinite(v) && v > 0.0f) value.push_back(v);
+        if (std::isfinite(v) && (v > 0.0f || !temperature)) value.push_back(v);
     }
     if (value.empty()) return {0.0, 1.0};
     const auto percentile = [&](double share) {
         const auto place = static_cast<std::ptrdiff_t>(share * double(value.size() - 1));
         std::nth_element(value.begin(), value.begin() + place, value.end());
-        return celsius(double{value[static_cast<std::size_t>(place)]});
+        return shown(plane, value[static_cast<std::size_t>(place)]);
     };
+    if (!temperature) return {0.0, std::max(least_light, percentile(0.99))};
     const double low = std::floor(percentile(0.01));
     return {low, std::max(low + 1.0, std::ceil(percentile(0.99)))};
 }
+
+std::string shown_plane(const Band& band) {
+    const bool sunlight = 0.5 * (band.from_um() + band.to_um()) < 3.0;
+    return (sunlight ? "radiance." : "apparent_temperature.") + band.name;
+}
+
+std::string colour_unit(const Plane& plane) { return is_temperature(plane) ? "°C" : plane.unit; }
 
 void write_quicklook(const std::filesystem::path& path, const Frame& frame,
                      const std::string& plane_name, const QuicklookOptions& options) {
     const Plane& plane = frame[plane_name];
     ColourScale scale = colour_scale(frame, plane_name);
-    if (options.low_C) scale.low_C = *options.low_C;
-    if (options.high_C) scale.high_C = *options.high_C;
-    if (!(scale.high_C > scale.low_C)) {
-        throw InputError("quick-look", fmt::format("the colour scale runs from {} to {} °C",
-                                                   scale.low_C, scale.high_C));
+    if (options.low) scale.low = *options.low;
+    if (options.high) scale.high = *options.high;
+    if (!(scale.high > scale.low)) {
+        throw InputError("quick-look", fmt::format("the colour scale runs from {} to {} {}",
+                                                   scale.low, scale.high, colour_unit(plane)));
     }
     const std::string title = options.title.empty() ? default_title(frame, plane) : options.title;
 
@@ -225,11 +208,12 @@ void write_quicklook(const std::filesystem::path& path, const Frame& frame,
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const std::size_t at = std::size_t(y) * std::size_t(frame.width) + std::size_t(x);
-            canvas.set(margin + x, top + y, colour_of(plane.pixel[at], scale));
+            canvas.set(margin + x, top + y, colour_of(shown(plane, plane.pixel[at]), scale));
         }
     }
-    draw_scale(canvas, margin + picture_width + 14, top, std::max(frame.height, 64), scale);
-    write_whole_file(path, encode_png(canvas));
+    draw_scale(canvas, margin + picture_width + 14, top, std::max(frame.height, 64), scale,
+               colour_unit(plane));
+    write_whole_file(path, encode_png(canvas, is_temperature(plane)));
 }
 
 std::vector<std::byte> encode_thumbnail(const Frame& frame, const std::string& plane_name,
@@ -242,18 +226,17 @@ std::vector<std::byte> encode_thumbnail(const Frame& frame, const std::string& p
             int count = 0;
             for (int j = y * shrink; j < std::min(frame.height, (y + 1) * shrink); ++j) {
                 for (int i = x * shrink; i < std::min(frame.width, (x + 1) * shrink); ++i) {
-                    const float kelvins =
+                    const float value =
                         plane.pixel[std::size_t(j) * std::size_t(frame.width) + std::size_t(i)];
-                    if (!std::isfinite(kelvins)) continue;
-                    sum += kelvins;
+                    if (!std::isfinite(value)) continue;
+                    sum += shown(plane, value);
                     ++count;
                 }
             }
-            const auto mean = static_cast<float>(count > 0 ? sum / count : std::nan(""));
-            canvas.set(x, y, colour_of(mean, scale));
+            canvas.set(x, y, colour_of(count > 0 ? sum / count : std::nan(""), scale));
         }
     }
-    return encode_png(canvas);
+    return encode_png(canvas, is_temperature(plane));
 }
 
 }  // namespace diurna

@@ -85,12 +85,12 @@ void write_cube(const fs::path& base, const Cube& cube) {
     write_envi(base.string() + ".img", cube);
 }
 
-void write_frame(const fs::path& out, const Frame& frame, const std::vector<std::string>& bands) {
-    for (const std::string& band : bands) {
-        const std::string name = base_name(frame.observer, band, frame.instant);
-        const Frame one = band_frame(frame, band);
+void write_frame(const fs::path& out, const Frame& frame, const std::vector<Band>& bands) {
+    for (const Band& band : bands) {
+        const std::string name = base_name(frame.observer, band.name, frame.instant);
+        const Frame one = band_frame(frame, band.name);
         write_exr(out / (name + ".exr"), one);
-        write_quicklook(out / (name + ".png"), one, "apparent_temperature." + band);
+        write_quicklook(out / (name + ".png"), one, shown_plane(band));
     }
 }
 
@@ -205,7 +205,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
             check_finite(frame, input.bands);
             notes[i] = frame.notes;
             if (!world.filled.empty()) frame.planes.push_back(void_plane(view, world));
-            write_frame(out, frame, input.bands);
+            write_frame(out, frame, bands);
             for (const CubeWork& cube : cubes) {
                 write_cube(out / base_name(input.name, cube.name, instant),
                            cube_of(render(view, observer, cube.channels, now,

@@ -86,12 +86,21 @@ SkyView scene_sky_view(const Prepared& prepared) {
     return view;
 }
 
+/// Temperatures are kept at every frame and, for the curves of a day and where they cross, at least
+/// each half hour: the longest whole number of steps that does both [s].
+double kept_every(const TimeInput& time) {
+    const auto steps = static_cast<int>(std::lround(time.frame_every / time.step));
+    int kept = steps;
+    while (kept > 1 && (steps % kept != 0 || kept * time.step > 1800.0)) --kept;
+    return kept * time.step;
+}
+
 SolveOptions scene_solve_options(const Scene& scene) {
     SolveOptions options;
     options.start = scene.time.start;
     options.duration = scene.time.duration;
     options.step = scene.time.step;
-    options.keep_every = scene.time.frame_every;
+    options.keep_every = kept_every(scene.time);
     options.periodic = scene.time.duration == 86400.0;
     return options;
 }

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 
+#include "materials/band_model.hpp"
 #include "materials/files.hpp"
 #include "materials/units.hpp"
 #include "render/exr.hpp"
 #include "render/quicklook.hpp"
+#include "scenes/bands.hpp"
 #include "scenes/chart.hpp"
 #include "terrain/parallel.hpp"
 
@@ -64,17 +68,17 @@ std::string base64(std::span<const std::byte> bytes) {
     return out;
 }
 
-/// A distinct colour for each of the materials a scene is likely to have; others get a grey.
-std::string colour_of(const std::string& material) {
-    static const std::vector<std::pair<std::string, std::string>> colours = {
+/// Colours of the materials that many scenes have, and of air; the others take theirs in turn.
+std::string colour_of(const std::string& material, std::size_t turn = 0) {
+    static const std::map<std::string, std::string> known = {
         {"grass", "#4c9f38"}, {"forest", "#14532d"},        {"bare_soil", "#a0622d"},
         {"rock", "#7a7a7a"},  {"asphalt", "#1c2330"},       {"concrete", "#c08a00"},
         {"water", "#1f77d0"}, {"painted_steel", "#d62728"}, {"glass", "#17a2b8"},
         {"air", "#9467bd"}};
-    for (const auto& [name, colour] : colours) {
-        if (name == material) return colour;
-    }
-    return "#8c96a8";
+    static constexpr std::array others = {"#e377c2", "#6b8e23", "#ff7f0e", "#5b5bd6",
+                                          "#b8405e", "#2aa198", "#8c564b", "#9aa3b2"};
+    const auto colour = known.find(material);
+    return colour != known.end() ? colour->second : others[turn % others.size()];
 }
 
 /// Hours of the day in the offset the scene's start was written in are not kept; UTC is.
@@ -170,8 +174,10 @@ std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& i
         air.y.push_back(celsius(prepared.weather.at(instants[i]).air.temperature));
     }
     for (const DiurnalCurve& curve : curves) {
-        ChartLine line{
-            .name = curve.material, .colour = colour_of(curve.material), .x = air.x, .y = {}};
+        ChartLine line{.name = curve.material,
+                       .colour = colour_of(curve.material, chart.lines.size()),
+                       .x = air.x,
+                       .y = {}};
         for (const double kelvin : curve.mean) line.y.push_back(celsius(kelvin));
         chart.lines.push_back(std::move(line));
     }
@@ -210,9 +216,9 @@ std::string curves_table(const std::vector<Instant>& instants,
 }
 
 /// All frames of an observer in a band, on one colour scale.
-std::string contact_sheet(const fs::path& folder, const std::string& observer,
-                          const std::string& band, const std::vector<Instant>& frames) {
-    const std::string plane = "apparent_temperature." + band;
+std::string contact_sheet(const fs::path& folder, const std::string& observer, const Band& band,
+                          const std::vector<Instant>& frames) {
+    const std::string plane = shown_plane(band);
     std::vector<Frame> pictures(frames.size());
     for_each_index(
         frames.size(),
@@ -220,7 +226,7 @@ std::string contact_sheet(const fs::path& folder, const std::string& observer,
             Frame named;
             named.observer = observer;
             named.instant = frames[i];
-            Frame whole = read_exr(folder / "frames" / (frame_name(named, band) + ".exr"));
+            Frame whole = read_exr(folder / "frames" / (frame_name(named, band.name) + ".exr"));
             pictures[i] = whole;
             pictures[i].planes = {whole[plane]};
             if (const Plane* solid = whole.find("temperature")) {
@@ -231,7 +237,7 @@ std::string contact_sheet(const fs::path& folder, const std::string& observer,
     ColourScale scale{1e9, -1e9};
     for (const Frame& picture : pictures) {
         const ColourScale own = colour_scale(picture, plane);
-        scale = {std::min(scale.low_C, own.low_C), std::max(scale.high_C, own.high_C)};
+        scale = {std::min(scale.low, own.low), std::max(scale.high, own.high)};
     }
     std::vector<std::string> figures(frames.size());
     for_each_index(
@@ -245,9 +251,12 @@ std::string contact_sheet(const fs::path& folder, const std::string& observer,
                 format_instant(frames[i]), base64(png));
         },
         1);
+    const bool radiance = plane.starts_with("radiance");
     std::string out = fmt::format(
-        "<h3>{} in {} µm, apparent temperature {:g} to {:g} °C</h3>\n<div class=\"sheet\">\n",
-        escaped(observer), escaped(band), scale.low_C, scale.high_C);
+        "<h3>{}, {}, {:g} to {:g} µm: {} {:.3g} to {:.3g} {}</h3>\n<div class=\"sheet\">\n",
+        escaped(observer), escaped(band.name), band.from_um(), band.to_um(),
+        radiance ? "radiance" : "apparent temperature", scale.low, scale.high,
+        colour_unit(pictures.front()[plane]));
     for (const std::string& figure : figures) out += figure;
     return out + "</div>\n";
 }
@@ -269,7 +278,9 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
     html += "<h2>Pictures</h2>\n";
     for (const ObserverInput& observer : prepared.scene.observers) {
         for (const std::string& band : observer.bands) {
-            html += contact_sheet(folder, observer.name, band, report.plan.frames);
+            html += contact_sheet(folder, observer.name,
+                                  named_band(prepared.scene.bands, band, bin_edges_um()),
+                                  report.plan.frames);
         }
     }
     html += "<h2>Time</h2>\n" + timings(report);

@@ -11,6 +11,7 @@
 #include "materials/error.hpp"
 #include "materials/files.hpp"
 #include "render/bitmap_font.hpp"
+#include "render/palette.hpp"
 
 using namespace diurna;
 
@@ -81,18 +82,38 @@ TEST_CASE("a quick-look is a PNG whose palette rises evenly in lightness", "[ren
 TEST_CASE("the colour scale leaves out the extreme hundredths", "[render][quicklook]") {
     const ColourScale scale = colour_scale(ramp().planes[0]);
     // Columns 2 and 253 of 256: 0.78 °C and 99.2 °C, widened to whole degrees.
-    CHECK(scale.low_C == 0.0);
-    CHECK(scale.high_C == 100.0);
-    CHECK(colour_scale({"empty", "K", {}}).high_C > colour_scale({"empty", "K", {}}).low_C);
-    CHECK(colour_scale({"flat", "K", std::vector<float>(9, 300.0f)}).high_C == 27.0);
+    CHECK(scale.low == 0.0);
+    CHECK(scale.high == 100.0);
+    CHECK(colour_scale({"empty", "K", {}}).high > colour_scale({"empty", "K", {}}).low);
+    CHECK(colour_scale({"flat", "K", std::vector<float>(9, 300.0f)}).high == 27.0);
 }
 
 TEST_CASE("a scale upside down or a plane that is not there is refused",
           "[render][quicklook][input]") {
-    CHECK_THROWS_AS(write_quicklook("q.png", ramp(), "apparent_temperature.8-12",
-                                    {.low_C = 20.0, .high_C = 10.0}),
-                    InputError);
+    CHECK_THROWS_AS(
+        write_quicklook("q.png", ramp(), "apparent_temperature.8-12", {.low = 20.0, .high = 10.0}),
+        InputError);
     CHECK_THROWS_AS(write_quicklook("q.png", ramp(), "apparent_temperature.3-5"), InputError);
+}
+
+TEST_CASE("a band that sunlight rules is shown as radiance, in greys of light",
+          "[render][quicklook]") {
+    CHECK(shown_plane(flat_band("visible", 0.4, 0.7)) == "radiance.visible");
+    CHECK(shown_plane(flat_band("1.5-1.8", 1.5, 1.8)) == "radiance.1.5-1.8");
+    CHECK(shown_plane(flat_band("3-5", 3.0, 5.0)) == "apparent_temperature.3-5");
+    Plane light{"radiance.visible", "W m-2 sr-1", std::vector<float>(100, 20.0f)};
+    light.pixel[7] = 1e4f;  // a glint
+    CHECK(colour_scale(light).low == 0.0);
+    CHECK(colour_scale(light).high == 20.0);
+    CHECK(colour_unit(light) == "W m-2 sr-1");
+    // Before dawn nothing is seen, rather than 1e-20 W of emission in full colours.
+    light.pixel.assign(100, 1e-20f);
+    CHECK(colour_scale(light).high == 1e-6);
+    // IEC 61966-2-1: half the light of white is 188, 1 % of it 25.
+    CHECK(grey_of_light(0.0) == Rgb{0, 0, 0});
+    CHECK(grey_of_light(0.01)[0] == 25);
+    CHECK(grey_of_light(0.5)[1] == 188);
+    CHECK(grey_of_light(1.0) == Rgb{255, 255, 255});
 }
 
 TEST_CASE("letters differ from each other, and unknown ones show as a box", "[render][quicklook]") {
@@ -119,9 +140,9 @@ TEST_CASE("the sky does not take up the colours", "[render][quicklook]") {
         solid.pixel[p] = 300.0f;
     }
     frame.planes = {apparent};
-    CHECK(colour_scale(frame, apparent.name).low_C < -40.0);
+    CHECK(colour_scale(frame, apparent.name).low < -40.0);
     frame.planes = {apparent, solid};
     const ColourScale scale = colour_scale(frame, apparent.name);
-    CHECK(scale.low_C == Approx(20.0).margin(1.0));
-    CHECK(scale.high_C == Approx(30.0).margin(1.0));
+    CHECK(scale.low == Approx(20.0).margin(1.0));
+    CHECK(scale.high == Approx(30.0).margin(1.0));
 }

@@ -2,61 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "materials/document.hpp"
 #include "materials/files.hpp"
 #include "materials/units.hpp"
+#include "scenes/read_air.hpp"
+#include "scenes/read_observer.hpp"
+#include "scenes/reading.hpp"
 
 namespace diurna {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// What the parts of a scene file need to know of the rest of it.
-struct Reading {
-    fs::path folder;  // relative names of files start here
-    std::vector<std::string> materials;
-    std::set<std::string> object_names;
-
-    fs::path file(const Section& section, const std::string& key) const {
-        const std::string name = section.text(key);
-        const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder / name;
-        if (!name.empty() && !fs::is_regular_file(path)) {
-            section.mistake(key, fmt::format("no such file: {}", path.string()));
-        }
-        return path;
-    }
-    std::string material(const Section& section, const std::string& key,
-                         const std::string& fallback = "") const {
-        if (!section.has(key)) {
-            if (fallback.empty()) section.mistake(key, "missing, expected a material's name");
-            return fallback;
-        }
-        const std::string name = section.text(key);
-        if (std::find(materials.begin(), materials.end(), name) == materials.end()) {
-            section.mistake(key, fmt::format("no material \"{}\"", name),
-                            did_you_mean(name, materials));
-        }
-        return name;
-    }
-    std::string object(const Section& section) {
-        const std::string name = section.text("name");
-        if (!name.empty() && !object_names.insert(name).second) {
-            section.mistake("name", fmt::format("a second object named \"{}\"", name));
-        }
-        return name;
-    }
-};
-
-Eigen::Vector2d place(const Section& section, const std::string& key) {
-    const std::vector<double> at = section.numbers(key, 2);
-    return {at[0], at[1]};
-}
 
 Instant moment(const Section& section, const std::string& key) {
     try {
@@ -187,73 +147,6 @@ WeatherInput read_weather_input(const Section& section, const Reading& reading) 
             .air_height = section.number_or("air_height_m", 2.0, 0.1, 200)};
 }
 
-/// The table of paths, its own mistakes told where the scene names it.
-void read_table(const Section& section, const Reading& reading, AirInput& air) {
-    air.table_file = reading.file(section, "table");
-    if (air.vacuum || air.drives_heat) {
-        section.mistake("table", air.vacuum
-                                     ? "a vacuum has no table of paths"
-                                     : "a table has no fluxes for drives_heat = true to take");
-    }
-    if (!fs::is_regular_file(air.table_file)) return;
-    try {
-        air.table = read_path_table(air.table_file);
-    } catch (const InputError& error) {
-        section.mistake("table", error.mistakes().front().line());
-    } catch (const std::runtime_error& error) {
-        section.mistake("table", fmt::format("{}: {}", air.table_file.string(), error.what()));
-    }
-}
-
-/// Every band needs its bins in the table, and no scattered sun: the table has none.
-void check_table_bands(const Section& section, const Scene& scene) {
-    if (!scene.air.table) return;
-    constexpr double least_um = 3.0;
-    const TableSpan span = table_span(*scene.air.table);
-    const auto check = [&](const std::string& name, double from_um, double to_um) {
-        if (from_um < least_um) {
-            section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "
-                                                 "scattered sun, expected {:g} um or more",
-                                                 name, from_um, least_um));
-        } else if (from_um < span.least_um || to_um > span.most_um) {
-            section.mistake("table",
-                            fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to "
-                                        "{:.4g}",
-                                        name, from_um, to_um, span.least_um, span.most_um));
-        }
-    };
-    for (const ObserverInput& observer : scene.observers) {
-        for (const std::string& name : observer.bands) {
-            try {
-                const Band band = named_band(scene.bands, name, bin_edges_um());
-                check(name, band.from_um(), band.to_um());
-            } catch (const InputError&) {
-                // Told of where the observer names it.
-            }
-        }
-    }
-    for (const CubeInput& cube : scene.cubes) check(cube.name, cube.from_um, cube.to_um);
-}
-
-AirInput read_air(const Section& section, const Reading& reading) {
-    std::vector<std::string> profiles = afgl_profile_names();
-    profiles.push_back("vacuum");
-    AirInput air;
-    air.profile = section.word_or("profile", air.profile, profiles);
-    air.vacuum = air.profile == "vacuum";
-    air.aerosol = section.word_or("aerosol", air.aerosol, aerosol_names());
-    air.visibility_km = section.number_or("visibility_km", air.visibility_km, 0.05, 300);
-    air.co2_ppm = section.number_or("co2_ppm", air.co2_ppm, 0, 10000);
-    air.cloud_base_km = section.number_or("cloud_base_km", air.cloud_base_km, 0.05, 15);
-    air.drives_heat = section.flag_or("drives_heat", air.drives_heat);
-    if (air.vacuum && air.drives_heat) {
-        section.mistake("drives_heat",
-                        "a vacuum has neither sky nor air to drive the heat balance");
-    }
-    if (section.has("table")) read_table(section, reading, air);
-    return air;
-}
-
 TimeInput read_time(const Section& section) {
     TimeInput time;
     time.start = moment(section, "start");
@@ -275,72 +168,6 @@ TimeInput read_time(const Section& section) {
                                     time.frame_every, time.step));
     }
     return time;
-}
-
-/// A field of view, or a focal plane behind a lens, or the width of a picture of parallel rays.
-void read_projection(const Section& section, ObserverInput& observer) {
-    const std::vector<std::string> names = {"pinhole", "equidistant", "equisolid", "panorama",
-                                            "orthographic"};
-    const std::string name = section.word_or("projection", "pinhole", names);
-    const auto found = std::find(names.begin(), names.end(), name);
-    observer.projection = static_cast<Projection>(found - names.begin());
-    if (observer.projection == Projection::orthographic) {
-        observer.picture_width = section.number("picture_width_m", 0.01, 2e5);
-    } else if (section.has("focal_length_mm")) {
-        const double focal_length = section.number("focal_length_mm", 0.1, 1e5);
-        const double pitch = section.number("pixel_pitch_um", 0.1, 1e4);
-        observer.horizontal_fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
-        if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
-            section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
-        } else if (!(observer.horizontal_fov_deg <= 150.0)) {
-            section.mistake("focal_length_mm",
-                            fmt::format("makes a field of view of {:.1f} degrees, expected at most "
-                                        "150",
-                                        observer.horizontal_fov_deg));
-        }
-    } else {
-        const bool pinhole = observer.projection == Projection::pinhole;
-        observer.horizontal_fov_deg = section.number_or(
-            "horizontal_fov_deg", pinhole ? 20.0 : 180.0, 0.01, pinhole ? 150.0 : 360.0);
-    }
-}
-
-ObserverInput read_observer(const Section& section, const Scene& scene) {
-    ObserverInput observer;
-    observer.name = section.text("name");
-    observer.place = place(section, "place_m");
-    observer.height_above_ground = section.number("height_above_ground_m", 0.1, 50000);
-    if (section.has("look_at_m")) {
-        observer.look_at = place(section, "look_at_m");
-    } else {
-        observer.azimuth_deg = section.number("azimuth_deg", -360, 360);
-        observer.elevation_deg = section.number("elevation_deg", -90, 90);
-    }
-    observer.roll_deg = section.number_or("roll_deg", 0.0, -180, 180);
-    observer.width = section.integer_or("width", 640, 1, 16384);
-    observer.height = section.integer_or("height", 512, 1, 16384);
-    read_projection(section, observer);
-    observer.samples = section.integer_or("samples", 16, 1, 1024);
-    observer.terms = section.flag_or("terms", false);
-    observer.bands = section.texts_or("bands", {"3-5", "8-12"});
-    for (const std::string& band : observer.bands) {
-        try {
-            named_band(scene.bands, band);
-        } catch (const InputError& error) {
-            section.mistake("bands", error.mistakes().front().problem,
-                            error.mistakes().front().hint);
-        }
-    }
-    observer.cubes = section.texts_or("cubes", {});
-    std::vector<std::string> cubes;
-    for (const CubeInput& cube : scene.cubes) cubes.push_back(cube.name);
-    for (const std::string& cube : observer.cubes) {
-        if (std::find(cubes.begin(), cubes.end(), cube) == cubes.end()) {
-            section.mistake("cubes", fmt::format("no cube \"{}\" in [[cubes]]", cube),
-                            did_you_mean(cube, cubes));
-        }
-    }
-    return observer;
 }
 
 }  // namespace

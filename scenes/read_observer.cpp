@@ -1,0 +1,81 @@
+#include "scenes/read_observer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "scenes/reading.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// A field of view, or a focal plane behind a lens, or the width of a picture of parallel rays.
+void read_projection(const Section& section, ObserverInput& observer) {
+    const std::vector<std::string> names = {"pinhole", "equidistant", "equisolid", "panorama",
+                                            "orthographic"};
+    const std::string name = section.word_or("projection", "pinhole", names);
+    const auto found = std::find(names.begin(), names.end(), name);
+    observer.projection = static_cast<Projection>(found - names.begin());
+    if (observer.projection == Projection::orthographic) {
+        observer.picture_width = section.number("picture_width_m", 0.01, 2e5);
+    } else if (section.has("focal_length_mm")) {
+        const double focal_length = section.number("focal_length_mm", 0.1, 1e5);
+        const double pitch = section.number("pixel_pitch_um", 0.1, 1e4);
+        observer.horizontal_fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
+        if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
+            section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
+        } else if (!(observer.horizontal_fov_deg <= 150.0)) {
+            section.mistake("focal_length_mm",
+                            fmt::format("makes a field of view of {:.1f} degrees, expected at most "
+                                        "150",
+                                        observer.horizontal_fov_deg));
+        }
+    } else {
+        const bool pinhole = observer.projection == Projection::pinhole;
+        observer.horizontal_fov_deg = section.number_or(
+            "horizontal_fov_deg", pinhole ? 20.0 : 180.0, 0.01, pinhole ? 150.0 : 360.0);
+    }
+}
+
+}  // namespace
+
+ObserverInput read_observer(const Section& section, const Scene& scene) {
+    ObserverInput observer;
+    observer.name = section.text("name");
+    observer.place = place(section, "place_m");
+    observer.height_above_ground = section.number("height_above_ground_m", 0.1, 50000);
+    if (section.has("look_at_m")) {
+        observer.look_at = place(section, "look_at_m");
+    } else {
+        observer.azimuth_deg = section.number("azimuth_deg", -360, 360);
+        observer.elevation_deg = section.number("elevation_deg", -90, 90);
+    }
+    observer.roll_deg = section.number_or("roll_deg", 0.0, -180, 180);
+    observer.width = section.integer_or("width", 640, 1, 16384);
+    observer.height = section.integer_or("height", 512, 1, 16384);
+    read_projection(section, observer);
+    observer.samples = section.integer_or("samples", 16, 1, 1024);
+    observer.terms = section.flag_or("terms", false);
+    observer.bands = section.texts_or("bands", {"3-5", "8-12"});
+    for (const std::string& band : observer.bands) {
+        try {
+            named_band(scene.bands, band);
+        } catch (const InputError& error) {
+            section.mistake("bands", error.mistakes().front().problem,
+                            error.mistakes().front().hint);
+        }
+    }
+    observer.cubes = section.texts_or("cubes", {});
+    std::vector<std::string> cubes;
+    for (const CubeInput& cube : scene.cubes) cubes.push_back(cube.name);
+    for (const std::string& cube : observer.cubes) {
+        if (std::find(cubes.begin(), cubes.end(), cube) == cubes.end()) {
+            section.mistake("cubes", fmt::format("no cube \"{}\" in [[cubes]]", cube),
+                            did_you_mean(cube, cubes));
+        }
+    }
+    return observer;
+}
+
+}  // namespace diurna

@@ -5,22 +5,22 @@
 
 namespace diurna {
 
-/// exp(x), x clamped to −708 to 709.
-///
-/// Written without branches or tables so that loops over it become vector code where comparisons
-/// may (-fno-trapping-math): 1.2 ns an element with AVX2, against 3.7 ns for std::exp.
-/// x = k ln 2 + r, |r| ≤ ln 2 / 2; eʳ by Taylor's series to r¹², whose remainder is 1.7e-16; 2ᵏ by
-/// its bits. Relative error below 5e-16 (tests/planck_test.cpp). NaN stays NaN.
-inline double fast_exp(double x) {
+/// x = k ln 2 + rest, |rest| ≤ ln 2 / 2, and scale = 2ᵏ by its bits; x between −708 and 709.
+struct ExpParts {
+    double rest, scale;
+};
+inline ExpParts exp_parts(double x) {
     constexpr double log2_e = 1.4426950408889634074;
     constexpr double ln2_high = 6.93147180369123816490e-01;  // fdlibm: 32 bits, so k·high is exact
     constexpr double ln2_low = 1.90821492927058770002e-10;
     constexpr double shifter = 0x1.8p52;  // adding it rounds to an integer in the low bits
-    x = x < -708.0 ? -708.0 : x;
-    x = x > 709.0 ? 709.0 : x;
     const double shifted = x * log2_e + shifter;
     const double k = shifted - shifter;
-    const double r = (x - k * ln2_high) - k * ln2_low;
+    const auto bits = (std::bit_cast<std::uint64_t>(shifted) + 1023u) << 52;
+    return {(x - k * ln2_high) - k * ln2_low, std::bit_cast<double>(bits)};
+}
+/// eʳ by Taylor's series to r¹², whose remainder is 1.7e-16 for |r| ≤ ln 2 / 2.
+inline double exp_series(double r) {
     double p = 1.0 / 479001600.0;
     p = p * r + 1.0 / 39916800.0;
     p = p * r + 1.0 / 3628800.0;
@@ -33,9 +33,19 @@ inline double fast_exp(double x) {
     p = p * r + 1.0 / 6.0;
     p = p * r + 0.5;
     p = p * r + 1.0;
-    p = p * r + 1.0;
-    const auto bits = (std::bit_cast<std::uint64_t>(shifted) + 1023u) << 52;
-    return p * std::bit_cast<double>(bits);
+    return p * r + 1.0;
+}
+
+/// exp(x), x clamped to −708 to 709.
+///
+/// Written without branches or tables so that loops over it become vector code where comparisons
+/// may (-fno-trapping-math): 1.2 ns an element with AVX2, against 3.7 ns for std::exp. Relative
+/// error below 5e-16 (tests/planck_test.cpp). NaN stays NaN.
+inline double fast_exp(double x) {
+    x = x < -708.0 ? -708.0 : x;
+    x = x > 709.0 ? 709.0 : x;
+    const ExpParts parts = exp_parts(x);
+    return exp_series(parts.rest) * parts.scale;
 }
 
 /// The same in single precision, x clamped to −87 to 88: series to r⁶, relative error below 3e-7.

@@ -1,4 +1,5 @@
 #include "thermal/mode_loops.hpp"
+#include "thermal/split_loops.hpp"
 
 namespace diurna {
 

@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "materials/fast_exp.hpp"
-#include "materials/monotone_cubic.hpp"
-#include "materials/units.hpp"
 
 namespace diurna {
 
@@ -18,8 +16,14 @@ constexpr double standard_temperature = 273.15;
 constexpr double haze_squeezed_below_km = 6.0;  // LOWTRAN7: above, ground height does not matter
 constexpr std::size_t rayleigh_term = 4;
 
-/// ln(100 − relative humidity [%]), humidity by LOWTRAN's formula: absolute humidity over its
-/// saturation [g m⁻³].
+/// Between levels exponentially, or linearly where one end is zero.
+double between(double low, double high, double t) {
+    if (low > 0.0 && high > 0.0) return low * std::exp(t * std::log(high / low));
+    return low + t * (high - low);
+}
+
+}  // namespace
+
 double ln_dryness(const AirSample& air) {
     const double vapour_hPa =
         air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
@@ -29,18 +33,7 @@ double ln_dryness(const AirSample& air) {
     return std::log(100.0 - std::clamp(percent, 0.0, 99.0));
 }
 
-/// Between levels exponentially, or linearly where one end is zero.
-double between(double low, double high, double t) {
-    if (low > 0.0 && high > 0.0) return low * std::exp(t * std::log(high / low));
-    return low + t * (high - low);
-}
-
-/// The two levels of an aerosol around a dryness and the place between them.
-struct Place {
-    std::size_t low, high;
-    double t;
-};
-Place place_of(const Tables::Aerosol& aerosol, double dryness) {
+AerosolPlace place_of(const Tables::Aerosol& aerosol, double dryness) {
     const auto& levels = aerosol.levels;
     std::size_t upper = 0;
     while (upper < levels.size() && levels[upper].ln_dryness > dryness) ++upper;
@@ -49,8 +42,6 @@ Place place_of(const Tables::Aerosol& aerosol, double dryness) {
     const double from = levels[low].ln_dryness;
     return {low, high, (dryness - from) / (levels[high].ln_dryness - from)};
 }
-
-}  // namespace
 
 void negative_exponentials(std::span<double> values) {
     double* const v = values.data();
@@ -358,88 +349,6 @@ void Medium::find_depths(const Amounts& amounts, bool scattering, std::span<doub
         out[i] = w[0] * k[0][i] + w[1] * k[1][i] + w[2] * k[2][i] + w[3] * k[3][i] +
                  w[4] * k[4][i] + w[5] * k[5][i] + w[6] * k[6][i] + haze[i] + double{gas[i]};
     }
-}
-
-Scatterers Medium::scatterers(double height_km) const {
-    const AirSample air = air_at(model_.profile, height_km);
-    const std::size_t count = bins_.size();
-    const double amagat =
-        air.pressure_hPa / standard_pressure_hPa * standard_temperature / air.temperature;
-    Scatterers s{.rayleigh = std::vector<double>(count),
-                 .aerosol_extinction = std::vector<double>(count, 0.0),
-                 .aerosol_scattering = std::vector<double>(count, 0.0),
-                 .asymmetry = std::vector<double>(count, 0.0),
-                 .part = {}};
-    for (std::size_t i = 0; i < count; ++i) {
-        s.rayleigh[i] = amagat * tables_.linear[rayleigh_term][bins_.first + i];
-    }
-    const auto mix = [&](std::size_t part, std::size_t i, double extinction, double scattering,
-                         double asymmetry) {
-        if (s.part[part].empty()) s.part[part].assign(count, 0.0);
-        s.part[part][i] += scattering;
-        s.aerosol_extinction[i] += extinction;
-        s.aerosol_scattering[i] += scattering;
-        s.asymmetry[i] += scattering * asymmetry;
-    };
-    const double drops = rain(height_km);
-    if (boundary_ != nullptr) {
-        const auto extinction = haze(height_km);
-        for (std::size_t zone = 0; zone < zones; ++zone) {
-            if (extinction[zone] <= 0.0) continue;
-            const Tables::Aerosol& aerosol = zone == 0 ? *boundary_ : *tropospheric_;
-            const double dryness =
-                zone == 2 ? std::log(100.0) : (drops > 0.0 ? 0.0 : ln_dryness(air));
-            const auto [low, high, t] = place_of(aerosol, dryness);
-            const auto &from = aerosol.levels[low], &to = aerosol.levels[high];
-            for (std::size_t i = 0; i < count; ++i) {
-                const std::size_t bin = bins_.first + i;
-                const double ext = fast_exp(from.ln_extinction[bin] +
-                                            t * (to.ln_extinction[bin] - from.ln_extinction[bin]));
-                const double absorbed =
-                    from.absorption[bin] + t * (to.absorption[bin] - from.absorption[bin]);
-                mix(zone == 0 ? 0 : 1, i, extinction[zone] * ext,
-                    extinction[zone] * std::max(0.0, ext - absorbed), aerosol.asymmetry[bin]);
-            }
-        }
-    }
-    if (drops > 0.0) {
-        // Drops of a millimetre: half the extinction is diffraction, and beyond 2.5 um what enters
-        // a drop is absorbed.
-        for (std::size_t i = 0; i < count; ++i) {
-            const bool clear = tables_.middle_um[bins_.first + i] < 2.5;
-            mix(2, i, drops, (clear ? 0.999 : 0.53) * drops, clear ? 0.87 : 0.97);
-        }
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        if (s.aerosol_scattering[i] > 0.0) s.asymmetry[i] /= s.aerosol_scattering[i];
-    }
-    return s;
-}
-
-std::array<std::vector<double>, 3> Medium::phase(double cosine) const {
-    const HermiteWeights angle =
-        hermite_weights(tables_.phase_deg, degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
-    std::array<std::vector<double>, 3> phase;
-    const std::array<const Tables::Aerosol*, 2> aerosols = {boundary_, tropospheric_};
-    const std::size_t angles = tables_.phase_deg.size();
-    for (std::size_t k = 0; k < aerosols.size(); ++k) {
-        if (aerosols[k] == nullptr) continue;
-        std::vector<double> ln;  // (phase wavelength) at the angle
-        for (std::size_t row = 0; row < tables_.phase_um.size(); ++row) {
-            const double* const value = &aerosols[k]->ln_phase[row * angles + angle.low];
-            const double* const slope = &aerosols[k]->ln_phase_slope[row * angles + angle.low];
-            ln.push_back(angle.value_low * value[0] + angle.slope_low * slope[0] +
-                         angle.value_high * value[1] + angle.slope_high * slope[1]);
-        }
-        for (std::size_t bin = bins_.first; bin < bins_.last; ++bin) {
-            const HermiteWeights um = hermite_weights(tables_.phase_um, tables_.middle_um[bin]);
-            phase[k].push_back(fast_exp(ln[um.low] + um.t * (ln[um.low + 1] - ln[um.low])));
-        }
-    }
-    constexpr double g = 0.9;  // of drops: Henyey and Greenstein's form
-    const double d = 1.0 + g * g - 2.0 * g * cosine;
-    phase[2].assign(bins_.size(), (1.0 - g * g) / (d * std::sqrt(d)));
-    return phase;
 }
 
 }  // namespace diurna

@@ -34,6 +34,17 @@ struct Scatterers {
     std::array<std::vector<double>, 3> part;
 };
 
+/// ln(100 − relative humidity [%]), the scale aerosol levels stand on; humidity by LOWTRAN's
+/// formula: absolute humidity over its saturation [g m⁻³].
+double ln_dryness(const AirSample& air);
+
+/// The two levels of an aerosol around a dryness and the place between them.
+struct AerosolPlace {
+    std::size_t low, high;
+    double t;
+};
+AerosolPlace place_of(const BandModelTables::Aerosol& aerosol, double ln_dryness);
+
 /// x → e⁻ˣ.
 void negative_exponentials(std::span<double> values);
 

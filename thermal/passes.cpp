@@ -23,6 +23,10 @@ Eigen::VectorXd steady_states(const Kind& kind) {
 
 namespace {
 
+/// Of plates in modes, whose faces answer a shadow's edge within minutes.
+constexpr GridOptions plate_grid{.first = 0.02, .growth = 0.15};
+constexpr double usual_film = 25.0;  // [W m⁻² K⁻¹] radiation and air together
+
 void settle_block(Job& job, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const std::size_t count = block.facet.size();
@@ -113,69 +117,6 @@ std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::
     return std::span(block.jump).subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
 }
 
-void run_layered(Job& job, const Level& level, Block& block) {
-    const Kind& kind = level.kind[block.material];
-    const int substeps = kind.column.substeps;
-    const std::size_t count = block.facet.size();
-    const double emissivity = kind.column.surface.emissivity;
-    Batch batch;
-    batch.resize(kind.column.grid.size(), count);
-    batch.state = block.start;
-    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    block.slope.assign(kind.forcing.size(), 0.0);
-    StepRecord record;
-
-    double before[lanes], after[lanes], heat[2][lanes], jump[lanes] = {};
-    facet_heat(job, block, kind, 0, before);
-    for (std::size_t l = 0; l < count; ++l) {
-        batch.temperature[l] = batch.state[l] + kind.column.reference;
-        job.kelvin[block.facet[l]] = float(batch.temperature[l]);
-    }
-    std::size_t stage = 0;
-    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
-        facet_heat(job, block, kind, i, after);
-        const std::span<const HeatJump> edges = edges_of(level, block, i);
-        const double absorptance = edges.empty() ? 0.0 : absorptance_at(job, kind, i);
-        for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
-        for (int s = 0; s < substeps; ++s, stage += 2) {
-            for (int k = 0; k < 2; ++k) {
-                const double share = (s + stage_share[k]) / substeps;
-                const double sky = emissivity * kind.forcing[stage + k].sky_longwave;
-                for (std::size_t l = 0; l < count; ++l) {
-                    heat[k][l] = before[l] + share * (after[l] - before[l] - jump[l]) + sky;
-                }
-            }
-            for (const HeatJump& edge : edges) {
-                // The later stage has what is there at its end; the earlier one what makes the
-                // step's heat right, for the stages weigh 1 − γ and γ.
-                const double within = edge.share * substeps - s;
-                if (within >= 1.0) continue;
-                const double lit = 1.0 - std::max(0.0, within);
-                heat[0][edge.lane] += jump[edge.lane] * (lit - sdirk_gamma) / (1.0 - sdirk_gamma);
-                heat[1][edge.lane] += jump[edge.lane];
-            }
-            advance(kind.column, {kind.forcing[stage].air, kind.forcing[stage + 1].air},
-                    {heat[0], heat[1]}, batch, record);
-            block.slope[stage] = record.slope[0];
-            block.slope[stage + 1] = record.slope[1];
-        }
-        float* row = job.kelvin.data() + i * job.facets;
-        for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
-        for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
-        std::swap(before, after);
-    }
-    block.record = record;
-    block.residual = block.heat_change = 0.0;
-    block.change.resize(batch.state.size());
-    for (std::size_t i = 0; i < kind.column.grid.size(); ++i) {
-        for (std::size_t l = 0; l < count; ++l) {
-            const std::size_t at = i * lanes + l;
-            block.change[at] = batch.state[at] - block.start[at];
-            block.residual = std::max(block.residual, std::abs(block.change[at]));
-        }
-    }
-}
-
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
                  int most_substeps, const Level* finer) {
     const Weather& weather = job.input.weather;
@@ -185,15 +126,17 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
         materials.size(),
         [&](std::size_t m) {
             Kind& kind = level.kind[m];
+            const ThermalSurface& surface = job.input.materials[materials[m]].thermal;
+            const bool thin = job.options.method == Method::modes && surface.back;
             kind.column =
-                material_column(job.input.materials[materials[m]].thermal,
+                material_column(surface,
                                 {.step = step,
                                  .wind_height = weather.wind_height,
                                  .air_height = weather.air_height,
                                  .reference = weather.at(job.options.start).air.temperature,
                                  .most_substeps = most_substeps,
                                  .refinement = job.options.refinement,
-                                 .grid = job.options.grid},
+                                 .grid = thin ? plate_grid : job.options.grid},
                                 finer ? &finer->kind[m].column.louis : nullptr);
             const auto add = [&](Instant when) {
                 const Forcing forcing = weather.at(when);
@@ -209,10 +152,16 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                                    : mode_column(job, kind.column.surface, kind.column.reference);
                 add(job.instant[0]);
             }
+            // A plate of more nodes than that is no thin plate: it goes layered.
+            const bool plate = thin && kind.column.grid.size() <= most_modes;
+            if (plate) {
+                set_plate_films(kind, usual_film, usual_film, step);
+                add(job.instant[0]);
+            }
             const int substeps = kind.column.substeps;
             for (std::size_t i = 0; i < job.steps(); i += stride) {
                 for (int s = 0; s < substeps; ++s) {
-                    if (kind.modes) {
+                    if (kind.modes || kind.plate) {
                         add(later(job.instant[i], (s + 1.0) / substeps * step));
                         continue;
                     }
@@ -222,6 +171,7 @@ Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::
                 }
             }
             kind.slope.assign(kind.forcing.size(), 0.0);
+            kind.back_slope.assign(kind.plate ? kind.forcing.size() : 0, 0.0);
         },
         1);
     for (const Block& block : job.block) level.kind[block.material].facets += block.facet.size();
@@ -235,7 +185,34 @@ void settle(Job& job, Level& level) {
     for (const Block& block : job.block) film[block.material] += block.film;
     for (std::size_t k = 0; k < level.kind.size(); ++k) {
         Kind& kind = level.kind[k];
-        if (kind.modes) set_film(kind, film[k] / double(kind.facets), level_step(job, level));
+        const double front = film[k] / double(kind.facets);
+        if (kind.modes) set_film(kind, front, level_step(job, level));
+        if (kind.plate) set_plate_films(kind, front, front, level_step(job, level));
+    }
+}
+
+double typical_film(const Kind& kind) {
+    double sum = 0.0;
+    for (const double slope : kind.slope) sum -= slope;
+    if (sum > 0.0) return sum / double(kind.slope.size());
+    if (kind.plate) return kind.plate->film[0];
+    return kind.modes ? kind.modes->closed.film : usual_film;
+}
+
+double typical_back_film(const Kind& kind) {
+    double sum = 0.0;
+    for (const double slope : kind.back_slope) sum -= slope;
+    if (sum > 0.0) return sum / double(kind.back_slope.size());
+    return kind.plate ? kind.plate->film[1] : usual_film;
+}
+
+void set_films(const Job& job, Level& level, const Level& known) {
+    for (std::size_t k = 0; k < level.kind.size(); ++k) {
+        Kind& kind = level.kind[k];
+        const Kind& like = known.kind[k];
+        const double step = level_step(job, level);
+        if (kind.modes) set_film(kind, typical_film(like), step);
+        if (kind.plate) set_plate_films(kind, typical_film(like), typical_back_film(like), step);
     }
 }
 
@@ -252,6 +229,8 @@ void pass(Job& job, const Level& level, double progress_from, double progress_to
                 if (block.rests) return;
                 if (level.kind[block.material].modes) {
                     run_modes(job, level, block);
+                } else if (level.kind[block.material].plate) {
+                    run_plates(job, level, block);
                 } else {
                     run_layered(job, level, block);
                 }

@@ -8,6 +8,7 @@
 
 #include "thermal/batch.hpp"
 #include "thermal/mode_batch.hpp"
+#include "thermal/plate_modes.hpp"
 #include "thermal/reduced_column.hpp"
 #include "thermal/solver.hpp"
 #include "thermal/surroundings.hpp"
@@ -36,6 +37,7 @@ struct Block {
     double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
     StepRecord record;          // of the last run
     std::vector<double> slope;  // like Kind::forcing: Σ over facets, of the last run
+    std::vector<double> back_slope;  // of plates' backs
 
     /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK.
     bool settled(double tolerance) const {
@@ -57,12 +59,15 @@ struct ModeColumn {
 };
 
 /// One material of the scene with the forcing its facets share. Layered columns have two stages to
-/// a substep; modes have one instant at the end of each, and one at the start of the span.
+/// a substep; modes, those of plates too, have one instant at the end of each, and one at the start
+/// of the span.
 struct Kind {
     MaterialColumn column;
     std::optional<ModeColumn> modes{};
+    std::optional<PlateStep> plate{};   // its states are nodes, as those of layered columns
     std::vector<StageForcing> forcing;  // (step, substep, stage) or (instant)
     std::vector<double> slope;          // like `forcing`: mean surface slope, last pass
+    std::vector<double> back_slope;     // of plates
     std::size_t facets = 0;
     /// (I − M)⁻¹ of the linearised period.
     std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period{};
@@ -114,9 +119,10 @@ Eigen::VectorXd steady_states(const Kind& kind);
 /// First guess: every facet's steady state under its mean forcing over the span.
 void settle(Job& job, Level& level);
 
-/// Runs one block of a layered material, or of one in modes, over the span.
+/// Runs one block of a layered material, of one in modes, or of plates over the span.
 void run_layered(Job& job, const Level& level, Block& block);
 void run_modes(Job& job, const Level& level, Block& block);
+void run_plates(Job& job, const Level& level, Block& block);
 
 /// Share of sunlight that a material takes in at an instant.
 double absorptance_at(const Job& job, const Kind& kind, std::size_t i);
@@ -129,6 +135,13 @@ std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::
 
 /// Puts a typical film on a material's modes.
 void set_film(Kind& kind, double film, double step);
+/// Typical films on the faces of a material's plates.
+void set_plate_films(Kind& kind, double front, double back, double step);
+/// Renews whatever films a level's materials are closed with, from the slopes another has found.
+void set_films(const Job& job, Level& level, const Level& known);
+/// −(mean slope) of a material over the last pass, or what its first guess had.
+double typical_film(const Kind& kind);
+double typical_back_film(const Kind& kind);
 
 /// One pass over the span for all blocks that have not settled: writes their temperatures, changes
 /// and surface slopes.

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -40,9 +41,39 @@ MatrixXd mode_map(const Kind& kind) {
     return turn * map;
 }
 
+/// The same for plates, between nodes.
+MatrixXd plate_map(const Kind& kind) {
+    const PlateStep& step = *kind.plate;
+    const auto n = Eigen::Index(step.modes());
+    const auto vector = [&](const std::vector<double>& v) {
+        return Eigen::Map<const Eigen::VectorXd>(v.data(), n);
+    };
+    MatrixXd face(n, 2);
+    face << vector(step.face[0]), vector(step.face[1]);
+    const Eigen::Matrix2d response{{step.response[0], step.response[1]},
+                                   {step.response[1], step.response[2]}};
+    const auto steepness = [&](std::size_t at) {
+        return Eigen::Matrix2d(
+            Eigen::Vector2d(kind.slope[at] + step.film[0], kind.back_slope[at] + step.film[1])
+                .asDiagonal());
+    };
+    MatrixXd map = step.into;
+    MatrixXd drive = steepness(0) * face.transpose() * map;
+    for (std::size_t at = 1; at < kind.slope.size(); ++at) {
+        map = vector(step.decay).asDiagonal() * map;
+        map += vector(step.from).asDiagonal() * face * drive;
+        const Eigen::Matrix2d g = steepness(at);
+        drive = (Eigen::Matrix2d::Identity() - g * response).inverse() * g * face.transpose() * map;
+        map += vector(step.to).asDiagonal() * face * drive;
+    }
+    return step.turn * map;
+}
+
 /// Factors I − M, M the derivative of the period map.
 void linearise(Kind& kind) {
-    const MatrixXd map = kind.modes ? mode_map(kind) : layered_map(kind);
+    const MatrixXd map = kind.modes   ? mode_map(kind)
+                         : kind.plate ? plate_map(kind)
+                                      : layered_map(kind);
     kind.period.emplace();
     // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
     kind.period->setThreshold(1e-9);
@@ -85,11 +116,17 @@ void correct_block(const Kind& kind, Block& block, bool secant) {
 }  // namespace
 
 void renew_matrices(const Job& job, Level& level) {
-    for (Kind& kind : level.kind) std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+    for (Kind& kind : level.kind) {
+        std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+        std::fill(kind.back_slope.begin(), kind.back_slope.end(), 0.0);
+    }
     for (const Block& block : job.block) {
         Kind& kind = level.kind[block.material];
         for (std::size_t i = 0; i < kind.slope.size(); ++i) {
             kind.slope[i] += block.slope[i] / double(kind.facets);
+        }
+        for (std::size_t i = 0; i < kind.back_slope.size(); ++i) {
+            kind.back_slope[i] += block.back_slope[i] / double(kind.facets);
         }
     }
     for_each_index(

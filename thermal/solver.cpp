@@ -128,15 +128,6 @@ void find_jumps(Job& job) {
     }
 }
 
-/// −(mean slope) of a material over the last pass, or what its first guess had.
-double typical_film(const Kind& kind) {
-    double sum = 0.0;
-    for (const double slope : kind.slope) sum -= slope;
-    if (sum > 0.0) return sum / double(kind.slope.size());
-    constexpr double usual = 25.0;  // [W m⁻² K⁻¹]
-    return kind.modes ? kind.modes->closed.film : usual;
-}
-
 /// What a watt more of longwave does to a facet [K m² W⁻¹], on the material's mean: one that stays
 /// all day, and one that comes and goes with it.
 struct Response {
@@ -156,7 +147,7 @@ Response longwave_response(const Job& job, const Level& level) {
         }
         // A thin plate's back gives off about as much as its front.
         if (job.input.materials[job.input.facets.material[block.facet.front()]].thermal.back) {
-            ground = under = film;
+            ground = under = typical_back_film(kind);
         }
         for (const std::size_t f : block.facet) {
             response.steady[f] = float(emissivity / (film + under));
@@ -341,12 +332,6 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         if (exchanging) report.exchange_change = exchange_longwave(job, level);
         report.exchange_seconds += seconds_since(since);
     };
-    const auto set_films = [&](Level& level, const Level& known) {
-        for (std::size_t k = 0; k < level.kind.size(); ++k) {
-            if (!level.kind[k].modes) continue;
-            set_film(level.kind[k], typical_film(known.kind[k]), level_step(job, level));
-        }
-    };
     if (const std::size_t stride = coarse_stride(job); options.periodic && stride > 1) {
         // A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
         const int coarse_passes = exchanging ? 4 : 2;
@@ -355,14 +340,14 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         Level coarse = make_level(job, materials, stride, 1, &fine);
         for (int i = 0; i < coarse_passes; ++i) {
             exchange(coarse);
-            set_films(coarse, i == 0 ? fine : coarse);
+            set_films(job, coarse, i == 0 ? fine : coarse);
             pass(job, coarse, 0.0, 0.0);
             renew_matrices(job, coarse);
             correct(job, coarse, false);
             fill_between(job, job.kelvin, stride);
             if (exchanging) fill_between(job, job.excess, stride);
         }
-        set_films(fine, coarse);
+        set_films(job, fine, coarse);
         for (Block& block : job.block) {
             block.move.clear();
             block.residual = 1e9;

@@ -18,8 +18,9 @@
 namespace diurna {
 
 /// How the columns are stepped. `modes`: a few exponential modes per material, exact in time but
-/// for the surface's curvature, split where a shadow's edge passes (thermal/mode_batch.hpp); plates
-/// with a back of their own go layered. `layered`: node by node (thermal/batch.hpp), the reference.
+/// for the surface's curvature, split where a shadow's edge passes (thermal/mode_batch.hpp); thin
+/// plates likewise with two faces (thermal/plate_modes.hpp). `layered`: node by node
+/// (thermal/batch.hpp), the reference; it follows edges too.
 enum class Method { modes, layered };
 
 struct SolveOptions {
@@ -97,17 +98,16 @@ struct SolveResult {
 /// above, solved together at every stage of every step.
 ///
 /// Method::modes (thermal/reduced_column.hpp): each material's linear column as a few exponential
-/// modes, stepped exactly for fluxes linear in time. Method::layered, the reference and for plates
-/// with air behind: SDIRK2 (γ = 1 − 1/√2, second order, L-stable) on the nodes of
-/// thermal/column.hpp. Forcing is linear between step instants; materials too thin for the step are
-/// stepped more often. The surface equation is solved by Newton within a bracket to 1e-12 K, by
-/// either method together with the column. A periodic span is found by Newton on
-/// the period map, with one monodromy matrix per material. What neighbours send in longwave follows
-/// from pass to pass, three sweeps each time, the later ones with what the first does to the
-/// temperatures to first order. The result has the same bytes for any number of threads. Facets
-/// whose material asks for more than a linear column under a dry or evenly wet surface (freezing
-/// ground, snow, canopy, store of water, schedules) are solved one by one:
-/// thermal/scene_points.hpp.
+/// modes, stepped exactly for fluxes linear in time. Method::layered, the reference: SDIRK2 (γ = 1
+/// − 1/√2, second order, L-stable) on the nodes of thermal/column.hpp. Forcing is linear between
+/// step instants; materials too thin for the step are stepped more often. The surface equation is
+/// solved by Newton within a bracket to 1e-12 K, by either method together with the column. A
+/// periodic span is found by Newton on the period map, with one monodromy matrix per material. What
+/// neighbours send in longwave follows from pass to pass, three sweeps each time, the later ones
+/// with what the first does to the temperatures to first order. The result has the same bytes for
+/// any number of threads. Facets whose material asks for more than a linear column under a dry or
+/// evenly wet surface (freezing ground, snow, canopy, store of water, schedules) are solved one by
+/// one: thermal/scene_points.hpp.
 ///
 /// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
 /// tells. Throws InputError if arrays do not match.

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "thermal/batch.hpp"
+#include "thermal/mode_batch.hpp"
+
+namespace diurna {
+
+// Thin plates with air behind (ThermalSurface::back), stepped exactly but for their films'
+// curvature: what thermal/mode_batch.hpp is for ground, with two faces.
+
+/// Lengths of the parts of a step after a jump of its heat, as shares of what is left of it.
+inline constexpr int parts_after_jump = 4;
+inline constexpr double part_after_jump[parts_after_jump + 1]{0.0, 0.04, 0.15, 0.45, 1.0};
+
+/// Air on the straight line from one instant to another (and beyond).
+AirFilm air_between(const AirFilm& before, const AirFilm& after, double share);
+
+/// A step of a plate closed by a film on each face. Its nodes (thermal/column.hpp) are few, so all
+/// their eigenmodes are kept; with u = q + film θ of each face linear in time between the ends,
+///
+///     x₁ = decay x₀ + Σ_k face_k (from u₀ₖ + to u₁ₖ),    θ_k = Σ face_k x,    k = front, back.
+///
+/// Right however thin and conductive the sheet is: one too quick for the step follows its films at
+/// once, and the mode between its faces only carries the heat through.
+struct PlateStep {
+    double step, reference;                   // [s], [K]
+    std::array<double, 2> film;               // [W m⁻² K⁻¹] front, back
+    std::vector<double> rate;                 // (mode) [s⁻¹]
+    std::array<std::vector<double>, 2> face;  // (mode)
+    std::vector<double> decay, from, to;      // (mode)
+    std::array<double, 3> response;           // Σ to face face: front, across, back [K m² W⁻¹]
+    Eigen::MatrixXd turn, into;               // (node, mode), (mode, node)
+
+    std::size_t modes() const { return rate.size(); }
+};
+/// grid  of the plate; what it has below its last node is left out
+PlateStep make_plate_step(const ColumnGrid& grid, double reference, double front_film,
+                          double back_film, double step);
+
+/// Up to `lanes` plates of one material side by side.
+struct PlateBatch {
+    std::size_t count = 0;
+    std::vector<double> state;  // [mode][lane]
+    // [face][lane]
+    std::array<std::array<double, lanes>, 2> temperature{};  // [K]
+    std::array<std::array<double, lanes>, 2> drive{};        // u [W m⁻²]
+    std::array<std::array<double, lanes>, 2> slope{};        // d(flux)/dT [W m⁻² K⁻¹]
+    std::array<NaturalFilm, lanes> natural{};                // of the front
+
+    void resize(std::size_t modes, std::size_t plates);
+};
+
+/// Sets temperatures and drives from the state, under the heat [lane] on the front at the start.
+void begin_plates(const PlateStep& step, const ThermalSurface& surface, const AirFilm& air,
+                  const double* heat, PlateBatch& batch);
+
+/// One step; plates whose heat jumps go to the jump and from there in parts of growing length.
+/// `record.slope` gets the sums over plates of d(flux)/dT at its end, front and back; worst_closure
+/// what the faces take in less what the modes got, over the sum of its terms.
+void advance_plates(const PlateStep& step, const ThermalSurface& surface,
+                    const ModeForcing& forcing, PlateBatch& batch, StepRecord& record);
+
+}  // namespace diurna

@@ -19,8 +19,8 @@ namespace diurna {
 /// a plume (1 − exp(−k s)) B(T); a facet the terms of radiance.hpp at the angle it is seen at
 /// (materials/finish.hpp), its mirrored and transmitted light being that of the hops behind it; the
 /// sky its radiance in that direction. Everything in channels (band_table.hpp), as inside one bin
-/// of the atmosphere transmittance is one number. Against the sum over nodes (hop_radiance() of
-/// radiance.hpp): tests/hops_test.cpp.
+/// of the atmosphere transmittance is one number, and for all bands at a time (hop_tables.hpp).
+/// Within 5 mK of the sum over nodes, hop_radiance() (tests/hops_test.cpp).
 ///
 /// By terms: a facet's own count as what they are; behind a pane, a net or a plume everything is
 /// `behind`; in a mirror the sky is `sky`, all else `surroundings`. They add up to the whole.
@@ -31,8 +31,8 @@ class HopLight {
              double tolerance = 1e-3);
     ~HopLight();
 
-    /// Adds to the pixels of one band: planes (term), or one plane for their sum.
-    void add(std::size_t band, std::span<std::vector<float>> planes) const;
+    /// Adds to the pixels of the hops: planes (band, term), or (band) for the sum of the terms.
+    void add(std::span<std::vector<float>> planes) const;
 
  private:
     struct State;

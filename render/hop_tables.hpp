@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "materials/band.hpp"
-#include "materials/units.hpp"
 #include "render/hop_angles.hpp"
 #include "render/hops.hpp"
 #include "render/leaving.hpp"
@@ -19,64 +18,69 @@
 
 namespace diurna {
 
-/// What a facet of the hops sends and receives, in channels.
-struct FacetLight {
-    enum Part { black, open, around, emitted, sun, sky, surroundings, behind, parts };
-    std::vector<float> value;  // (part, channel): black body, light of the sky and of the
-                               // surroundings on it, then the terms of a closed facet
-};
+/// What a facet of the hops sends and receives: rows of lanes, one a part. `closed` to
+/// `closed_behind` are the terms of a closed facet, `closed` their sum.
+enum class FacetPart { black, open, around, closed, emitted, sun, sky, surroundings, behind };
+inline constexpr std::size_t facet_parts = 9;
 
-constexpr std::array<std::pair<Term, FacetLight::Part>, 5> closed_terms = {
-    {{Term::emitted, FacetLight::emitted},
-     {Term::sun, FacetLight::sun},
-     {Term::sky, FacetLight::sky},
-     {Term::surroundings, FacetLight::surroundings},
-     {Term::behind, FacetLight::behind}}};
-
-/// All that one band needs.
-struct BandLight {
-    std::optional<SunField> scattered;
-    std::array<Light, 3> light;  // at the heights of LitFacets
-    std::vector<NodeOptics> optics;
+/// Of one band.
+struct HopBand {
+    Band band;
     Channels channels;
+    std::optional<SunField> scattered;
+    std::array<Light, 3> light;             // at the heights of LitFacets
+    std::vector<NodeOptics> optics;         // (material)
+    std::vector<std::vector<float>> probe;  // (probe)(channel)
     SpectralBasis basis;
-    std::vector<FacetLight> facet;               // (facet of the hops)
-    std::vector<AngleTable> angle;               // (material), where needed
-    std::vector<std::vector<float>> room;        // (material)(channel) τ B of the room behind
-    std::vector<std::vector<float>> absorption;  // (plume)(channel) [m⁻¹]
-    std::vector<std::vector<float>> glow;        // (plume)(channel) B(T)
-    std::array<std::vector<float>, 3> sun;       // (height)(channel)
     std::optional<SkyTable> from_eye, from_mirror;
     std::optional<ScatteredPath> haze;  // sunlight scattered before places on the line of sight
-    float angle_deg(const Eigen::Vector3f& direction, const Eigen::Vector3d& to_sun) const {
-        const double cosine = direction.cast<double>().dot(to_sun);
-        return static_cast<float>(degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
-    }
 };
 
-/// All that the hops of a view need at an instant, before any pixel is looked at.
+/// All that the hops of a view need at an instant before any pixel is looked at, in the channels of
+/// all bands side by side (lanes): so that a hop's place in a table is found once for all of them.
 struct HopTables {
-    const Hops& hops;
-    const RadianceInput& input;
-    std::span<const Plume> plumes;
-    std::vector<Band> bands;
-    std::vector<FacetId> facets{};       // in the hops
-    std::vector<std::uint32_t> place{};  // (hop) index of its facet above
-    LitFacets lit{};
-    LitState state{};
-    std::vector<Channels> channels{};
-    std::vector<std::vector<std::vector<float>>> probe{};
-    std::vector<BandLight> band{};
-    std::optional<PathTable> path{};
-
     HopTables(const Hops& hops, std::span<const Plume> plumes, double observer_height,
               std::span<const Band> bands, const RadianceInput& input, int bounces,
               double tolerance);
     HopTables(const HopTables&) = delete;  // its tables refer to each other
 
+    const Hops& hops;
+    const RadianceInput& input;
+    std::vector<HopBand> band;
+    Lanes lanes;
+    std::vector<std::uint32_t> place;  // (hop) index of its facet in `lit.target`
+    LitFacets lit;
+    LitState state;
+    std::vector<float> facet;                    // (facet of the hops, part, lane)
+    std::vector<AngleTable> angle;               // (material), where needed
+    std::vector<std::vector<float>> room;        // (material)(lane) τ B of the room behind
+    std::vector<std::vector<float>> absorption;  // (plume)(lane) [m⁻¹]
+    std::vector<std::vector<float>> glow;        // (plume)(lane) B(T)
+    std::array<std::vector<float>, 3> sun;       // (height of LitFacets)(lane)
+
+    const float* part(std::uint32_t facet_place, FacetPart p) const {
+        return &facet[(facet_place * facet_parts + static_cast<std::size_t>(p)) * lanes.size()];
+    }
+    /// Transmittance and radiance of the air to a place, (lane).
+    void air_to(float range, float height_km, float* transmittance, float* radiance) const;
+    /// Radiance of the background in a direction, (lane): seen straight, or in a mirror.
+    void sky_towards(const Eigen::Vector3d& direction, bool straight, std::span<float> out) const;
+    /// [deg]
+    double angle_from_sun(const Eigen::Vector3f& direction) const;
+
  private:
-    void prepare(std::size_t b, double eye_km);
-    void send(int bounces, double tolerance);
+    void prepare(HopBand& of);
+    void look_up(double observer_height);
+    void send(std::span<const FacetId> facets, int bounces, double tolerance);
+    void fill_facet(std::size_t facet_place, std::size_t of_band, std::span<const float> around);
+    void fill_air(const PathExtent& extent, double tolerance);
+
+    std::span<const Plume> plumes_;
+    std::vector<Band> bands_;
+    std::vector<Channels> channels_;
+    std::vector<std::vector<std::vector<float>>> probe_;  // (band)(probe)(channel)
+    std::optional<PathTable> path_;
+    std::vector<float> air_;  // (range, height, transmittance or radiance, lane)
 };
 
 }  // namespace diurna

@@ -3,46 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/hop_merge.hpp"
 #include "render/hop_walk.hpp"
 #include "terrain/parallel.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// Whether two samples' trees met the same things, so that their mean stands for both.
-bool alike(std::span<const Hop> a, std::span<const Hop> b) {
-    if (a.size() != b.size()) return false;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i].kind != b[i].kind || a[i].what != b[i].what || a[i].way != b[i].way ||
-            a[i].before != b[i].before || a[i].closed != b[i].closed) {
-            return false;
-        }
-        if (a[i].kind == Hop::Kind::plume || (a[i].kind == Hop::Kind::sky && !a[i].straight)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/// Adds a sample's tree to a pixel's, as one with an earlier one that is alike.
-void gather(std::vector<Hop>& tree, std::vector<std::vector<Hop>>& trees) {
-    for (std::vector<Hop>& other : trees) {
-        if (!alike(tree, other)) continue;
-        for (std::size_t i = 0; i < tree.size(); ++i) {
-            Hop& mean = other[i];
-            const float total = mean.weight + tree[i].weight, t = tree[i].weight / total;
-            mean.range += t * (tree[i].range - mean.range);
-            mean.height += t * (tree[i].height - mean.height);
-            mean.cosine += t * (tree[i].cosine - mean.cosine);
-            mean.direction =
-                (mean.direction + t * (tree[i].direction - mean.direction)).normalized();
-            mean.weight = total;
-        }
-        return;
-    }
-    trees.push_back(tree);
-}
 
 /// Pixels that see a material that needs rays, or whose middle passes a plume's sphere.
 std::vector<std::uint32_t> special_pixels(const View& view, const FacetSet& facets,
@@ -104,31 +71,23 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
         hops.pixel.size(),
         [&](std::size_t k) {
             const std::size_t p = hops.pixel[k], width = static_cast<std::size_t>(view.width);
-            std::vector<std::vector<Hop>> trees;
-            std::vector<Hop> tree;
+            std::vector<Hop> sample, seen;
             for (int s = 0; s < options.samples; ++s) {
                 Chance chance{(options.seed * 0x9E3779B97F4A7C15u) ^
                               ((std::uint64_t{p} << 16) + std::uint64_t(s)) * 0xD1B54A32D192ED03u};
                 const double x = chance(), y = chance();
                 const double column = double(p % width) + (s % columns + x) / columns;
                 const double row = double(p / width) + (double(s / columns) + y) / rows;
-                tree.clear();
+                sample.clear();
                 walk(place, observer.position + eye.start(column, row), eye.towards(column, row),
-                     1.0f / static_cast<float>(options.samples), chance, tree);
-                gather(tree, trees);
+                     1.0f / static_cast<float>(options.samples), chance, sample);
+                add_sample(sample, plumes, seen);
             }
             // Past the plumes after all: the view has it already.
-            const auto plain = [](const std::vector<Hop>& one) {
-                return one.size() == 1 && !one[0].closed && one[0].kind != Hop::Kind::plume;
-            };
-            if (std::all_of(trees.begin(), trees.end(), plain)) return;
-            for (const std::vector<Hop>& one : trees) {
-                const auto offset = static_cast<std::int32_t>(found[k].size());
-                for (Hop hop : one) {
-                    if (hop.before >= 0) hop.before += offset;
-                    found[k].push_back(hop);
-                }
-            }
+            const bool plain = std::all_of(seen.begin(), seen.end(), [](const Hop& hop) {
+                return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume;
+            });
+            if (!plain) found[k] = std::move(seen);
         },
         16);
     std::vector<bool> taken(view.pixels(), false);

@@ -67,6 +67,8 @@ PlumeScene::PlumeScene(std::span<const Plume> plumes) {
             sphere.radius = std::max(sphere.radius, (v - sphere.middle).norm());
         }
         spheres_.push_back(sphere);
+        greatest_.push_back(
+            *std::max_element(plume.absorption.value.begin(), plume.absorption.value.end()));
     }
     if (facets_.size() > 0) rays_ = std::make_unique<RayScene>(facets_);
 }

@@ -54,8 +54,11 @@ class PlumeScene {
         double radius;
     };
     std::span<const Sphere> spheres() const { return spheres_; }
+    /// [m⁻¹] of a plume, over all wavelengths
+    double greatest_absorption(std::uint32_t plume) const { return greatest_[plume]; }
 
  private:
+    std::vector<double> greatest_;
     FacetSet facets_;  // object: index of the plume
     std::unique_ptr<RayScene> rays_;
     std::vector<Sphere> spheres_;

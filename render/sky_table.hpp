@@ -6,6 +6,7 @@
 
 #include "materials/band.hpp"
 #include "render/band_table.hpp"
+#include "render/path_table.hpp"
 #include "render/radiance.hpp"
 
 namespace diurna {
@@ -15,20 +16,28 @@ namespace diurna {
 /// crowd towards the horizon, cubic between them; scattered sunlight over azimuth too, every 6°.
 class SkyTable {
  public:
-    /// Directions to be asked for.
+    /// Directions to be asked for; azimuths to either side of the sun's.
     struct Extent {
         double least_zenith_deg = 1e9, most_zenith_deg = -1e9;
+        double least_azimuth_deg = 1e9, most_azimuth_deg = -1e9;
         bool any() const { return least_zenith_deg <= most_zenith_deg; }
-        void include(const Eigen::Vector3d& direction);
+        void include(const Eigen::Vector3d& direction, const Eigen::Vector3d& to_sun);
     };
     SkyTable(const RadianceInput& input, const Band& band, const Channels& channels,
              const SunField* scattered, double height_km, const Extent& extent);
 
-    /// Channel sums [W m⁻² sr⁻¹] towards a unit vector.
-    void at(const Eigen::Vector3d& direction, std::span<float> out) const;
+    /// Where in the table a unit vector lies: the same for every band of one height and extent.
+    struct Place {
+        bool up;
+        Stencil zenith, azimuth;
+    };
+    Place place(const Eigen::Vector3d& direction) const;
+    /// Channel sums [W m⁻² sr⁻¹] there.
+    void at(const Place& place, std::span<float> out) const;
 
  private:
-    static constexpr std::size_t nodes = 28, azimuths = 31;
+    static constexpr std::size_t nodes = 28;
+    static constexpr double azimuth_step_deg = 6.0;
     /// Above the horizon, or below it.
     struct Part {
         double low = 0.0, step = 1.0;  // of the variable of zenith angles
@@ -39,7 +48,9 @@ class SkyTable {
     double below(double zenith_deg) const;
 
     std::size_t padded_ = 0;
-    double horizon_ = 90.0, sun_azimuth_deg_ = 0.0;
+    std::size_t azimuths_ = 4, first_azimuth_ = 0;  // of those every 6° from the sun's
+    double horizon_ = 90.0;
+    Eigen::Vector3d to_sun_;
     Part sky_, plain_;
 };
 

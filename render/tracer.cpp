@@ -254,9 +254,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     if (options.hops && !options.hops->empty()) {
         const HopLight of_hops(*options.hops, options.plumes, view.observer_height, bands, input,
                                options.bounces, options.tolerance);
-        for (std::size_t b = 0; b < bands.size(); ++b) {
-            of_hops.add(b, std::span(planes).subspan(b * per_band, per_band));
-        }
+        of_hops.add(planes);
     }
 
     for (std::size_t b = 0; b < bands.size(); ++b) {

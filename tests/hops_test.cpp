@@ -9,8 +9,10 @@
 #include "materials/microfacet.hpp"
 #include "materials/planck.hpp"
 #include "materials/units.hpp"
+#include "render/hop_merge.hpp"
 #include "render/hop_reference.hpp"
 #include "render/hop_shading.hpp"
+#include "render/hop_walk.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/site.hpp"
 #include "terrain/visibility.hpp"
@@ -106,7 +108,7 @@ struct Stage {
                                   .ground_height_km = ground_km};
         seen.planes.assign(term_count, std::vector<float>(seen.view.pixels(), 0.0f));
         const HopLight light(seen.hops, plumes, seen.view.observer_height, {&band, 1}, input);
-        light.add(0, seen.planes);
+        light.add(seen.planes);
         if (with_reference) {
             const auto scattered = scattered_sun(input, band.node_um);
             for (std::size_t k = 0; k < seen.hops.pixel.size(); k += 41) {
@@ -362,6 +364,72 @@ TEST_CASE("hops agree with the sum over wavelengths", "[render][hops]") {
     CAPTURE(band.name, worst);
     CHECK(seen.hops.pixel.size() > 50);
     CHECK(worst < 5e-3);
+}
+
+// Each sample's hops by themselves against the same samples merged: a pane, a rough mirror and
+// smoke before a wall and sky, seen at a slant.
+TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][merge]") {
+    Stage stage;
+    stage.air =
+        BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
+    stage.rectangle({{-400, -40, -9}, {400, -40, -9}, {400, 900, -9}, {-400, 900, -9}}, plain(0.1),
+                    300.0f);
+    stage.wall(
+        60.0, 6.0,
+        pane(0.2, 0.5,
+             Glossy{
+                 .roughness = 0.0, .metal = false, .index = flat_spectrum(1.5), .extinction = {}}),
+        285.0f);
+    stage.rectangle({{-9, 100, -9}, {-1, 140, -9}, {-1, 145, 9}, {-9, 105, 9}}, metal(0.7, 0.1),
+                    310.0f);
+    stage.plume(30.0, 3.0, 0.1, 340.0);
+    const RayScene scene(stage.facets);
+    const MaterialLibrary materials(stage.all);
+    const SkyView sky = sky_view(stage.facets, scene, {.rays = 64});
+    const PlumeScene volumes(stage.plumes);
+    const HopScene place{scene, stage.facets, materials, volumes};
+    const PixelRays eye = pixel_rays(stage.observer(24, 16.0));
+    Hops merged, apart;
+    merged.row = apart.row = {0};
+    for (std::uint32_t p = 0; p < 24 * 24; ++p) {
+        std::vector<Hop> one;
+        for (int s = 0; s < 16; ++s) {
+            Chance chance{std::uint64_t{p} * 16 + std::uint64_t(s) + 1};
+            std::vector<Hop> sample;
+            walk(place, Eigen::Vector3d::Zero(), eye.towards(p % 24 + chance(), p / 24 + chance()),
+                 1.0f / 16.0f, chance, sample);
+            add_sample(sample, volumes, one);
+            const auto offset = std::int32_t(apart.hop.size() - apart.row.back());
+            for (Hop hop : sample) {
+                if (hop.before >= 0) hop.before += offset;
+                apart.hop.push_back(hop);
+            }
+        }
+        merged.hop.insert(merged.hop.end(), one.begin(), one.end());
+        for (Hops* hops : {&merged, &apart}) {
+            hops->pixel.push_back(p);
+            hops->row.push_back(static_cast<std::uint32_t>(hops->hop.size()));
+        }
+    }
+    const RadianceInput input{.facets = stage.facets,
+                              .sky_view = sky,
+                              .materials = materials,
+                              .atmosphere = stage.air,
+                              .temperature = stage.temperature,
+                              .ground_height_km = 0.3};
+    double worst = 0.0;
+    std::array<std::vector<std::vector<float>>, 2> planes;
+    for (const std::size_t i : {0u, 1u}) {
+        planes[i].assign(1, std::vector<float>(24 * 24, 0.0f));
+        HopLight(i == 0 ? merged : apart, stage.plumes, 0.0, {&lwir, 1}, input).add(planes[i]);
+    }
+    for (std::size_t p = 0; p < 24 * 24; ++p) {
+        worst = std::max(worst, std::abs(brightness_temperature(lwir, double{planes[0][0][p]}) -
+                                         brightness_temperature(lwir, double{planes[1][0][p]})));
+    }
+    CAPTURE(merged.hop.size(), apart.hop.size(), worst);
+    CHECK(worst < 2e-3);
+    CHECK(3 * merged.hop.size() < apart.hop.size());
 }
 
 TEST_CASE("hops are the same for any number of threads", "[render][hops]") {

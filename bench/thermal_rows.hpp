@@ -283,16 +283,8 @@ inline std::string measured_days(const char* folder,
     if (!std::filesystem::exists(place)) return "data absent";
     const measured::Series series = read(place);
     const MaterialLibrary library = default_material_library();
-    ColumnJob job;
-    job.site = series.site;
-    job.elevation = series.site.height;
-    job.weather = series.weather;
-    job.surface = library[library.find(material)].thermal;
-    job.start = series.weather.instant.front();
-    job.end = series.weather.instant.back();
-    job.step = cadence;
-    job.initial_profile = series.profile;
-    if (!series.profile.empty()) job.spin_up = SpinUp::none;
+    const ColumnJob job =
+        measured::job_of(series, library[library.find(material)].thermal, cadence);
     const ColumnResult result = run_column(job);
     double sum = 0.0, bias = 0.0;
     std::size_t count = 0;

@@ -58,10 +58,8 @@ std::string ascii(double cell_size) {
            "\n1 2\n3 4\n";
 }
 
-}  // namespace
-
-TEST_CASE("a header of two thousand million posts a side is refused at once",
-          "[terrain][dem][stress]") {
+/// A little-endian TIFF of side × side floats, as it says, with one strip of four bytes.
+std::string claim(std::uint32_t side) {
     std::string bytes("II*\0\x08\0\0\0", 8);
     const auto put = [&](auto value) {
         bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -70,10 +68,9 @@ TEST_CASE("a header of two thousand million posts a side is refused at once",
         std::uint16_t id, type;
         std::uint32_t count, value;
     };
-    const Tag tags[] = {{256, 4, 1, 2000000000}, {257, 4, 1, 2000000000}, {258, 3, 1, 32},
-                        {259, 3, 1, 1},          {262, 3, 1, 1},          {273, 4, 1, 8},
-                        {277, 3, 1, 1},          {278, 4, 1, 2000000000}, {279, 4, 1, 4},
-                        {339, 3, 1, 3}};
+    const Tag tags[] = {{256, 4, 1, side}, {257, 4, 1, side}, {258, 3, 1, 32}, {259, 3, 1, 1},
+                        {262, 3, 1, 1},    {273, 4, 1, 8},    {277, 3, 1, 1},  {278, 4, 1, side},
+                        {279, 4, 1, 4},    {339, 3, 1, 3}};
     put(static_cast<std::uint16_t>(std::size(tags)));
     for (const Tag& tag : tags) {
         put(tag.id);
@@ -82,7 +79,20 @@ TEST_CASE("a header of two thousand million posts a side is refused at once",
         put(tag.value);
     }
     put(std::uint32_t{0});
-    CHECK_FALSE(refusal(file("huge.tif", bytes)).empty());
+    return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("a header that claims more than its file holds is refused at once",
+          "[terrain][dem][stress]") {
+    for (const std::uint32_t side : {200000u, 2000000000u}) {
+        const std::string line = refusal(file("huge.tif", claim(side)));
+        CAPTURE(side, line);
+        CHECK((line.find("at most 500 million") != std::string::npos ||
+               line.find("claims") != std::string::npos ||
+               line.find("cannot be read") != std::string::npos));
+    }
     // The same claim in text, which costs nothing to write.
     CHECK_FALSE(refusal(file("huge.asc",
                              "ncols 2000000000\nnrows 2000000000\nxllcorner 8\nyllcorner 46\n"

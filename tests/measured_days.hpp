@@ -25,6 +25,21 @@ struct Series {
     std::vector<SoilPoint> profile;  // ground at the start, where it was measured
 };
 
+/// A facet of a surface through the whole series, its weather given, nothing fitted.
+inline ColumnJob job_of(const Series& series, const ThermalSurface& surface, double cadence) {
+    ColumnJob job;
+    job.site = series.site;
+    job.elevation = series.site.height;
+    job.weather = series.weather;
+    job.surface = surface;
+    job.start = series.weather.instant.front();
+    job.end = series.weather.instant.back();
+    job.step = cadence;
+    job.initial_profile = series.profile;
+    if (!series.profile.empty()) job.spin_up = SpinUp::none;
+    return job;
+}
+
 inline double skin_from_longwave(double up, double down, double emissivity) {
     return std::pow((up - (1.0 - emissivity) * down) / (emissivity * stefan_boltzmann), 0.25);
 }

@@ -29,16 +29,8 @@ double between(const ColumnResult& result, const ColumnJob& job, Instant when) {
 Score run(const char* name, const measured::Series& series, const std::string& material,
           double cadence) {
     static const MaterialLibrary library = default_material_library();
-    ColumnJob job;
-    job.site = series.site;
-    job.elevation = series.site.height;
-    job.weather = series.weather;
-    job.surface = library[library.find(material)].thermal;
-    job.start = series.weather.instant.front();
-    job.end = series.weather.instant.back();
-    job.step = cadence;
-    job.initial_profile = series.profile;
-    if (!series.profile.empty()) job.spin_up = SpinUp::none;
+    const ColumnJob job =
+        measured::job_of(series, library[library.find(material)].thermal, cadence);
     const ColumnResult result = run_column(job);
     CHECK(result.limited == 0);
     CHECK(result.worst_energy_closure < 1e-8);

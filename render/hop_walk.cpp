@@ -69,6 +69,20 @@ void follow(const HopScene& place, Walker walker, float weight, Chance& chance,
         walker.before = static_cast<std::int32_t>(out.size()) - 1;
         walker.way = Hop::Way::through;
     };
+    const auto end_twice = [&](const Blend& blend, double far) {
+        Hop hop{.kind = Hop::Kind::facet};
+        hop.cosine = static_cast<float>(
+            std::abs(place.facets.normal[index(blend.first)].cast<double>().dot(walker.direction)));
+        const std::int32_t before = walker.before;
+        const Hop::Way way = walker.way;
+        for (const bool second : {false, true}) {
+            hop.what = static_cast<std::uint32_t>(index(second ? blend.second : blend.first));
+            walker.before = before;
+            walker.way = way;
+            add(hop, far);
+            out.back().weight *= second ? blend.second_share : 1.0f - blend.second_share;
+        }
+    };
     for (;;) {
         const Ray ray{.origin = walker.origin.cast<float>(),
                       .near = static_cast<float>(walker.near),
@@ -89,7 +103,28 @@ void follow(const HopScene& place, Walker walker, float weight, Chance& chance,
             add(hop, 0.0);
             return;
         }
-        const std::size_t f = index(hit.facet);
+        Blend blend{hit.facet, hit.facet};
+        if (place.patchwork != nullptr) {
+            const double walked = walker.walked + far;
+            blend = blend_at(*place.patchwork, hit.facet, place.observer,
+                             place.sample_angle * (far > 0.0 ? walked / far : 1.0), walker.origin,
+                             walker.direction, far);
+        }
+        std::size_t f = index(blend.first);
+        if (blend.second_share > 0.0f) {
+            const auto& [a, b, share] = blend;
+            const auto goes_on = [&](FacetId facet) {
+                return place.materials[place.facets.material[index(facet)]].needs_rays();
+            };
+            if (goes_on(a) || goes_on(b)) {
+                if (chance() < double{share}) f = index(b);
+            } else if (share == 1.0f) {
+                f = index(b);
+            } else {
+                end_twice(blend, far);
+                return;
+            }
+        }
         const Material& material = place.materials[place.facets.material[f]];
         Eigen::Vector3d normal = place.facets.normal[f].cast<double>();
         if (normal.dot(walker.direction) > 0.0) normal = -normal;

@@ -30,11 +30,16 @@ struct HopScene {
     const FacetSet& facets;
     const MaterialLibrary& materials;
     const PlumeScene& plumes;
+    const Observer& observer;
+    const Patchwork* patchwork = nullptr;  // null: no textures
+    double sample_angle = 0.0;             // of the observer's samples (view.hpp)
 };
 
 /// Follows one ray to its ends and adds what it meets to `out`, a hop before those behind it, each
 /// with the given weight. Behind panes and nets it goes on, up to 8 times; a mirror sends one ray
-/// into its lobe, twice at most. What is met after that is closed.
+/// into its lobe, twice at most. What is met after that is closed. A textured facet where a ray
+/// ends is two hops that share the weight; one that lets rays go on is one of its two surfaces by
+/// chance.
 void walk(const HopScene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
           float weight, Chance& chance, std::vector<Hop>& out);
 

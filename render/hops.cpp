@@ -65,7 +65,14 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
     int rows = static_cast<int>(std::sqrt(double(options.samples)));
     while (options.samples % rows != 0) --rows;
     const int columns = options.samples / rows;
-    const HopScene place{scene, facets, materials, plumes};
+    const bool textured = options.patchwork != nullptr && !options.patchwork->empty();
+    const HopScene place{scene,
+                         facets,
+                         materials,
+                         plumes,
+                         observer,
+                         textured ? options.patchwork : nullptr,
+                         sample_angle(observer, options.samples)};
     std::vector<std::vector<Hop>> found(hops.pixel.size());
     for_each_index(
         hops.pixel.size(),

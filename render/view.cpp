@@ -274,6 +274,27 @@ void closest_parallel(const RayScene& scene, const Fan& fan,
 
 }  // namespace
 
+double sample_angle(const Observer& observer, int samples) {
+    const double root = std::sqrt(double(samples));
+    if (observer.projection == Projection::orthographic) {
+        return observer.picture_width / observer.width / root;
+    }
+    const PixelRays eye = pixel_rays(observer);
+    const double column = 0.5 * observer.width, row = 0.5 * observer.height;
+    return (eye.towards(column + 1.0, row) - eye.towards(column, row)).norm() / root;
+}
+
+Blend blend_at(const Patchwork& patchwork, FacetId facet, const Observer& observer,
+               double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
+               double range) {
+    if (patchwork.patch[index(facet)].levels < 2) return {facet, facet};
+    const double across =
+        std::abs(patchwork.facets.normal[index(facet)].cast<double>().dot(towards));
+    const double apart =
+        observer.projection == Projection::orthographic ? sample_angle : sample_angle * range;
+    return patchwork.at(facet, from + range * towards, apart / std::sqrt(std::max(0.01, across)));
+}
+
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                const ViewOptions& options) {
     check_observer(observer);
@@ -302,20 +323,11 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     const Patchwork* const textured =
         options.patchwork != nullptr && !options.patchwork->empty() ? options.patchwork : nullptr;
     if (textured) view.centre_blend.assign(width * height, {no_facet, no_facet});
-    // Between neighbouring samples: angle [rad], or length [m] where rays are parallel.
-    const double middle_column = 0.5 * observer.width, middle_row = 0.5 * observer.height;
-    const double sample_angle = (eye.projection == Projection::orthographic
-                                     ? observer.picture_width / observer.width
-                                     : (eye.towards(middle_column + 1.0, middle_row) -
-                                        eye.towards(middle_column, middle_row))
-                                           .norm()) /
-                                std::sqrt(double(samples));
-    const auto blend_at = [&](std::uint32_t facet, const Eigen::Vector3f& from,
-                              const Eigen::Vector3f& towards, float range, double angle) {
-        const Eigen::Vector3d place = from.cast<double>() + double{range} * towards.cast<double>();
-        const double across = std::max(0.01f, std::abs(facets.normal[facet].dot(towards)));
-        const double apart = eye.projection == Projection::orthographic ? angle : angle * range;
-        return textured->at(FacetId{facet}, place, apart / std::sqrt(across));
+    const double angle = sample_angle(observer, options.samples);
+    const auto blend = [&](FacetId facet, const Eigen::Vector3f& from,
+                           const Eigen::Vector3f& towards, float range) {
+        return blend_at(*textured, facet, observer, angle, from.cast<double>(),
+                        towards.cast<double>(), double{range});
     };
 
     // Where in the pixel each sample's cell begins; lanes beyond the last repeat the first.
@@ -359,8 +371,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                     if (textured == nullptr) continue;
                     const Ray& ray = rays[at + k];
                     view.centre_blend[pixel] =
-                        blend_at(static_cast<std::uint32_t>(index(hit.facet)), ray.origin,
-                                 ray.direction, hit.range, sample_angle);
+                        blend(hit.facet, ray.origin, ray.direction, hit.range);
                 }
             }
         }
@@ -450,17 +461,16 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
                                 shares.add(hits.facet[s], hits.range[s], level[s]);
                                 continue;
                             }
-                            const Blend blend = blend_at(hits.facet[s], origin + start[s],
-                                                         {fan.x[s], fan.y[s], fan.z[s]},
-                                                         hits.range[s], sample_angle);
+                            const Blend met = blend(FacetId{hits.facet[s]}, origin + start[s],
+                                                    {fan.x[s], fan.y[s], fan.z[s]}, hits.range[s]);
                             const auto part = static_cast<std::uint32_t>(
-                                std::lround(blend.second_share * float{one_sample}));
+                                std::lround(met.second_share * float{one_sample}));
                             if (part < one_sample) {
-                                shares.add(static_cast<std::uint32_t>(index(blend.first)),
+                                shares.add(static_cast<std::uint32_t>(index(met.first)),
                                            hits.range[s], level[s], one_sample - part);
                             }
                             if (part > 0) {
-                                shares.add(static_cast<std::uint32_t>(index(blend.second)),
+                                shares.add(static_cast<std::uint32_t>(index(met.second)),
                                            hits.range[s], level[s], part);
                             }
                         }

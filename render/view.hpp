@@ -73,6 +73,15 @@ struct View {
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                const ViewOptions& options = {});
 
+/// Angle [rad] between neighbouring samples of a pixel, at the middle of the picture; orthographic:
+/// distance [m].
+double sample_angle(const Observer& observer, int samples);
+
+/// What a ray finds that meets a textured facet at a range.
+Blend blend_at(const Patchwork& patchwork, FacetId facet, const Observer& observer,
+               double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
+               double range);
+
 /// Height [m] of a place in the east-north-up frame above the level surface through the origin.
 double level_height(const Eigen::Vector3d& place);
 

@@ -137,6 +137,7 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                           std::vector<std::string>* errors) {
     const Scene& scene = prepared.scene;
     const World& world = prepared.world;
+    const FacetSet& surfaces = world.surfaces();
     std::size_t rendered = 0;
     for (std::size_t o = 0; o < scene.observers.size(); ++o) {
         const ObserverInput& input = scene.observers[o];
@@ -148,15 +149,16 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         if (wanted.empty()) continue;
 
         progress.stage("cast view of " + input.name);
-        const ViewOptions sampling{.samples = input.samples, .seed = scene.seed};
-        View view = cast_view(prepared.rays, world.facets, observer, sampling);
-        const Hops hops = follow_rays(view, prepared.rays, world.facets, scene.materials,
+        const ViewOptions sampling{
+            .samples = input.samples, .seed = scene.seed, .patchwork = &world.patchwork};
+        View view = cast_view(prepared.rays, surfaces, observer, sampling);
+        const Hops hops = follow_rays(view, prepared.rays, surfaces, scene.materials,
                                       PlumeScene(prepared.plumes), observer, sampling);
         std::vector<Band> bands;
         for (const std::string& band : input.bands)
             bands.push_back(named_band(scene.bands, band, bin_edges_um()));
 
-        const RadianceInput still{.facets = world.facets,
+        const RadianceInput still{.facets = surfaces,
                                   .sky_view = sky_view,
                                   .materials = scene.materials,
                                   .atmosphere = Vacuum{},
@@ -182,10 +184,11 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                 fraction.resize(world.facets.size());
                 sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
                              {.samples = scene.sun_samples, .seed = scene.seed});
+                if (!world.patchwork.empty()) fraction = for_copies(world.patchwork, fraction);
             }
             const std::vector<float> temperature = field.interpolate(instant);
             const Atmosphere atmosphere = atmosphere_at(scene, world, prepared.weather, instant);
-            const RadianceInput now{.facets = world.facets,
+            const RadianceInput now{.facets = surfaces,
                                     .sky_view = sky_view,
                                     .materials = scene.materials,
                                     .atmosphere = atmosphere,

@@ -65,8 +65,9 @@ Prepared prepare(Scene scene) {
         const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
         plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
     }
-    Plan plan = make_plan(scene, world);
     std::vector<std::string> notes = dem.notes;
+    for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
+    Plan plan = make_plan(scene, world);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {
         notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
@@ -83,7 +84,8 @@ SkyView scene_sky_view(const Prepared& prepared) {
                                                 .object_rays = prepared.scene.object_sky_rays,
                                                 .seed = prepared.scene.seed});
     make_reciprocal(prepared.world.facets, view);
-    return view;
+    const Patchwork& patchwork = prepared.world.patchwork;
+    return patchwork.empty() ? view : for_copies(patchwork, view);
 }
 
 /// Temperatures are kept at every frame and, for the curves of a day and where they cross, at least
@@ -126,6 +128,18 @@ SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
                                 fraction, {.samples = scene.sun_samples, .seed = scene.seed});
                },
                {.tolerance = 20.0});
+    const Patchwork& patchwork = prepared.world.patchwork;
+    if (patchwork.empty()) return exposure;
+    exposure.fraction = for_copies(patchwork, exposure.fraction);
+    std::vector<ShadowEdge> edges;
+    for (const ShadowEdge& edge : exposure.edge) {
+        edges.push_back(edge);
+        const Patchwork::Patch& patch = patchwork.patch[edge.facet];
+        for (std::uint32_t copy = 0; copy + 1 < patch.levels; ++copy) {
+            edges.push_back({edge.step, patch.first_copy + copy, edge.share});
+        }
+    }
+    exposure.edge = std::move(edges);
     return exposure;
 }
 
@@ -135,7 +149,7 @@ SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progr
     progress.stage("heat balance");
     SolveOptions options = scene_solve_options(prepared.scene);
     options.progress = [&](double share) { progress.done(share); };
-    return solve({.facets = prepared.world.facets,
+    return solve({.facets = prepared.world.surfaces(),
                   .sky_view = sky_view,
                   .sun = exposure,
                   .materials = prepared.scene.materials,
@@ -175,7 +189,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     } else {
         SolveResult result = solve_scene(prepared, view, progress);
         progress.stage("write temperatures");
-        save_temperature_field(temperatures, result.temperature, prepared.world.facets,
+        save_temperature_field(temperatures, result.temperature, prepared.world.surfaces(),
                                prepared.world.site);
         field = std::move(result.temperature);
         report.solve = result.report;
@@ -196,7 +210,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     annotate_frames(prepared, options.out);
     report.files.push_back("annotations.json");
     const std::vector<DiurnalCurve> curves =
-        diurnal_curves(field, prepared.world.facets, checked.materials);
+        diurnal_curves(field, prepared.world.surfaces(), checked.materials);
     report.stages = progress.stages();
     write_report(options.out, prepared, report, field.instant, curves);
     report.files.push_back("report.html");

@@ -52,7 +52,7 @@ void add_scene_options(CLI::App& verb, SceneArguments& a) {
 void check_verb(const SceneArguments& a) {
     const Prepared prepared = prepare(a.read());
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
-               prepared.world.facets.size(), prepared.observers.size());
+               prepared.world.surfaces().size(), prepared.observers.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
 }
 
@@ -73,17 +73,17 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     progress.stage("sky view");
     const SkyView view = scene_sky_view(prepared);
     const SolveResult result = solve_scene(prepared, view, progress);
-    save_temperature_field(out, result.temperature, prepared.world.facets, prepared.world.site);
+    save_temperature_field(out, result.temperature, prepared.world.surfaces(), prepared.world.site);
 }
 
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,
                  const std::filesystem::path& out) {
     const Prepared prepared = prepare(a.read());
     const TemperatureField field = load_temperature_field(temperatures);
-    if (field.facets != prepared.world.facets.size()) {
+    if (field.facets != prepared.world.surfaces().size()) {
         throw InputError(temperatures.string(),
                          fmt::format("found temperatures of {} facets, expected {} as in the scene",
-                                     field.facets, prepared.world.facets.size()));
+                                     field.facets, prepared.world.surfaces().size()));
     }
     std::filesystem::create_directories(out / "frames");
     Progress progress(a.style());

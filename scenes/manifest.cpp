@@ -24,6 +24,9 @@ std::vector<fs::path> input_files(const Scene& scene) {
     for (const BandInput& band : scene.bands) {
         if (!band.file.empty()) files.push_back(band.file);
     }
+    for (const TextureInput& texture : scene.textures) {
+        if (!texture.file.empty()) files.push_back(texture.file);
+    }
     for (const PlumeInput& plume : scene.plumes) {
         if (!plume.file.empty()) files.push_back(plume.file);
     }

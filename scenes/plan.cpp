@@ -28,7 +28,7 @@ std::vector<Instant> instants(Instant start, double duration, double every) {
 
 std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     std::vector<bool> used(scene.materials.size(), false);
-    for (const MaterialId id : world.facets.material) used[index(id)] = true;
+    for (const MaterialId id : world.surfaces().material) used[index(id)] = true;
     std::string names;
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
@@ -43,7 +43,7 @@ std::string wet_materials(const Scene& scene, const World& world, bool wet) {
 
 Plan make_plan(const Scene& scene, const World& world) {
     Plan plan;
-    plan.facets = world.facets.size();
+    plan.facets = world.surfaces().size();
     plan.steps = instants(scene.time.start, scene.time.duration, scene.time.step);
     plan.frames = instants(scene.time.start, scene.time.duration, scene.time.frame_every);
     plan.frames.pop_back();  // the end of a periodic day is its start
@@ -51,11 +51,11 @@ Plan make_plan(const Scene& scene, const World& world) {
         // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
         if (sun_position(world.site, step).elevation_deg > -0.84) plan.sunlit_steps.push_back(step);
     }
-    plan.sky_rays =
-        world.ground_facets * static_cast<std::size_t>(scene.sky_rays) +
-        (plan.facets - world.ground_facets) * static_cast<std::size_t>(scene.object_sky_rays);
-    plan.sun_rays =
-        plan.facets * plan.sunlit_steps.size() * static_cast<std::size_t>(scene.sun_samples);
+    plan.sky_rays = world.ground_facets * static_cast<std::size_t>(scene.sky_rays) +
+                    (world.facets.size() - world.ground_facets) *
+                        static_cast<std::size_t>(scene.object_sky_rays);
+    plan.sun_rays = world.facets.size() * plan.sunlit_steps.size() *
+                    static_cast<std::size_t>(scene.sun_samples);
     std::size_t bands = 0;
     for (const ObserverInput& observer : scene.observers) {
         const std::size_t pixels = static_cast<std::size_t>(observer.width) * observer.height;

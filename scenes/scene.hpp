@@ -14,6 +14,7 @@
 #include "scenes/land.hpp"
 #include "scenes/objects.hpp"
 #include "scenes/plumes.hpp"
+#include "scenes/textures.hpp"
 #include "terrain/dem.hpp"
 #include "terrain/instant.hpp"
 #include "terrain/site.hpp"
@@ -121,6 +122,8 @@ struct Scene {
     std::vector<BandInput> bands;
     std::vector<CubeInput> cubes;
     std::vector<PlumeInput> plumes;
+    std::vector<TextureInput> textures;
+    TextureUses texture_uses;
     std::vector<ObserverInput> observers;
     int sky_rays = 64;          // per facet of the ground
     int object_sky_rays = 256;  // per facet of buildings and objects

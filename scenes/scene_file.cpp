@@ -197,6 +197,8 @@ Scene read_scene(const fs::path& file, const std::vector<std::string>& settings)
     Reading reading{.folder = file.parent_path(),
                     .materials = scene.materials.names(),
                     .object_names = {"ground"}};
+    scene.textures = read_textures(root, reading.folder, reading.materials);
+    scene.texture_uses = read_texture_uses(root, scene.textures);
 
     const Section about = root.section("scene");
     scene.name = about.text_or("name", file.parent_path().filename().string());

@@ -9,11 +9,13 @@
 #include "scenes/scene.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/height_field.hpp"
+#include "terrain/patchwork.hpp"
 #include "terrain/triangulate.hpp"
 
 namespace diurna {
 
-/// The scene in space: every triangle with its material, in the frame of its site.
+/// The scene in space: every triangle with its material, in the frame of its site. Rays, sun and
+/// sky know `facets`; heat and pictures have `surfaces()`, which are more where there are textures.
 struct World {
     Site site;
     double sea_level_height = 0.0;  // of the frame's origin above the sea [m]
@@ -25,6 +27,9 @@ struct World {
     TinCheck ground_check;              // how far the mesh is from the raster's posts
     std::size_t filled_facets = 0;      // ground facets on posts void in the file
     std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
+    Patchwork patchwork;                // what textures make of the facets
+
+    const FacetSet& surfaces() const { return patchwork.empty() ? facets : patchwork.facets; }
 };
 
 /// Triangulates the elevation along the polygons' borders, gives every facet its material and

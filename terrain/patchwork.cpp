@@ -41,7 +41,9 @@ std::array<std::size_t, 2> levels_on(const Skin& skin, const FacetSet& facets, s
     const auto [least, most] = raster->range(place);
     double low = level_of(skin, least), high = level_of(skin, most);
     for (const Eigen::Vector2d& at : place) {  // beyond the picture's edge
-        const double level = level_of(skin, raster->at(at.x(), at.y()));
+        const double value = raster->at(at.x(), at.y());
+        if (!std::isnan(value)) continue;
+        const double level = level_of(skin, value);
         low = std::min(low, level);
         high = std::max(high, level);
     }
@@ -92,16 +94,16 @@ std::vector<double> shares_on(const Skin& skin, const FacetSet& facets, std::siz
 
 Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
                          std::span<const std::uint16_t> skin_of) {
-    assert(skin_of.empty() || skin_of.size() == facets.size());
+    assert(skin_of.size() == facets.size());
     Patchwork p;
     p.solid = facets.size();
+    if (std::all_of(skin_of.begin(), skin_of.end(), [](auto s) { return s == no_skin; })) return p;
     p.facets = facets;
     p.skin = std::move(skins);
     p.patch.resize(p.solid);
     p.origin.resize(p.solid);
     p.share.assign(p.solid, 1.0f);
     for (std::size_t f = 0; f < p.solid; ++f) p.origin[f] = static_cast<std::uint32_t>(f);
-    if (skin_of.empty()) return p;
 
     std::vector<std::vector<double>> shares(p.solid);
     for_each_index(

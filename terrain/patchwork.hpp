@@ -36,12 +36,12 @@ struct Blend {
 /// The first of a facet's levels stands in its own place, the others are copies behind all facets
 /// that rays know, with areas and exchange factors by their shares of the facet.
 struct Patchwork {
-    std::size_t solid = 0;              // facets that rays know, the first ones
+    std::size_t solid = 0;              // facets that rays know, the first ones of all
     FacetSet facets;                    // all of them
     std::vector<std::uint32_t> origin;  // (facet) the solid one in its place
     std::vector<float> share;           // (facet) of the place
 
-    bool empty() const { return origin.size() == solid; }
+    bool empty() const { return patch.empty(); }  // no textures: nothing else is set
     /// spacing  [m] to the next place asked for
     Blend at(FacetId facet, const Eigen::Vector3d& place, double spacing = 0.0) const;
 
@@ -53,7 +53,7 @@ struct Patchwork {
     std::vector<Patch> patch;  // (solid facet)
 };
 
-/// skin_of  (facet) index into `skins`, or no_skin; empty: no facet has one
+/// skin_of  (facet) index into `skins`, or no_skin
 Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
                          std::span<const std::uint16_t> skin_of);
 

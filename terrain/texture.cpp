@@ -101,9 +101,10 @@ std::array<double, 2> RasterTexture::range(std::span<const Eigen::Vector2d> plac
         low = low.cwiseMin(at);
         high = high.cwiseMax(at);
     }
-    // A texel around, where values run from one to the next.
-    const double around = layout_.nearest ? 0.0 : 0.5;
+    // A texel around, where values run from one to the next; a border belongs to those within.
+    const double around = layout_.nearest ? -1e-4 : 0.5;
     Eigen::Vector2d first = (low.array() - around).floor(), last = (high.array() + around).floor();
+    last = last.cwiseMax(first);
     if (!layout_.repeat) {
         first = first.cwiseMax(0.0);
         last = last.cwiseMin(Eigen::Vector2d(layout_.columns - 1, layout_.rows - 1));

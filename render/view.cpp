@@ -318,7 +318,10 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     view.sky_zenith_deg.assign(width * height, 0.0f);
     view.centre.assign(width * height, no_facet);
     view.centre_range.assign(width * height, std::numeric_limits<float>::quiet_NaN());
-    view.rays = width * height * (samples + 1);
+    view.rays = options.asked.empty() ? width * height * (samples + 1)
+                                      : samples * static_cast<std::size_t>(std::count_if(
+                                                      options.asked.begin(), options.asked.end(),
+                                                      [](std::uint8_t one) { return one != 0; }));
 
     const Patchwork* const textured =
         options.patchwork != nullptr && !options.patchwork->empty() ? options.patchwork : nullptr;
@@ -422,7 +425,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
         Tile& out = tiles[t];
         out.count.reserve(tile * tile);
         out.sighting.reserve(4 * tile * tile);
-        cast_centres(x0, x1, y0, y1);
+        if (options.asked.empty()) cast_centres(x0, x1, y0, y1);
         Fan fan;
         fan.origin = origin;
         FanHits hits;
@@ -434,6 +437,10 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
         for (std::size_t y = y0; y < y1; ++y) {
             for (std::size_t x = x0; x < x1; ++x) {
                 const std::size_t pixel = y * width + x;
+                if (!options.asked.empty() && options.asked[pixel] == 0) {
+                    out.count.push_back(0);
+                    continue;
+                }
                 const std::uint32_t hash = pixel_hash(options.seed, pixel);
                 std::size_t solid = 0;
                 double zenith = 0.0;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/observer.hpp"
@@ -18,6 +19,9 @@ struct ViewOptions {
     /// parts of 2^-16; null: no textures. A sample stands for a square as wide as the distance to
     /// the next sample, on slanting ground by the root of what that stretches it.
     const Patchwork* patchwork = nullptr;
+    /// (pixel) those that are not zero are cast; empty: all. The others see nothing, and pixels'
+    /// centres are not cast.
+    std::span<const std::uint8_t> asked = {};
 };
 
 /// What a pixel sees of one target.

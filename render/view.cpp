@@ -429,7 +429,8 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
         Fan fan;
         fan.origin = origin;
         FanHits hits;
-        std::array<Eigen::Vector3f, lanes> start{};  // of each ray, where they are parallel
+        std::array<Eigen::Vector3f, lanes> start;  // of each ray, where they are parallel
+        start.fill(Eigen::Vector3f::Zero());
         Shares shares;
         const float ox = origin.x(), oy = origin.y(), oz = origin.z();
         constexpr auto bend = static_cast<float>(1.0 / (2e3 * earth_radius_km));

@@ -13,7 +13,8 @@ using namespace diurna;
 
 namespace {
 
-constexpr int cases = 2000, dimensions = 16;
+constexpr int cases = 2000, dimensions = 20;
+constexpr unsigned seed = 20260320;
 const Instant begin = parse_instant("2026-03-20T00:00:00Z");
 
 double logarithmic(double unit, double least, double most) {
@@ -21,7 +22,7 @@ double logarithmic(double unit, double least, double most) {
 }
 
 /// A Latin hypercube: in every dimension, each of `cases` equal slices is drawn from once.
-std::vector<std::array<double, dimensions>> hypercube(unsigned seed) {
+std::vector<std::array<double, dimensions>> hypercube() {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     std::vector<std::array<double, dimensions>> sample(cases);
@@ -36,107 +37,196 @@ std::vector<std::array<double, dimensions>> hypercube(unsigned seed) {
     return sample;
 }
 
+enum class Kind { plain, wet, store, big_leaf, two_source, snow, freezing, plate };
+constexpr int kinds = 8;
+
 struct Extreme {
     ColumnJob job;
-    double warmest, coldest;  // no facet without evaporation leaves these
+    Kind kind;
+    double warmest, coldest;  // what every flux pulls towards lies between them
+    bool still;               // sun, wind and rain do not change
+    bool shines;              // emits more than a watt
 };
+
+/// 100 Pa, or what saturates colder air over ice (Murray 1967); and the frost point of that.
+double vapour(double air) {
+    return std::min(100.0, 610.78 * std::exp(21.8745584 * (air - 273.16) / (air - 7.66)));
+}
+double frost_point(double air) { return std::min(252.87, air); }
+
+ThermalSurface surface_of(const std::array<double, dimensions>& x, Kind kind) {
+    ThermalSurface surface;
+    const double conductivity = logarithmic(x[0], 0.01, 400.0);
+    const double contrast = logarithmic(x[1], 1e-4, 1e4);
+    surface.layers = {{logarithmic(x[2], 1e-4, 10.0), conductivity, logarithmic(x[3], 30.0, 8000.0),
+                       400.0 + 3000.0 * x[4]},
+                      {logarithmic(x[5], 1e-4, 1.0),
+                       std::clamp(conductivity * contrast, 0.01, 400.0), 1500.0, 1000.0}};
+    // The ends themselves are among the cases.
+    const auto ends = [](double unit) { return std::clamp(1.2 * unit - 0.1, 0.0, 1.0); };
+    surface.albedo = ends(x[6]);
+    surface.emissivity = ends(x[7]);
+    surface.roughness_length = 0.02;
+    surface.heat_roughness_length = 0.0005;
+    const int film = int(x[8] * 4.0);
+    if (film == 1) surface.convection = Tarp{};
+    if (film == 2) surface.convection = Mowitt{};
+    if (film == 3) surface.convection = ConstantFilm{20.0 * x[9]};
+    if (x[16] > 0.5 && kind != Kind::two_source) surface.internal_heat = 500.0 * (x[16] - 0.5);
+    switch (kind) {
+        case Kind::plain:
+            break;
+        case Kind::wet:
+            surface.evaporation = {.minimum_resistance = 200.0 * x[18], .wetness = 1.0};
+            break;
+        case Kind::store:
+            surface.store = {.capacity_mm = logarithmic(x[18], 0.02, 5.0), .wet_albedo = x[4]};
+            break;
+        case Kind::big_leaf:
+            surface.canopy = BigLeaf{logarithmic(x[18], 0.1, 100.0)};
+            break;
+        case Kind::two_source:
+            surface.canopy = TwoSource{.leaf_area = 6.0 * x[18], .leaf_resistance = 200.0 * x[4]};
+            break;
+        case Kind::snow:
+            surface.layers[0].law = Melting{.held = 0.2 * x[18]};
+            break;
+        case Kind::freezing:
+            surface.layers[0].law = Freezing{
+                .water = logarithmic(x[18], 1.0, 900.0),
+                .frozen_conductivity = std::min(400.0, conductivity * (0.5 + 4.0 * x[4])),
+                .frozen_heat_capacity = surface.layers[0].heat_capacity * (0.4 + 0.6 * x[4])};
+            break;
+        case Kind::plate:
+            surface.layers.resize(1);
+            surface.layers[0].thickness = logarithmic(x[2], 1e-4, 0.05);
+            surface.back = ExposedBack{ends(x[18]), 0.9};
+            break;
+    }
+    return surface;
+}
 
 Extreme job_of(const std::array<double, dimensions>& x) {
     Extreme e;
+    e.kind = static_cast<Kind>(std::max(0, int(x[10] * 12.0) - 4));  // plain: five of twelve
     ColumnJob& job = e.job;
-    const double conductivity = logarithmic(x[0], 0.01, 400.0);
-    const double contrast = logarithmic(x[1], 1e-4, 1e4);
-    const double below = std::clamp(conductivity * contrast, 0.01, 400.0);
-    job.surface.layers = {{logarithmic(x[2], 1e-4, 10.0), conductivity,
-                           logarithmic(x[3], 30.0, 8000.0), 400.0 + 3000.0 * x[4]},
-                          {logarithmic(x[5], 1e-4, 1.0), below, 1500.0, 1000.0}};
-    // The ends themselves are among the cases.
-    const auto ends = [](double unit) { return std::clamp(1.2 * unit - 0.1, 0.0, 1.0); };
-    job.surface.albedo = ends(x[6]);
-    job.surface.emissivity = ends(x[7]);
-    job.surface.roughness_length = 0.02;
-    job.surface.heat_roughness_length = 0.0005;
-    const int film = int(x[8] * 4.0);
-    if (film == 1) job.surface.convection = Tarp{};
-    if (film == 2) job.surface.convection = Mowitt{};
-    if (film == 3) job.surface.convection = ConstantFilm{20.0 * x[9]};
-    const bool wet = x[10] > 0.8;
-    if (wet) job.surface.evaporation = {.minimum_resistance = 100.0, .wetness = 1.0};
+    job.surface = surface_of(x, e.kind);
     job.start = begin;
     job.spin_up = SpinUp::none;
     // Instants are whole milliseconds, thirds of the step too.
     job.step = 0.003 * std::round(logarithmic(x[11], 1.0, 10800.0) / 0.003);
     job.end = later(begin, std::max(6.0 * job.step, 60.0));
-    job.initial_temperature = 230.0 + 100.0 * x[12];
+    // Above 373 K water boils. Snow is never warmer than its melting.
+    job.initial_temperature = 230.0 + 180.0 * x[12];
+    if (e.kind == Kind::snow) job.initial_temperature = 200.0 + 73.15 * x[12];
     const double air = 230.0 + 90.0 * x[13];
     const double sky = x[14] < 0.1 ? 0.0 : 400.0 * x[14];
+    double below = job.initial_temperature;
+    if (x[17] > 0.8) {
+        below = 250.0 + 50.0 * x[19];
+        job.surface.bottom = FixedTemperature{below};
+    } else if (x[17] > 0.6) {
+        below = 270.0 + 40.0 * x[19];
+        job.surface.bottom = Interior{below, 10.0 * x[19]};
+    }
+    if (e.kind == Kind::plate) below = air;
     const double sun = 900.0;
     const bool polar_night = x[15]<0.2, polar_day = x[15]> 0.8;
+    const double brightest = polar_night ? 0.0 : polar_day ? 300.0 : sun;
+    const bool windy = x[9] >= 0.07;
     const double span = seconds_between(job.start, job.end);
     for (int i = 0; i <= 12; ++i) {
         Forcing f;
-        f.air = {.temperature = air, .pressure = 9e4, .vapour_pressure = 100.0};
+        f.air = {.temperature = air, .pressure = 9e4, .vapour_pressure = vapour(air)};
         f.wind_speed = i % 4 < 2 ? 60.0 * x[9] * x[9] : 0.3;
-        f.shortwave_down = polar_night ? 0.0 : polar_day ? 300.0 : (i % 3 == 0 ? sun : 0.0);
+        f.shortwave_down = polar_night || polar_day ? brightest : (i % 3 == 0 ? sun : 0.0);
         f.longwave_down = sky;
         f.rain_mm_h = i % 5 == 0 ? 20.0 : 0.0;
         job.weather.instant.push_back(later(begin, span * i / 12.0));
         job.weather.sample.push_back(f);
     }
-    // Every flux pulls towards the air, the start, or the radiative equilibrium of what comes in.
-    const double emissivity = job.surface.emissivity;
-    const double absorbed = (1.0 - job.surface.albedo) * sun;
-    const double hot = emissivity > 0.0
-                           ? std::pow((absorbed / emissivity + sky) / stefan_boltzmann, 0.25)
-                           : 5000.0;
-    e.warmest = std::max({air, job.initial_temperature, hot});
-    const double cold = std::pow(sky / stefan_boltzmann, 0.25);
-    e.coldest = std::min({air, job.initial_temperature, emissivity > 0.0 ? cold : air});
-    if (wet) e.coldest -= 60.0;  // a wet bulb lies below the air
+    // Every flux pulls towards a temperature of its own: air, start, below, what radiation would
+    // settle at, and for vapour the frost point.
+    const ThermalSurface& s = job.surface;
+    const double albedo =
+        s.store.capacity_mm > 0.0 ? std::min(s.albedo, s.store.wet_albedo) : s.albedo;
+    const double warming = (1.0 - albedo) * brightest + s.internal_heat;
+    double hot = 5000.0;
+    if (s.emissivity > 0.0) {
+        hot = std::min(hot, std::pow((warming / s.emissivity + sky) / stefan_boltzmann, 0.25));
+    } else if (warming == 0.0) {
+        hot = air;
+    }
+    const double cold = s.emissivity > 0.0 ? std::pow(sky / stefan_boltzmann, 0.25) : air;
+    e.warmest = std::max({air, job.initial_temperature, below, hot});
+    e.coldest = std::min({air, job.initial_temperature, below, cold});
+    if (e.kind == Kind::wet || e.kind == Kind::store || e.kind == Kind::two_source) {
+        e.warmest = std::max(e.warmest, frost_point(air));
+        e.coldest = std::min(e.coldest, frost_point(air));
+    }
+    e.still = (polar_night || polar_day) && !windy && e.kind != Kind::store;
+    e.shines = s.emissivity > 0.02;
     return e;
 }
 
 struct Outcome {
-    int limited = 0, unbounded = 0, open = 0, infinite = 0, tied = 0, zigzags = 0;
+    std::array<int, kinds> met{};
+    int limited = 0, unbounded = 0, open = 0, infinite = 0, tied = 0, zigzags = 0, boiled = 0;
+    int shining = 0, tight = 0;  // cases of more than a watt; closed to 1e-12
     double worst_closure = 0.0, worst_cadence = 0.0;
+    std::string first;  // case that broke something
+
+    void say(bool broken, int index, const char* what, int& count) {
+        if (!broken) return;
+        if (count++ == 0) first += fmt::format("case {}: {}; ", index, what);
+    }
 };
-constexpr unsigned seed = 20260320;
+
+/// Constant forcing leaves one turn at most, where heat from below comes late: more is a zigzag.
+int turns(const std::vector<ColumnRow>& row) {
+    int count = 0;
+    for (std::size_t k = 2; k < row.size(); ++k) {
+        const double a = row[k - 1].surface_temperature - row[k - 2].surface_temperature;
+        const double b = row[k].surface_temperature - row[k - 1].surface_temperature;
+        if (a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.01) ++count;
+    }
+    return count;
+}
 
 Outcome take_all() {
-    const auto samples = hypercube(seed);
+    const auto samples = hypercube();
     Outcome o;
     for (int i = 0; i < cases; ++i) {
-        Extreme extreme = job_of(samples[std::size_t(i)]);
+        const Extreme extreme = job_of(samples[std::size_t(i)]);
         const ColumnResult result = run_column(extreme.job);
-        o.limited += result.limited;
+        ++o.met[std::size_t(extreme.kind)];
+        if (extreme.kind == Kind::wet && extreme.job.initial_temperature > 373.15) ++o.boiled;
+        o.say(result.limited > 0, i, "limited", o.limited);
         o.worst_closure = std::max(o.worst_closure, result.worst_energy_closure);
-        if (result.worst_energy_closure > 1e-8) ++o.open;
-        int turns = 0;
-        for (std::size_t k = 0; k < result.row.size(); ++k) {
-            const double t = result.row[k].surface_temperature;
-            if (!std::isfinite(t)) ++o.infinite;
-            if (t > extreme.warmest + 0.01 || t < extreme.coldest - 0.01) ++o.unbounded;
+        if (extreme.shines) {
+            ++o.shining;
+            if (result.worst_energy_closure < 1e-12) ++o.tight;
         }
-        // Constant forcing would leave no turn at all: what turns every row by a kelvin and more
-        // where sun and wind do not is a zigzag. Polar night and one wind: drop the rest.
-        const double x15 = samples[std::size_t(i)][15];
-        const bool still = (x15 < 0.2 || x15 > 0.8) && samples[std::size_t(i)][9] < 0.07;
-        for (std::size_t k = 2; still && k < result.row.size(); ++k) {
-            const double a =
-                result.row[k - 1].surface_temperature - result.row[k - 2].surface_temperature;
-            const double b =
-                result.row[k].surface_temperature - result.row[k - 1].surface_temperature;
-            if (a * b < 0.0 && std::min(std::abs(a), std::abs(b)) > 0.05) ++turns;
+        o.say(result.worst_energy_closure > 1e-8, i, "open", o.open);
+        for (const ColumnRow& row : result.row) {
+            const bool thaws = extreme.kind == Kind::snow && row.surface_temperature > zero_celsius;
+            o.say(thaws, i, "snow above melting", o.unbounded);
+            for (const double t :
+                 {row.surface_temperature, row.ground_temperature, row.back_temperature}) {
+                o.say(!std::isfinite(t), i, "infinite", o.infinite);
+                o.say(t > extreme.warmest + 0.01 || t < extreme.coldest - 0.01, i, "unbounded",
+                      o.unbounded);
+            }
         }
-        if (turns > 1) ++o.zigzags;
-        if (i % 10 == 0) {
+        o.say(extreme.still && turns(result.row) > 1, i, "zigzag", o.zigzags);
+        if (i % 8 == 0) {
             ColumnJob finer = extreme.job;
             finer.step /= 3.0;
             const ColumnResult other = run_column(finer);
             const double apart =
                 std::abs(other.row[18].surface_temperature - result.row[6].surface_temperature);
             o.worst_cadence = std::max(o.worst_cadence, apart);
-            if (apart > 0.05) ++o.tied;
+            o.say(apart > 0.05, i, "tied to its cadence", o.tied);
         }
     }
     return o;
@@ -152,22 +242,28 @@ const Outcome& outcome() {
 TEST_CASE("nothing a scene may say makes a facet unstable", "[thermal][stress]") {
     CAPTURE(seed);
     const Outcome& o = outcome();
-    WARN(fmt::format("{} cases: {} limited steps, {} open, worst closure {:.1e}, cadence {:.4f} K",
-                     cases, o.limited, o.open, o.worst_closure, o.worst_cadence));
+    INFO(o.first);
+    WARN(
+        fmt::format("{} cases: {} limited, worst closure {:.1e}, {} of {} that carry a watt "
+                    "below 1e-12, cadence {:.4f} K",
+                    cases, o.limited, o.worst_closure, o.tight, o.shining, o.worst_cadence));
     CHECK(o.infinite == 0);
     CHECK(o.unbounded == 0);
     CHECK(o.zigzags == 0);
     CHECK(o.tied == 0);
+    CHECK(o.limited == 0);
+    for (const int met : o.met) CHECK(met > 100);
+    CHECK(o.boiled >= 20);
 }
 
-// Wanted: 1e-8 in every case and no limiter at all. 20 of the 2 000 miss the first, at worst by
-// 1.0e-6, and 3 steps meet a limiter: sub-millimetre cells of metal in steps of milliseconds, where
-// the state's last digit times their conductance, 1e6 W m⁻² K⁻¹, shows. What is held is what is so.
-TEST_CASE("extreme columns close their energy to 2e-6, all but a hundredth to 1e-8",
-          "[thermal][stress]") {
-    CHECK(outcome().worst_closure <= 2e-6);
-    CHECK(outcome().open <= cases / 100);
-    CHECK(outcome().limited <= 3);
+// 1.1e-9 at worst, where nothing flows and a milliwatt is the measure: there the last digit of a
+// temperature shows. Where more than a watt flows nearly all are below 1e-12.
+TEST_CASE("extreme columns close their energy to 1e-8, most to 1e-12", "[thermal][stress]") {
+    const Outcome& o = outcome();
+    INFO(o.first);
+    CHECK(o.open == 0);
+    CHECK(o.worst_closure <= 1e-8);
+    CHECK(o.tight >= 0.9 * o.shining);
 }
 
 TEST_CASE("half a millimetre of steel on foam takes a switched sun", "[thermal][stress]") {

@@ -44,7 +44,7 @@ TEST_CASE("leaves and ground give the ground what the balance leaves over",
     CAPTURE(surface.canopy.index(), t);
     SurfaceConditions c = midday(surface);
     c.internal = 20.0;
-    c.frost_conductance = 5.0;
+    c.frost_heat = 30.0;
     c.own_view = 0.2;
     const SurfaceTerms at = surface_terms(c, t);
     CHECK(at.balance.sum() + at.frost_melt == Approx(at.into_ground).margin(1e-7));

@@ -7,15 +7,11 @@
 
 #include "terrain/instant.hpp"
 #include "thermal/nonlinear_column.hpp"
+#include "thermal/standing_water.hpp"
 #include "thermal/surface_exchange.hpp"
 #include "thermal/weather.hpp"
 
 namespace diurna {
-
-/// Water on the surface [kg m⁻² = mm].
-struct Standing {
-    double water = 0.0, frost = 0.0;
-};
 
 /// What reaches a facet at one instant, whatever its own state answers.
 struct PointForcing {
@@ -74,6 +70,8 @@ class PointFacet {
     struct Count {
         long long steps = 0, rejected = 0;
         int limited = 0;
+        /// |stored − in| over sun, longwave, internal heat and flux through both ends, and what
+        /// the nodes gained or lost; of any step.
         double worst_closure = 0.0;
     };
 
@@ -83,22 +81,36 @@ class PointFacet {
     Count count;
 
  private:
-    double wet_share(const Standing& water, double rain, double step) const;
+    /// All that a step changes.
+    struct State {
+        std::vector<double> u{}, rest{};  // (node) and what its doubles do not hold
+        Standing standing;
+        double evaporation = 0.0;  // of the last step [W m⁻²] per unit wet share
+    };
+    State state() const { return {u, rest_, standing, evaporation_}; }
+    void take(const State& state);
     struct Taken {
         NonlinearColumn::Step step;
         double melted = 0.0;  // [J m⁻²]
-        double terms = 0.0;   // [J m⁻²] sun and the surface's own emission, whatever their sum
+        double terms = 0.0;   // [J m⁻²] sun, longwave and internal heat, whatever their sum
     };
-    Taken half_step(Instant from, double step, bool gentle, std::vector<double>& state,
-                    Standing& water, Eigen::MatrixXd* map);
-    void march_step(Instant from, double step, int depth, Eigen::MatrixXd* map);
-    void count_closure(const Taken& taken, const std::vector<double>& before,
-                       const std::vector<double>& after);
+    struct Ends {
+        std::array<Boundary, 2> top, back;  // (stage); no back: the column's own bottom
+    };
+    Ends ends(const std::array<SurfaceConditions, 2>& conditions,
+              const std::array<Instant, 2>& when) const;
+    double wet_share(const State& state, double rain, double step) const;
+    /// One step of SDIRK2 from `at` seconds after `from`.
+    Taken half_step(Instant from, double at, double step, bool gentle, State& state,
+                    Eigen::MatrixXd* map) const;
+    void march_step(Instant from, double at, double step, int depth, Eigen::MatrixXd* map);
+    void count_closure(const Taken& taken, const State& before, const State& after);
 
     PointSetup setup_;
-    double next_step_ = 0.05;       // [s]
-    double next_march_ = 10.0;      // [s]
-    double wet_evaporation_ = 0.0;  // of the last step [W m⁻²] per unit wet share
+    double next_step_ = 0.05;   // [s]
+    double next_march_ = 10.0;  // [s]
+    double evaporation_ = 0.0;  // of the last step [W m⁻²] per unit wet share
+    std::vector<double> rest_;  // (node) of u
 };
 
 /// The grid of a point's column: fine enough for a minute's shock, and never cut off.

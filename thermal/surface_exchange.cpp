@@ -10,6 +10,7 @@ namespace diurna {
 namespace {
 
 constexpr double melting_point = zero_celsius;
+constexpr double phase_film = 50.0;    // [W m⁻² K⁻¹] between a surface and its frost or water
 constexpr double freezing_span = 2.0;  // [K] over which vapour's heat turns to that of ice
 
 /// Saturation pressure over ice below the triple point, where the two meet, over water above;
@@ -34,15 +35,17 @@ struct Part {
     double solar = 0.0;
     double internal = 0.0;
     double resistance = 0.0, wetness = 0.0;
-    double sides = 1.0;      // that radiate
-    double other = 0.0;      // [W m⁻²] absorbed longwave from the other part
-    double shelter = 0.0;    // share of it that leaves keep from the open air's film
-    double soil_film = 0.0;  // [W m⁻² K⁻¹] of the sheltered share
+    double sides = 1.0;       // that radiate
+    double other = 0.0;       // [W m⁻²] absorbed longwave from the other part
+    double shelter = 0.0;     // share of it that leaves keep from the open air's film
+    double soil_film = 0.0;   // [W m⁻² K⁻¹] of the sheltered share
+    double least_film = 0.0;  // [W m⁻² K⁻¹] of leaves, whatever lies still above them
 };
 
 Exchange exchange(const SurfaceConditions& c, const Part& part, double t) {
     const double excess = t - c.air.air_temperature;
     Film film = c.air.plate ? plate_film(c.air, c.natural, t) : ground_film(c.air, t);
+    if (film.h < part.least_film) film = {part.least_film, 0.0, 0.0};
     const double open = 1.0 - part.shelter;
     film = {open * film.h + part.shelter * part.soil_film, open * film.rise, open * film.slope};
     // Ground as warm as itself fills what is not sky.
@@ -65,15 +68,27 @@ Exchange exchange(const SurfaceConditions& c, const Part& part, double t) {
         e.latent = part.cover * (c.wet_share * free.flux + (1.0 - c.wet_share) * held.flux);
         latent_slope = part.cover * (c.wet_share * free.slope + (1.0 - c.wet_share) * held.slope);
     }
-    const double thaw = std::max(0.0, t - melting_point);
-    e.melt = -part.cover * c.frost_conductance * thaw;
+    const double thaw = t - melting_point;
+    e.melt = -part.cover * std::clamp(phase_film * thaw, -c.water_heat, c.frost_heat);
+    const bool turning = phase_film * thaw > -c.water_heat && phase_film * thaw < c.frost_heat;
     e.flux =
         e.solar + e.longwave_in + e.longwave_out + e.sensible + e.latent + e.melt + part.internal;
     e.slope = part.cover * (4.0 * stefan_boltzmann * t * t * t * c.emissivity *
                                 (incoming_slope - part.sides) -
-                            film.h - film.rise - (thaw > 0.0 ? c.frost_conductance : 0.0)) +
+                            film.h - film.rise - (turning ? phase_film : 0.0)) +
               latent_slope;
     return e;
+}
+
+/// The film at which stable air carries most heat [W m⁻² K⁻¹]: colder, Louis's film falls faster
+/// than the difference grows. Ground has its own heat to hold it; leaves have none and would jump
+/// between two temperatures, so their film, a boundary layer of their own, falls no further.
+/// There 15 s y² = √(1 + 30 y), in the notation of LouisForm.
+double fullest_film(const AirFilm& air) {
+    if (air.plate || air.instability <= 0.0 || air.s <= 0.0) return 0.0;
+    double y = 0.1;
+    for (int i = 0; i < 8; ++i) y = std::sqrt(std::sqrt(1.0 + 30.0 * y) / (15.0 * air.s));
+    return air.neutral / (1.0 + air.s * y * std::sqrt(1.0 + 30.0 * y)) + air.least;
 }
 
 /// The root of a falling function between 1 and 5000 K.
@@ -159,15 +174,18 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
         terms.into_ground_slope = e.slope;
         return terms;
     }
+    const double least_film = fullest_film(c.air);
     if (const auto* leaf = std::get_if<BigLeaf>(&c.canopy)) {
         const double joined = leaf->skin_conductance;
+        Part leaves = whole;
+        leaves.least_film = least_film;
         const double skin = root_of(
             [&](double t) {
-                const Exchange e = exchange(c, whole, t);
+                const Exchange e = exchange(c, leaves, t);
                 return BoundaryFlux{e.flux - joined * (t - ground), e.slope - joined};
             },
             ground);
-        const Exchange e = exchange(c, whole, skin);
+        const Exchange e = exchange(c, leaves, skin);
         add(e, terms);
         terms.radiometric = terms.leaf = skin;
         terms.into_ground = joined * (skin - ground);
@@ -186,22 +204,21 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
                                std::exp(-0.28 * std::pow(two.leaf_area, 2.0 / 3.0));
     const double soil_film = c.air.heat_capacity * (0.004 + 0.012 * near_ground);
     SurfaceConditions dry = c;
-    dry.frost_conductance = 0.0;
-    const auto leaf_part = [&](double) {
-        return Part{.cover = cover,
-                    .solar = cover * c.absorbed_solar,
-                    .internal = 0.0,
-                    .resistance = two.leaf_resistance,
-                    .wetness = 1.0,
-                    .sides = 1.0};
-    };
+    dry.frost_heat = dry.water_heat = 0.0;
+    const Part canopy{.cover = cover,
+                      .solar = cover * c.absorbed_solar,
+                      .internal = 0.0,
+                      .resistance = two.leaf_resistance,
+                      .wetness = 1.0,
+                      .sides = 1.0,
+                      .least_film = least_film};
     const auto exchanged = [&](double leaf) { return between * (power4(leaf) - power4(ground)); };
     const auto leaf_balance = [&](double t) {
-        const Exchange e = exchange(dry, leaf_part(t), t);
+        const Exchange e = exchange(dry, canopy, t);
         return BoundaryFlux{e.flux - exchanged(t), e.slope - 4.0 * between * t * t * t};
     };
     const double leaf = root_of(leaf_balance, ground);
-    const Exchange leaves = exchange(dry, leaf_part(leaf), leaf);
+    const Exchange leaves = exchange(dry, canopy, leaf);
     const Part soil{.cover = 1.0 - cover,
                     .solar = (1.0 - cover) * c.absorbed_solar,
                     .internal = c.internal,

@@ -21,8 +21,10 @@ struct SurfaceConditions {
     double internal = 0.0;   // [W m⁻²]
     double wet_share = 0.0;  // covered by standing water, evaporating freely
     double rain_mm_h = 0.0;
-    bool stores = false;             // dew collects even on what does not evaporate by itself
-    double frost_conductance = 0.0;  // [W m⁻² K⁻¹] by which lying frost melts above 273.15 K
+    bool stores = false;  // dew collects even on what does not evaporate by itself
+    /// What melts all frost and freezes all water that lies there within the step [W m⁻²]: they do
+    /// so by 50 W m⁻² K⁻¹ from 273.15 K, up to this.
+    double frost_heat = 0.0, water_heat = 0.0;
     Canopy canopy;
 };
 
@@ -30,7 +32,7 @@ struct SurfaceConditions {
 struct SurfaceTerms {
     HeatBalance balance;       // `conducted` stays zero
     double wet_evaporation;    // latent heat of the wet share alone, per unit wet share
-    double frost_melt;         // heat taken by melting frost
+    double frost_melt;         // heat taken by melting frost (negative), given by freezing water
     double radiometric;        // [K] what a radiometer sees
     double leaf;               // [K] leaves or skin; the ground itself without them
     double into_ground;        // all of it

@@ -22,9 +22,11 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
     const SolveOptions options;
     Job job{input, options, {}, 0.0, 2, {}, {}, {}, {}, {}, {}, {}};
     Level level{.stride = 1, .kind = std::vector<Kind>(1)};
-    // Two states; the period map keeps half of each, so that I − M is a half.
-    level.kind[0].period.emplace(0.5 * Eigen::MatrixXd::Identity(2, 2));
     Block& block = job.block.emplace_back();
+    // Two states; the period map keeps half of each, so that I − M is a half.
+    const PeriodMap::Factors half(0.5 * Eigen::MatrixXd::Identity(2, 2));
+    const Eigen::MatrixXd nothing(0, 2);
+    block.period = PeriodMap{half, half, nothing, nothing};
     block.material = 0;
     block.stride = lanes;
     block.facet = {0, 1};
@@ -32,12 +34,12 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
     block.change.assign(2 * lanes, 0.0);
     block.change[1] = block.change[lanes + 1] = 1.0;  // lane 0 has arrived, lane 1 has not
 
-    correct(job, level, true);
+    correct(job, level);
     CHECK(block.start[0] == 3.0);
     CHECK(block.start[1] == Approx(5.0));
     // Now lane 1 finds that its map keeps three quarters, and so half of what was meant is left.
     block.change[1] = block.change[lanes + 1] = 0.5;
-    correct(job, level, true);
+    correct(job, level);
     CHECK(block.start[0] == 3.0);
     CHECK(block.start[lanes] == 3.0);
     // Broyden: the move of 2 undid 0.5 of 1, so what is left, 0.5, takes another 2.

@@ -152,23 +152,4 @@ SteadyColumn steady_column(const ColumnGrid& grid) {
     return steady;
 }
 
-void linear_step(const ColumnGrid& grid, const Stage& stage, double slope_1, double slope_2,
-                 Eigen::MatrixXd& state) {
-    const Eigen::Index n = static_cast<Eigen::Index>(grid.size());
-    const double again = (1.0 - sdirk_gamma) / sdirk_gamma;
-    Eigen::MatrixXd start = state, result(n, state.cols());
-    for (const double slope : {slope_1, slope_2}) {
-        for (Eigen::Index i = n - 1; i >= 1; --i) {
-            result.row(i) = stage.remember[i] * start.row(i);
-            if (i + 1 < n) result.row(i) += stage.lift[i] * result.row(i + 1);
-        }
-        Eigen::RowVectorXd a = stage.surface_store * start.row(0);
-        if (n > 1) a += stage.lift[0] * result.row(1);
-        result.row(0) = a / (stage.b - slope);
-        for (Eigen::Index i = 1; i < n; ++i) result.row(i) += stage.follow[i] * result.row(i - 1);
-        start = state + again * (result - state);
-    }
-    state = result;
-}
-
 }  // namespace diurna

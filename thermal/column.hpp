@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -77,10 +76,5 @@ struct SteadyColumn {
     std::vector<double> excess;  // (node) [K] that the flux from below adds
 };
 SteadyColumn steady_column(const ColumnGrid& grid);
-
-/// The linearised step map of one column: θ ↦ step of θ for surface slopes (dF/dT, W m⁻² K⁻¹) at
-/// the two stages, applied to every column of `state` in place. For the monodromy matrix.
-void linear_step(const ColumnGrid& grid, const Stage& stage, double slope_1, double slope_2,
-                 Eigen::MatrixXd& state);
 
 }  // namespace diurna

@@ -43,6 +43,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
             modes.closed.turn.transpose() * start.middleCols(Eigen::Index(u * lanes), state.cols());
     }
     block.slope.assign(kind.forcing.size(), 0.0);
+    block.steepness.assign(block.stride, 0.0);
     StepRecord record;
 
     // Heat of sun, terrain and what is inside at the step's ends; with the sky's at the substep's.
@@ -89,6 +90,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
                            .jumps = jumps},
                           emissivity, batch, record);
             block.slope[at] = record.slope[0];
+            for (std::size_t l = 0; l < count; ++l) block.steepness[l] += batch.slope[l];
         }
         for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
         float* row = job.kelvin.data() + i * job.facets;

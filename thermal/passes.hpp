@@ -17,6 +17,15 @@ namespace diurna {
 
 // What a solve works on: its facets in blocks of one material, stepped over the span in passes.
 
+/// A block's span to first order: (I − M)⁻¹ of the derivative M of its period map, and what a
+/// kelvin of each of its start's states does to the surface, (instant, state). Under the block's
+/// mean slopes, and under ones steeper by a quarter: a facet's own lies on the straight line.
+struct PeriodMap {
+    using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+    Factors mean, steeper;
+    Eigen::MatrixXd follow_mean, follow_steeper;
+};
+
 /// Facets of one material and their state at the start of the span: up to `lanes` of them where
 /// columns are layered, up to `mode_lanes` in modes.
 struct Block {
@@ -33,11 +42,14 @@ struct Block {
     double residual = 1e9;              // [K] largest of `change`
     double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run
     double largest_move = 1e9;          // [K] of `move`
+    double nudge = 0.0;                 // [K] what neighbours moved the start by since
     bool rests = false;                 // left out of the last pass
+    std::optional<PeriodMap> period{};  // linearised about a run
     double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
     StepRecord record;          // of the last run
     std::vector<double> slope;  // like Kind::forcing: Σ over facets, of the last run
     std::vector<double> back_slope;  // of plates' backs
+    std::vector<double> steepness;   // [lane] Σ over the span of its own slopes, faces together
 
     /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK.
     bool settled(double tolerance) const {
@@ -69,8 +81,6 @@ struct Kind {
     std::vector<double> slope;          // like `forcing`: mean surface slope, last pass
     std::vector<double> back_slope;     // of plates
     std::size_t facets = 0;
-    /// (I − M)⁻¹ of the linearised period.
-    std::optional<Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>> period{};
 };
 
 /// Whether a material's facets are stepped in modes.
@@ -150,12 +160,19 @@ void pass(Job& job, const Level& level, double progress_from, double progress_to
 /// A field's rows at the instants a coarse level steps over, on the line between those it lands on.
 void fill_between(const Job& job, std::vector<float>& field, std::size_t stride);
 
-/// Mean surface slopes of each material over the last pass, and the period's matrix from them.
-void renew_matrices(const Job& job, Level& level);
+/// Mean surface slopes of each material over the last pass, and each block's period from its own.
+void renew_matrices(const Job& job, Level& level, std::vector<Block>& blocks);
 
-/// Corrects the start of every block that ran by Newton's on the period map.
-///
-/// secant  whether the last correction's effect is all that has changed since the pass before
-void correct(Job& job, const Level& level, bool secant);
+/// Corrects the start of every block that ran by Newton's on the period map, and the temperatures
+/// of that run by what this does to first order.
+void correct(Job& job, const Level& level);
+
+/// (I − M)⁻¹ change of every facet of a block, (state, facet).
+Eigen::MatrixXd close_period(const Block& block, const Eigen::MatrixXd& change);
+/// [K] that moves of its facets' starts do to their surfaces, (instant, facet).
+Eigen::MatrixXd follow_start(const Block& block, const Eigen::MatrixXd& move);
+
+/// Adds to a block's temperatures [K], (instant of the level, facet of the block).
+void warm(Job& job, const Level& level, const Block& block, const Eigen::MatrixXd& warmer);
 
 }  // namespace diurna

@@ -1,8 +1,8 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "terrain/parallel.hpp"
+#include "thermal/linear_day.hpp"
 #include "thermal/passes.hpp"
 
 namespace diurna {
@@ -10,100 +10,60 @@ namespace diurna {
 namespace {
 
 using Eigen::MatrixXd;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
 
-/// The derivative of the period map with the mean slopes of this material.
-MatrixXd layered_map(const Kind& kind) {
-    const auto n = static_cast<Eigen::Index>(kind.column.grid.size());
-    MatrixXd map = MatrixXd::Identity(n, n);
-    for (std::size_t stage = 0; stage < kind.slope.size(); stage += 2) {
-        linear_step(kind.column.grid, kind.column.stage, kind.slope[stage], kind.slope[stage + 1],
-                    map);
-    }
-    return map;
+constexpr double steeper = 1.25;
+
+/// How far each facet's slopes are on the way from the mean ones to the steeper ones.
+Eigen::RowVectorXd way_to_steeper(const Block& block) {
+    constexpr double furthest = 0.6;  // beyond which a straight line is none
+    return (relative_slopes(block).array() - 1.0).max(-furthest).min(furthest) / (steeper - 1.0);
 }
 
-MatrixXd mode_map(const Kind& kind) {
-    const ModeStep& step = kind.modes->step;
-    const auto n = static_cast<Eigen::Index>(step.modes());
-    const auto vector = [&](const std::vector<double>& v) {
-        return Eigen::Map<const Eigen::VectorXd>(v.data(), n);
-    };
-    const MatrixXd& turn = kind.modes->closed.turn;
-    MatrixXd map = turn.transpose();
-    Eigen::RowVectorXd drive = (kind.slope[0] + step.film) * vector(step.surface).transpose() * map;
-    for (std::size_t at = 1; at < kind.slope.size(); ++at) {
-        map = vector(step.decay).asDiagonal() * map;
-        map += vector(step.from) * drive;
-        const double slope = kind.slope[at] + step.film;
-        drive = slope / (1.0 - step.response * slope) * vector(step.surface).transpose() * map;
-        map += vector(step.to) * drive;
-    }
-    return turn * map;
-}
-
-/// The same for plates, between nodes.
-MatrixXd plate_map(const Kind& kind) {
-    const PlateStep& step = *kind.plate;
-    const auto n = Eigen::Index(step.modes());
-    const auto vector = [&](const std::vector<double>& v) {
-        return Eigen::Map<const Eigen::VectorXd>(v.data(), n);
-    };
-    MatrixXd face(n, 2);
-    face << vector(step.face[0]), vector(step.face[1]);
-    const Eigen::Matrix2d response{{step.response[0], step.response[1]},
-                                   {step.response[1], step.response[2]}};
-    const auto steepness = [&](std::size_t at) {
-        return Eigen::Matrix2d(
-            Eigen::Vector2d(kind.slope[at] + step.film[0], kind.back_slope[at] + step.film[1])
-                .asDiagonal());
-    };
-    MatrixXd map = step.into;
-    MatrixXd drive = steepness(0) * face.transpose() * map;
-    for (std::size_t at = 1; at < kind.slope.size(); ++at) {
-        map = vector(step.decay).asDiagonal() * map;
-        map += vector(step.from).asDiagonal() * face * drive;
-        const Eigen::Matrix2d g = steepness(at);
-        drive = (Eigen::Matrix2d::Identity() - g * response).inverse() * g * face.transpose() * map;
-        map += vector(step.to).asDiagonal() * face * drive;
-    }
-    return step.turn * map;
-}
-
-/// Factors I − M, M the derivative of the period map.
-void linearise(Kind& kind) {
-    const MatrixXd map = kind.modes   ? mode_map(kind)
-                         : kind.plate ? plate_map(kind)
-                                      : layered_map(kind);
-    kind.period.emplace();
+void linearise(const Job& job, const Level& level, Block& block) {
+    const auto n = Eigen::Index(block.start.size() / block.stride);
+    const MatrixXd one = MatrixXd::Identity(n, n);
+    LinearDay day{
+        .steep = Eigen::RowVectorXd::Ones(2 * n), .state = MatrixXd(n, 2 * n), .warmer = {}};
+    day.steep.tail(n).setConstant(steeper);
+    day.state << one, one;
+    run_linear(job, level, block, {}, day);
+    PeriodMap& map = block.period.emplace();
+    map.follow_mean = day.warmer.leftCols(n);
+    map.follow_steeper = day.warmer.rightCols(n);
     // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
-    kind.period->setThreshold(1e-9);
-    kind.period->compute(MatrixXd::Identity(map.rows(), map.rows()) - map);
+    map.mean.setThreshold(1e-9);
+    map.mean.compute(one - day.state.leftCols(n));
+    map.steeper.setThreshold(1e-9);
+    map.steeper.compute(one - day.state.rightCols(n));
 }
 
-/// Moves a block's start by (I − M)⁻¹ times its change. The matrix
-/// belongs to the material's mean facet; Broyden's update by the move before fits it to each.
-/// `secant`: whether that move's effect is all that has changed since.
-void correct_block(const Kind& kind, Block& block, bool secant) {
-    const auto n = static_cast<Eigen::Index>(block.start.size() / block.stride);
-    const auto count = static_cast<Eigen::Index>(block.facet.size());
-    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+/// Moves a block's start by (I − M)⁻¹ times its change, and its temperatures with it. The matrix
+/// knows how steep each facet's slopes are on the whole; Broyden's update by the move before adds
+/// the rest.
+void correct_block(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const auto n = Eigen::Index(block.start.size() / block.stride);
+    const auto count = Eigen::Index(block.facet.size());
     const Eigen::OuterStride<> stride{Eigen::Index(block.stride)};
-    const bool update = secant && !block.move.empty();
+    // What the neighbours have moved it by since tells nothing of this matrix.
+    const bool update = !block.move.empty() && block.nudge <= 0.2 * block.largest_move;
+    block.nudge = 0.0;
     block.move.resize(block.start.size());
     block.planned.resize(block.start.size());
     Strided start(block.start.data(), n, count, stride);
     Strided done(block.move.data(), n, count, stride);
     Strided planned(block.planned.data(), n, count, stride);
     const MatrixXd change = Strided(block.change.data(), n, count, stride);
-    const MatrixXd plan = kind.period->solve(change);
+    const MatrixXd plan = close_period(block, change);
     MatrixXd move = plan;
     for (Eigen::Index l = 0; update && l < count; ++l) {
         // Of the move `done` the matrix explains `explained`.
         const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
         const double along = done.col(l).dot(explained);
         // Not `<`: a facet that has arrived did not move, and 0 < 0 would let 0 / 0 through.
-        if (!(along > 0.1 * done.col(l).squaredNorm())) continue;
+        if (!(along > 0.3 * done.col(l).squaredNorm())) continue;
         move.col(l) += (done.col(l) - explained) * (done.col(l).dot(plan.col(l)) / along);
     }
     start += move;
@@ -111,16 +71,38 @@ void correct_block(const Kind& kind, Block& block, bool secant) {
     planned = plan;
     block.largest_move =
         (kind.modes ? MatrixXd(kind.modes->probe * move) : move).cwiseAbs().maxCoeff();
+    warm(job, level, block, follow_start(block, move));
 }
 
 }  // namespace
 
-void renew_matrices(const Job& job, Level& level) {
+MatrixXd close_period(const Block& block, const MatrixXd& change) {
+    MatrixXd result = block.period->mean.solve(change);
+    const MatrixXd further = block.period->steeper.solve(change);
+    return result + (further - result) * way_to_steeper(block).asDiagonal();
+}
+
+MatrixXd follow_start(const Block& block, const MatrixXd& move) {
+    const PeriodMap& map = *block.period;
+    return map.follow_mean * move +
+           (map.follow_steeper - map.follow_mean) * (move * way_to_steeper(block).asDiagonal());
+}
+
+void warm(Job& job, const Level& level, const Block& block, const MatrixXd& warmer) {
+    for (Eigen::Index k = 0; k < warmer.rows(); ++k) {
+        float* const row = job.kelvin.data() + std::size_t(k) * level.stride * job.facets;
+        for (std::size_t l = 0; l < block.facet.size(); ++l) {
+            row[block.facet[l]] += float(warmer(k, Eigen::Index(l)));
+        }
+    }
+}
+
+void renew_matrices(const Job& job, Level& level, std::vector<Block>& blocks) {
     for (Kind& kind : level.kind) {
         std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
         std::fill(kind.back_slope.begin(), kind.back_slope.end(), 0.0);
     }
-    for (const Block& block : job.block) {
+    for (const Block& block : blocks) {
         Kind& kind = level.kind[block.material];
         for (std::size_t i = 0; i < kind.slope.size(); ++i) {
             kind.slope[i] += block.slope[i] / double(kind.facets);
@@ -130,15 +112,14 @@ void renew_matrices(const Job& job, Level& level) {
         }
     }
     for_each_index(
-        level.kind.size(), [&](std::size_t k) { linearise(level.kind[k]); }, 1);
+        blocks.size(), [&](std::size_t b) { linearise(job, level, blocks[b]); }, 16);
 }
 
-void correct(Job& job, const Level& level, bool secant) {
+void correct(Job& job, const Level& level) {
     for_each_index(
         job.block.size(),
         [&](std::size_t b) {
-            Block& block = job.block[b];
-            if (!block.rests) correct_block(level.kind[block.material], block, secant);
+            if (!job.block[b].rests) correct_block(job, level, job.block[b]);
         },
         16);
 }

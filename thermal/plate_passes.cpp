@@ -33,6 +33,7 @@ void run_plates(Job& job, const Level& level, Block& block) {
     state.noalias() = step.into * start;
     block.slope.assign(kind.forcing.size(), 0.0);
     block.back_slope.assign(kind.forcing.size(), 0.0);
+    block.steepness.assign(block.stride, 0.0);
     StepRecord record;
 
     // Heat of sun, terrain and what is inside at the step's ends; with the sky's at the substep's.
@@ -82,6 +83,9 @@ void run_plates(Job& job, const Level& level, Block& block) {
                            batch, record);
             block.slope[at] = record.slope[0];
             block.back_slope[at] = record.slope[1];
+            for (std::size_t l = 0; l < count; ++l) {
+                block.steepness[l] += batch.slope[0][l] + batch.slope[1][l];
+            }
         }
         for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
         keep(i);

@@ -255,6 +255,10 @@ void ScenePoints::pass(Job& job, const Level& level) {
             if (!rests(point_[i])) run(level, point_[i]);
         },
         1);
+    put(job);
+}
+
+void ScenePoints::put(Job& job) const {
     for (const Point& p : point_) {
         for (std::size_t i = 0; i < p.kelvin.size(); ++i) {
             job.kelvin[i * job.facets + p.facet] = p.kelvin[i];

@@ -29,6 +29,9 @@ class ScenePoints {
     /// and puts their temperatures in the job's.
     void pass(Job& job, const Level& level);
 
+    /// Their temperatures once more, where neighbours have moved the job's since.
+    void put(Job& job) const;
+
     std::size_t size() const { return point_.size(); }
     /// Worst of all points: of the last run, and (worst_passes) of all runs together.
     struct Summary {

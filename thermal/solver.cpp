@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <map>
 
 #include "materials/error.hpp"
 #include "terrain/parallel.hpp"
+#include "thermal/neighbours.hpp"
 #include "thermal/passes.hpp"
 #include "thermal/scene_points.hpp"
 #include "thermal/sun_path.hpp"
@@ -24,9 +26,6 @@ double seconds_since(Clock::time_point then) {
 }
 /// [s] of all threads of this process, so far
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Terrain longwave still changing by less than this is settled: what is left of it is a tenth.
-constexpr double settled_exchange = 0.5;  // [W m⁻²]
 
 void check(const SolveInput& input, const SolveOptions& options) {
     const std::size_t n = input.facets.size();
@@ -128,106 +127,6 @@ void find_jumps(Job& job) {
     }
 }
 
-/// What a watt more of longwave does to a facet [K m² W⁻¹], on the material's mean: one that stays
-/// all day, and one that comes and goes with it.
-struct Response {
-    std::vector<float> steady, daily;  // (facet)
-};
-
-Response longwave_response(const Job& job, const Level& level) {
-    Response response{std::vector<float>(job.facets), std::vector<float>(job.facets)};
-    for (const Block& block : job.block) {
-        const Kind& kind = level.kind[block.material];
-        const double film = typical_film(kind), emissivity = kind.column.surface.emissivity;
-        double ground = 0.0, under = 0.0;
-        if (kind.modes) {
-            const ReducedColumn& column = kind.modes->reduced;
-            ground = 1.0 / std::abs(impedance(column, 2.0 * M_PI / 86400.0));
-            under = column.below > 0.0 ? 1.0 / std::abs(impedance(column, 0.0)) : 0.0;
-        }
-        // A thin plate's back gives off about as much as its front.
-        if (job.input.materials[job.input.facets.material[block.facet.front()]].thermal.back) {
-            ground = under = typical_back_film(kind);
-        }
-        for (const std::size_t f : block.facet) {
-            response.steady[f] = float(emissivity / (film + under));
-            response.daily[f] = float(emissivity / (film + ground));
-        }
-    }
-    return response;
-}
-
-/// Renews the terrain's longwave from the temperatures of the last pass, then twice more from what
-/// these become under the longwave found, to first order: neighbours that warm each other settle
-/// within a pass. Returns the largest change of the first and tells each block its own.
-double exchange_longwave(Job& job, const Level& level) {
-    constexpr int sweeps = 3;
-    const std::size_t used = job.steps() / level.stride + 1;  // instants that this level lands on
-    const Response response = longwave_response(job, level);
-    const std::vector<float> before = job.excess;
-    std::vector<float> leaving(used * job.facets);  // (facet, instant)
-    std::vector<float> change(job.facets), first_change;
-    std::vector<float> mean(job.facets, 0.0f);  // of the longwave beyond `before`
-    constexpr std::size_t facets_at_once = 256;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = 0; k < used; ++k) {
-                const std::size_t i = k * level.stride;
-                for (std::size_t f = begin; f < end; ++f) {
-                    const std::size_t at = i * job.facets + f;
-                    float kelvin = job.kelvin[at];
-                    if (sweep > 0) {
-                        const float beyond = job.excess[at] - before[at];
-                        kelvin +=
-                            response.steady[f] * mean[f] + response.daily[f] * (beyond - mean[f]);
-                    }
-                    leaving[f * used + k] = leaving_longwave(
-                        job.optics.emissivity[f], job.sky[i].longwave_down, kelvin, job.excess[at]);
-                }
-            }
-        });
-        for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
-            std::vector<float> arriving((end - begin) * used);
-            for (std::size_t f = begin; f < end; ++f) {
-                arriving_longwave(job.input.sky_view, leaving, f,
-                                  std::span(arriving).subspan((f - begin) * used, used));
-                change[f] = mean[f] = 0.0f;
-            }
-            for (std::size_t k = 0; k < used; ++k) {
-                for (std::size_t f = begin; f < end; ++f) {
-                    const std::size_t at = k * level.stride * job.facets + f;
-                    const float next = arriving[(f - begin) * used + k];
-                    change[f] = std::max(change[f], std::abs(next - job.excess[at]));
-                    job.excess[at] = next;
-                    mean[f] += (next - before[at]) / float(used);
-                }
-            }
-        });
-        if (sweep == 0) first_change = change;
-    }
-    for_each_index(
-        job.block.size(),
-        [&](std::size_t b) {
-            Block& block = job.block[b];
-            float most = 0.0f;
-            for (const std::size_t f : block.facet) most = std::max(most, change[f]);
-            block.heat_change += double(most);
-            // The start follows what stays all day; the passes find the rest.
-            const Kind& kind = level.kind[block.material];
-            if (!job.options.periodic || most < 0.05f || block.change.empty()) return;
-            const Eigen::VectorXd steady = steady_states(kind);
-            for (std::size_t l = 0; l < block.facet.size(); ++l) {
-                const std::size_t f = block.facet[l];
-                const double warmer = response.steady[f] * mean[f];
-                for (Eigen::Index m = 0; m < steady.size(); ++m) {
-                    block.start[std::size_t(m) * block.stride + l] += warmer * steady[m];
-                }
-            }
-        },
-        16);
-    return *std::max_element(first_change.begin(), first_change.end());
-}
-
 /// The largest number of steps that divides the span and takes an hour at most.
 std::size_t coarse_stride(const Job& job) {
     auto stride = static_cast<std::size_t>(std::max(1.0, std::floor(3600.0 / job.step + 1e-9)));
@@ -321,71 +220,74 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
 
     job.kelvin.resize(job.instant.size() * job.facets);
     settle(job, fine);
-    const bool exchanging =
-        options.exchange && (!input.sky_view.exchange.facet.empty() ||
-                             std::any_of(input.sky_view.below.begin(), input.sky_view.below.end(),
-                                         [](float below) { return below > 0.0f; }));
-    if (exchanging) job.excess.assign(job.instant.size() * job.facets, 0.0f);
+    const bool neighbours = options.exchange && exchanging(input);
+    if (neighbours) job.excess.assign(job.instant.size() * job.facets, 0.0f);
 
     const auto exchange = [&](const Level& level) {
         const auto since = Clock::now();
-        if (exchanging) report.exchange_change = exchange_longwave(job, level);
+        const ExchangeChange change = neighbours ? exchange_longwave(job, level) : ExchangeChange{};
         report.exchange_seconds += seconds_since(since);
+        return change;
     };
     if (const std::size_t stride = coarse_stride(job); options.periodic && stride > 1) {
         // A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
-        const int coarse_passes = exchanging ? 4 : 2;
+        const int coarse_passes = neighbours ? 4 : 2;
         const auto stepping = Clock::now();
-        const double cpu = cpu_seconds();
+        const double cpu = cpu_seconds(), exchanged = report.exchange_seconds;
         Level coarse = make_level(job, materials, stride, 1, &fine);
+        exchange(coarse);
         for (int i = 0; i < coarse_passes; ++i) {
-            exchange(coarse);
             set_films(job, coarse, i == 0 ? fine : coarse);
             pass(job, coarse, 0.0, 0.0);
-            renew_matrices(job, coarse);
-            correct(job, coarse, false);
-            fill_between(job, job.kelvin, stride);
-            if (exchanging) fill_between(job, job.excess, stride);
+            renew_matrices(job, coarse, job.block);
+            correct(job, coarse);
+            exchange(coarse);
         }
+        fill_between(job, job.kelvin, stride);
+        if (neighbours) fill_between(job, job.excess, stride);
         set_films(job, fine, coarse);
         for (Block& block : job.block) {
             block.move.clear();
             block.residual = 1e9;
+            block.period.reset();
         }
-        report.step_seconds += seconds_since(stepping);
+        report.step_seconds += seconds_since(stepping) - (report.exchange_seconds - exchanged);
         report.step_cpu_seconds += cpu_seconds() - cpu;
+    } else {
+        exchange(fine);
     }
 
     ScenePoints points(job);
     constexpr double usual_passes = 3.0;
     while (!report.converged && report.passes < options.max_passes) {
-        // The change just made tells how far the pass before was from its surroundings.
-        exchange(fine);
         const auto stepping = Clock::now();
         const double cpu = cpu_seconds();
         const double done = std::min(0.95, report.passes / usual_passes);
         pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
-        points.pass(job, fine);
         ++report.passes;
-        if (options.periodic) {
-            if (report.passes == 1) renew_matrices(job, fine);
-            correct(job, fine, report.exchange_change < 0.01);
-        }
-        report.periodic_residual = report.estimated_error = 0.0;
+        if (report.passes == 1) renew_matrices(job, fine, job.block);
+        if (options.periodic) correct(job, fine);
+        points.pass(job, fine);
+        report.step_seconds += seconds_since(stepping);
+        report.step_cpu_seconds += cpu_seconds() - cpu;
+        // What the neighbours send by now tells how far the pass was from its surroundings.
+        const ExchangeChange change = exchange(fine);
+        report.exchange_change = change.heat;
+        report.periodic_residual = 0.0;
+        report.estimated_error = change.warmer;
         for (const Block& block : job.block) {
             if (!options.periodic) break;
             report.periodic_residual = std::max(report.periodic_residual, block.residual);
-            report.estimated_error = std::max(report.estimated_error, block.largest_move);
+            report.estimated_error =
+                std::max(report.estimated_error, block.largest_move + change.warmer);
         }
         const ScenePoints::Summary single = points.summary();
         report.periodic_residual = std::max(report.periodic_residual, single.residual);
         report.estimated_error = std::max(report.estimated_error, single.largest_move);
-        report.step_seconds += seconds_since(stepping);
-        report.step_cpu_seconds += cpu_seconds() - cpu;
-        report.converged =
-            report.periodic_residual <= options.tolerance && report.estimated_error <= 0.01 &&
-            report.exchange_change <= settled_exchange && !(single.fresh && exchanging);
+        report.converged = report.periodic_residual <= options.tolerance &&
+                           report.estimated_error <= 0.01 && !(single.fresh && neighbours);
     }
+    points.put(job);
     StepRecord record;
     for (const Block& block : job.block) record.merge(block.record);
     const ScenePoints::Summary single = points.summary();

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/units.hpp"
-
 namespace diurna {
 
 namespace {
@@ -56,11 +54,6 @@ void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetO
             incident[f] = float(own[f] + gathered(view.exchange, f, reflected));
         }
     }
-}
-
-float leaving_longwave(float emissivity, double sky_longwave, float temperature, float excess) {
-    const double black = stefan_boltzmann * power4(double(temperature));
-    return float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess);
 }
 
 void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,

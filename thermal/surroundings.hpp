@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "materials/library.hpp"
+#include "materials/units.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility.hpp"
 #include "thermal/irradiance.hpp"
@@ -32,7 +33,11 @@ void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetO
 ///
 /// excess   D as it was
 /// returns  ε (σ T⁴ − L_sky) + (1 − ε) D
-float leaving_longwave(float emissivity, double sky_longwave, float temperature, float excess);
+inline float leaving_longwave(float emissivity, double sky_longwave, float temperature,
+                              float excess) {
+    const double black = stefan_boltzmann * power4(double(temperature));
+    return float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess);
+}
 /// and what arrives at a facet, at all instants at once: a row of the exchange is read once, and
 /// what its partners send lies together.
 ///

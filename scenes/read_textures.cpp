@@ -62,7 +62,8 @@ void read_image(const Section& section, const fs::path& folder, TextureInput& te
         section.mistake("file", error.mistakes().front().line());
         return;
     }
-    if (texture.metres_per_texel == 0.0 && !texture.image.georeferenced) {
+    const bool placed = section.has("place_m") || section.has("heading_deg");  // told above
+    if (texture.metres_per_texel == 0.0 && !texture.image.georeferenced && !placed) {
         section.mistake("metres_per_texel",
                         "missing, and " + name + " does not say where on Earth it lies");
     }

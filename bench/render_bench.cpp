@@ -17,6 +17,8 @@
 #include <numbers>
 
 #include "materials/planck.hpp"
+#include "materials/units.hpp"
+#include "render/adaptive.hpp"
 #include "render/exr.hpp"
 #include "render/tracer.hpp"
 #include "terrain/parallel.hpp"
@@ -299,19 +301,47 @@ int main(int argc, char** argv) {
     row("day", "processor_time", "640x512x16", 2, day_cpu, day_cpu / day, "processors had");
     std::filesystem::remove_all(folder);
 
-    // Error against samples.
-    Observer small = aerial;
-    small.width = small.height = size / 4;
-    const View finest = cast_view(scene, facets, small, {.samples = 1024});
-    const Frame truth = render(finest, small, lw, input(temperature), {.truth = false});
-    for (const int samples : {1, 4, 16, 64, 256}) {
-        start = now();
-        const View some = cast_view(scene, facets, small, {.samples = samples, .seed = 7});
-        const double seconds = now() - start;
-        const Frame picture = render(some, small, lw, input(temperature), {.truth = false});
-        row("samples", "uniform", fmt::format("{}x{}x{}", small.width, small.height, samples), 2,
-            seconds, rms(picture, truth, "apparent_temperature.8-12"), "K rms");
-    }
+    // Error against samples, alike in all pixels and where they are needed; processor time of
+    // casting. What facets look like is known as it is in a job: their temperatures and materials.
+    const auto samples_rows = [&](const Observer& eye) {
+        const View finest = cast_view(scene, facets, eye, {.samples = 1024});
+        const Frame truth = render(finest, eye, lw, input(temperature), {.truth = false});
+        const auto samples_row = [&](const char* method, const auto& cast_it) {
+            const double begin = cpu_now();
+            const View some = cast_it();
+            const double seconds = cpu_now() - begin;
+            const Frame picture = render(some, eye, lw, input(temperature), {.truth = false});
+            row("samples", method,
+                fmt::format("{} {}x{}x{:.1f}", eye.name, eye.width, eye.height,
+                            double(some.rays) / double(some.pixels()) - 1.0),
+                1, seconds, rms(picture, truth, "apparent_temperature.8-12"), "K rms");
+        };
+        for (const int samples : {1, 2, 4, 8, 16, 32, 64, 128, 256}) {
+            samples_row("uniform", [&] {
+                return cast_view(scene, facets, eye, {.samples = samples, .seed = 7});
+            });
+        }
+        const Appearance appearance{
+            .facet = thermal_appearance(facets, sky, materials, temperature, lw[0]), .sky = 250.0f};
+        for (const double tolerance : {0.4, 0.2, 0.1, 0.05, 0.025}) {
+            samples_row("adaptive", [&] {
+                return cast_adaptive_view(scene, facets, eye, {&appearance, 1},
+                                          {.from = 16, .to = 1024, .tolerance = tolerance},
+                                          {.seed = 7});
+            });
+        }
+    };
+    Observer part = aerial;  // the middle of that picture
+    part.width = part.height = size / 4;
+    part.horizontal_fov_deg =
+        2.0 * degrees(std::atan(0.25 * std::tan(0.5 * radians(aerial.horizontal_fov_deg))));
+    samples_rows(part);
+    Observer ground = part;  // near slopes, ridges, sky
+    ground.name = "ground";
+    ground.position = {-3000.0, -3000.0, relief(-3000.0, -3000.0) + 30.0};
+    ground = looking_at(ground, {0.0, 0.0, ground.position.z() - 50.0});
+    ground.horizontal_fov_deg = 50.0;
+    samples_rows(ground);
 
     // Last: a second device made while threads are limited keeps the first to one for good.
     set_thread_count(1);

@@ -58,26 +58,51 @@ int extra(int level) { return 16 * ((1 << level) - 1); }
 
 }  // namespace
 
+std::vector<float> thermal_appearance(const FacetSet& facets, const SkyView& sky_view,
+                                      const MaterialLibrary& materials,
+                                      std::span<const float> temperature, const Band& band) {
+    std::vector<float> reflectance(materials.size());
+    for (std::size_t m = 0; m < reflectance.size(); ++m) {
+        const Spectrum& of = materials[MaterialId{static_cast<std::uint16_t>(m)}].reflectance;
+        double sum = 0.0, weight = 0.0;
+        for (std::size_t n = 0; n < band.node_um.size(); ++n) {
+            sum += band.weight[n] * of.at(band.node_um[n]);
+            weight += band.weight[n];
+        }
+        reflectance[m] = static_cast<float>(sum / weight);
+    }
+    constexpr float sky = 250.0f;
+    std::vector<float> appearance(facets.size());
+    for_each_index(facets.size(), [&](std::size_t f) {
+        const float open = reflectance[index(facets.material[f])] * float(sky_view.sky_view[f]);
+        appearance[f] = temperature[f] + open * (sky - temperature[f]);
+    });
+    return appearance;
+}
+
 std::vector<int> samples_wanted(const View& view, std::span<const Appearance> appearances,
                                 const AdaptiveOptions& options) {
     std::vector<double> own(view.pixels());
-    for_each_index(own.size(),
-                   [&](std::size_t p) { own[p] = variance(view, p, appearances, options.from); });
+    for_each_index(own.size(), [&](std::size_t p) {
+        const double sights = double(view.row[p + 1] - view.row[p]) + (view.sky[p] > 0.0f);
+        own[p] = std::max(0.0, variance(view, p, appearances, options.from)) *
+                 std::sqrt(std::max(0.0, sights - 1.0));
+    });
     const std::vector<double> around = smoothed(view, own);
-    std::vector<double> spread(own.size());
+    std::vector<double> need(own.size());
     double mean = 0.0;
     for (std::size_t p = 0; p < own.size(); ++p) {
-        spread[p] = std::sqrt(std::max(0.0, 0.5 * (own[p] + around[p])));
-        mean += spread[p] / double(own.size());
+        need[p] = std::pow(0.5 * (own[p] + around[p]), 0.4);
+        mean += need[p] / double(own.size());
     }
-    const double scale = mean / (options.tolerance * options.tolerance);
+    const double scale = std::pow(mean / (options.tolerance * options.tolerance), 2.0 / 3.0);
     std::vector<int> wanted(own.size());
     for (std::size_t p = 0; p < own.size(); ++p) {
         int level = 0;
         // The middle of two levels by ratio.
         while (options.from + extra(level + 1) <= options.to &&
-               spread[p] * scale > std::sqrt(double(options.from + extra(level)) *
-                                             double(options.from + extra(level + 1)))) {
+               need[p] * scale > std::sqrt(double(options.from + extra(level)) *
+                                           double(options.from + extra(level + 1)))) {
             ++level;
         }
         wanted[p] = options.from + extra(level);
@@ -85,30 +110,28 @@ std::vector<int> samples_wanted(const View& view, std::span<const Appearance> ap
     return wanted;
 }
 
-void add_view(View& view, std::span<const int> samples, const View& more,
-              std::span<const int> more_samples) {
-    assert(view.pixels() == more.pixels());
+void add_view(View& view, const View& more, std::span<const float> share) {
+    assert(view.pixels() == more.pixels() && view.pixels() == share.size());
     const auto first = static_cast<std::uint32_t>(view.facet.size());
     std::vector<Sighting> sighting;
     sighting.reserve(view.sighting.size() + more.sighting.size());
     std::vector<std::uint32_t> row{0};
     row.reserve(view.row.size());
     for (std::size_t p = 0; p < view.pixels(); ++p) {
-        const float total = static_cast<float>(samples[p] + more_samples[p]);
-        const float old_share = static_cast<float>(samples[p]) / total, share = 1.0f - old_share;
+        const float old_share = 1.0f - share[p];
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
             Sighting s = view.sighting[k];
             s.weight *= old_share;
             sighting.push_back(s);
         }
-        if (more_samples[p] > 0) {
+        if (share[p] > 0.0f) {
             for (std::uint32_t k = more.row[p]; k < more.row[p + 1]; ++k) {
                 Sighting s = more.sighting[k];
-                s.weight *= share;
+                s.weight *= share[p];
                 s.target += first;
                 sighting.push_back(s);
             }
-            const float old_sky = old_share * view.sky[p], sky = share * more.sky[p];
+            const float old_sky = old_share * view.sky[p], sky = share[p] * more.sky[p];
             view.sky[p] = old_sky + sky;
             if (sky > 0.0f) {
                 if (old_sky == 0.0f) view.sky_azimuth_deg[p] = more.sky_azimuth_deg[p];
@@ -172,21 +195,22 @@ View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Obs
     round.samples = options.from;
     View view = cast_view(scene, facets, observer, round);
     const std::vector<int> wanted = samples_wanted(view, appearances, options);
-    const std::vector<int> had(view.pixels(), options.from);
     for (int level = 1; options.from + extra(level) <= options.to; ++level) {
         std::vector<std::uint8_t> asked(view.pixels());
-        std::vector<int> added(view.pixels());
+        std::vector<float> share(view.pixels(), 0.0f);
+        const float of_more = static_cast<float>(
+            1.0 / (1.0 + std::pow(double(options.from) / double(extra(level)), 1.5)));
         bool any = false;
         for (std::size_t p = 0; p < asked.size(); ++p) {
             asked[p] = wanted[p] == options.from + extra(level);
-            added[p] = asked[p] ? extra(level) : 0;
+            if (asked[p]) share[p] = of_more;
             any = any || asked[p];
         }
         if (!any) continue;
         round.samples = extra(level);
         round.seed = view_options.seed + 0x9E3779B97F4A7C15u * std::uint64_t(level);
         round.asked = asked;
-        add_view(view, had, cast_view(scene, facets, observer, round), added);
+        add_view(view, cast_view(scene, facets, observer, round), share);
     }
     return view;
 }

@@ -122,6 +122,7 @@ void pass_on(Job& job, const Level& level, Field& field) {
     const SkyView& view = job.input.sky_view;
     const std::size_t used = field.used;
     for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> grown;
         for (std::size_t f = begin; f < end; ++f) {
             field.most[f] = 0.0f;
             const std::span<float> change = field.changes(f);
@@ -137,10 +138,14 @@ void pass_on(Job& job, const Level& level, Field& field) {
             for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
                 add(index(view.exchange.facet[k]), view.exchange.factor[k]);
             }
-            if (!any) continue;
-            for (std::size_t k = 0; k < used; ++k) {
-                job.excess[k * level.stride * job.facets + f] += change[k];
-                field.most[f] = std::max(field.most[f], std::abs(change[k]));
+            if (any) grown.push_back(f);
+        }
+        for (std::size_t k = 0; k < used; ++k) {
+            float* const excess = job.excess.data() + k * level.stride * job.facets;
+            for (const std::size_t f : grown) {
+                const float change = field.change[f * used + k];
+                excess[f] += change;
+                field.most[f] = std::max(field.most[f], std::abs(change));
             }
         }
     });

@@ -75,8 +75,8 @@ struct SolveReport {
     int steps = 0;                   // per pass
     int passes = 0;                  // over the span
     double periodic_residual = 0.0;  // [K] worst |P(T) − T| over facets and nodes, last pass
-    double estimated_error = 0.0;    // [K] that residual through (I − M)⁻¹: the distance left
-    double exchange_change = 0.0;    // [W m⁻²] worst change of terrain longwave, last pass
+    double estimated_error = 0.0;  // [K] that residual through (I − M)⁻¹, and what neighbours do
+    double exchange_change = 0.0;       // [W m⁻²] worst change of terrain longwave, last pass
     double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, worst facet and step
     double newton_iterations = 0.0;     // mean per stage
     int worst_newton_iterations = 0;
@@ -102,9 +102,10 @@ struct SolveResult {
 /// − 1/√2, second order, L-stable) on the nodes of thermal/column.hpp. Forcing is linear between
 /// step instants; materials too thin for the step are stepped more often. The surface equation is
 /// solved by Newton within a bracket to 1e-12 K, by either method together with the column. A
-/// periodic span is found by Newton on the period map, with one monodromy matrix per material. What
-/// neighbours send in longwave follows from pass to pass, three sweeps each time, the later ones
-/// with what the first does to the temperatures to first order. The result has the same bytes for
+/// periodic span is found by Newton on the period map, begun on steps of an hour: each block of
+/// facets has its own monodromy matrix, at two steepnesses of its surface, between which each facet
+/// finds its own. What neighbours send in longwave is solved for together with what it does to
+/// temperatures, to first order, after each pass (thermal/neighbours.hpp). Same bytes for
 /// any number of threads. Facets whose material asks for more than a linear column under a dry or
 /// evenly wet surface (freezing ground, snow, canopy, store of water, schedules) are solved one by
 /// one: thermal/scene_points.hpp.

@@ -387,8 +387,13 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     const MaterialLibrary materials(stage.all);
     const SkyView sky = sky_view(stage.facets, scene, {.rays = 64});
     const PlumeScene volumes(stage.plumes);
-    const HopScene place{scene, stage.facets, materials, volumes};
-    const PixelRays eye = pixel_rays(stage.observer(24, 16.0));
+    const Observer observer = stage.observer(24, 16.0);
+    const HopScene place{.scene = scene,
+                         .facets = stage.facets,
+                         .materials = materials,
+                         .plumes = volumes,
+                         .observer = observer};
+    const PixelRays eye = pixel_rays(observer);
     Hops merged, apart;
     merged.row = apart.row = {0};
     for (std::uint32_t p = 0; p < 24 * 24; ++p) {

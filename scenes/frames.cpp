@@ -16,6 +16,7 @@
 #include "render/tracer.hpp"
 #include "scenes/air.hpp"
 #include "scenes/annotations.hpp"
+#include "scenes/appearances.hpp"
 #include "terrain/parallel.hpp"
 
 namespace diurna {
@@ -151,12 +152,16 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
         progress.stage("cast view of " + input.name);
         const ViewOptions sampling{
             .samples = input.samples, .seed = scene.seed, .patchwork = &world.patchwork};
-        View view = cast_view(prepared.rays, surfaces, observer, sampling);
-        const Hops hops = follow_rays(view, prepared.rays, surfaces, scene.materials,
-                                      PlumeScene(prepared.plumes), observer, sampling);
         std::vector<Band> bands;
         for (const std::string& band : input.bands)
             bands.push_back(named_band(scene.bands, band, bin_edges_um()));
+        View view = input.adaptive
+                        ? cast_adaptive_view(prepared.rays, surfaces, observer,
+                                             appearances(prepared, sky_view, field, bands),
+                                             *input.adaptive, sampling)
+                        : cast_view(prepared.rays, surfaces, observer, sampling);
+        const Hops hops = follow_rays(view, prepared.rays, surfaces, scene.materials,
+                                      PlumeScene(prepared.plumes), observer, sampling);
 
         const RadianceInput still{.facets = surfaces,
                                   .sky_view = sky_view,

@@ -38,6 +38,17 @@ void read_projection(const Section& section, ObserverInput& observer) {
     }
 }
 
+AdaptiveOptions read_adaptive(const Section& section) {
+    AdaptiveOptions options;
+    options.from = section.integer_or("from", options.from, 2, 1024);
+    options.to = section.integer_or("to", std::max(options.to, options.from), 2, 4096);
+    options.tolerance = section.number_or("tolerance_K", options.tolerance, 1e-4, 100.0);
+    if (options.to < options.from) {
+        section.mistake("to", fmt::format("{} is less than from, {}", options.to, options.from));
+    }
+    return options;
+}
+
 }  // namespace
 
 ObserverInput read_observer(const Section& section, const Scene& scene) {
@@ -56,6 +67,13 @@ ObserverInput read_observer(const Section& section, const Scene& scene) {
     observer.height = section.integer_or("height", 512, 1, 16384);
     read_projection(section, observer);
     observer.samples = section.integer_or("samples", 16, 1, 1024);
+    if (section.has("adaptive")) {
+        observer.adaptive = read_adaptive(section.section("adaptive"));
+        if (section.has("samples")) {
+            section.mistake("samples", "is for uniform sampling, adaptive says from and to");
+        }
+        observer.samples = observer.adaptive->from;
+    }
     observer.terms = section.flag_or("terms", false);
     observer.bands = section.texts_or("bands", {"3-5", "8-12"});
     for (const std::string& band : observer.bands) {

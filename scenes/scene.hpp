@@ -9,6 +9,7 @@
 
 #include "materials/atmosphere.hpp"
 #include "materials/library.hpp"
+#include "render/adaptive.hpp"
 #include "render/observer.hpp"
 #include "scenes/bands.hpp"
 #include "scenes/land.hpp"
@@ -104,6 +105,7 @@ struct ObserverInput {
     double picture_width = 0.0;  // [m] orthographic
     int width = 640, height = 512;
     int samples = 16;
+    std::optional<AdaptiveOptions> adaptive;  // samples where pixels need them
     std::vector<std::string> bands;  // "3-5", "8-12", "lwir", a name of Scene::bands
     std::vector<std::string> cubes;  // names of Scene::cubes
     bool terms = false;              // planes for the terms of the radiance, one by one

@@ -39,7 +39,7 @@ void check_sizes(const View& view, const RadianceInput& input) {
     if (input.sky_view.exchange.row.size() != n + 1) {
         throw InputError("render", "the exchange rows do not fit the facets");
     }
-    if (!view.facet.empty() && index(view.facet.back()) >= n) {
+    if (view.facets > n) {
         throw InputError("render", "the view was cast on other facets");
     }
 }

@@ -43,18 +43,21 @@ struct ViewExtent {
 /// What every pixel of an observer sees, cast once and good for every instant and band while
 /// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
 ///
-/// A target is a facet, or a part of one that reaches so deep into the picture that the air in
-/// front of it is not linear in range and height: parts span at most 1/128 of an octave of range
-/// and 16 m of height. What a target sends to the eye is thus worked out once, with two slopes.
+/// A target is a facet as a tile of 32 x 32 pixels sees it, or a part of it where it reaches so
+/// deep into the picture that the air in front of it is not linear in range and height: parts span
+/// at most 1/128 of an octave of range and 16 m of height. What a target sends to the eye is thus
+/// worked out once, with two slopes. Targets are numbered tile by tile as they come up, so that
+/// neighbours in the picture are neighbours in memory; a facet on a border of tiles is several.
 struct View {
     int width = 0, height = 0;
-    std::vector<FacetId> facet;          // (target) ascending
-    std::vector<float> range;            // (target) [m] mean over its sightings
-    std::vector<float> range_root;       // (target) [m^⅓] its cube root
-    std::vector<float> target_height;    // (target) [m] above the origin's level surface, earth's
-                                         // curvature included; mean over its sightings
-    std::vector<std::uint32_t> row;      // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
-    std::vector<Sighting> sighting;      // of a pixel: ascending facet
+    std::size_t facets = 0;            // of the scene it was cast on
+    std::vector<FacetId> facet;        // (target)
+    std::vector<float> range;          // (target) [m] mean over its sightings
+    std::vector<float> range_root;     // (target) [m^⅓] its cube root
+    std::vector<float> target_height;  // (target) [m] above the origin's level surface, earth's
+                                       // curvature included; mean over its sightings
+    std::vector<std::uint32_t> row;    // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
+    std::vector<Sighting> sighting;
     std::vector<float> sky;              // (pixel) share that sees no facet
     std::vector<float> sky_zenith_deg;   // (pixel) mean direction of that share; 0 if none
     std::vector<float> sky_azimuth_deg;  // (pixel) of the pixel's middle from the optical axis,

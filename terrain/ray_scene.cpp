@@ -2,12 +2,16 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+#include <immintrin.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 namespace diurna {
 
@@ -67,6 +71,24 @@ void pack(const RayPacket& rays, int lanes, RTCRay16& packet, int (&valid)[width
     }
 }
 
+/// Bits of the rays that meet a facet at less than 3°.
+std::uint32_t grazing(const RTCRayHit8& rays) {
+    const auto dot = [](__m256 ax, __m256 ay, __m256 az, __m256 bx, __m256 by, __m256 bz) {
+        return _mm256_fmadd_ps(ax, bx, _mm256_fmadd_ps(ay, by, _mm256_mul_ps(az, bz)));
+    };
+    const __m256 nx = _mm256_load_ps(rays.hit.Ng_x), ny = _mm256_load_ps(rays.hit.Ng_y),
+                 nz = _mm256_load_ps(rays.hit.Ng_z);
+    const __m256 across = dot(nx, ny, nz, _mm256_load_ps(rays.ray.dir_x),
+                              _mm256_load_ps(rays.ray.dir_y), _mm256_load_ps(rays.ray.dir_z));
+    const __m256 least = _mm256_mul_ps(_mm256_set1_ps(0.05f * 0.05f), dot(nx, ny, nz, nx, ny, nz));
+    const __m256 flat = _mm256_cmp_ps(_mm256_mul_ps(across, across), least, _CMP_NGT_UQ);
+    const __m256i id = _mm256_load_si256(reinterpret_cast<const __m256i*>(rays.hit.primID));
+    const __m256i missed =
+        _mm256_cmpeq_epi32(id, _mm256_set1_epi32(static_cast<int>(RTC_INVALID_GEOMETRY_ID)));
+    return static_cast<std::uint32_t>(
+        _mm256_movemask_ps(_mm256_andnot_ps(_mm256_castsi256_ps(missed), flat)));
+}
+
 }  // namespace
 
 struct RayScene::Impl {
@@ -102,6 +124,17 @@ struct RayScene::Impl {
         const double scale = towards.squaredNorm();
         return static_cast<float>(
             std::max(double{ray.near}, std::clamp(t, *first / scale, *last / scale)));
+    }
+
+    /// That of some lanes of a packet.
+    void recompute(const RTCRayHit8& packet, std::uint32_t lanes, float* to_range) const {
+        for (; lanes != 0; lanes &= lanes - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
+            const RTCRay8& all = packet.ray;
+            const Ray ray{.origin = {all.org_x[i], all.org_y[i], all.org_z[i]},
+                          .direction = {all.dir_x[i], all.dir_y[i], all.dir_z[i]}};
+            to_range[i] = range(ray, packet.hit.primID[i], all.tfar[i]);
+        }
     }
 };
 
@@ -166,44 +199,6 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits, Coherence
     }
 }
 
-void RayScene::closest(const Fan& fan, FanHits& hits) const {
-    RTCIntersectContext context = context_for(Coherence::coherent);
-    alignas(64) int valid[width];
-    alignas(64) RTCRayHit16 packet;
-    for (std::size_t i = 0; i < width; ++i) {
-        valid[i] = -1;
-        packet.ray.org_x[i] = fan.origin.x();
-        packet.ray.org_y[i] = fan.origin.y();
-        packet.ray.org_z[i] = fan.origin.z();
-        packet.ray.dir_x[i] = fan.x[i];
-        packet.ray.dir_y[i] = fan.y[i];
-        packet.ray.dir_z[i] = fan.z[i];
-        packet.ray.tnear[i] = 0.0f;
-        packet.ray.tfar[i] = 1e30f;
-        packet.ray.time[i] = 0.0f;
-        packet.ray.mask[i] = 0xFFFFFFFFu;
-        packet.ray.flags[i] = 0;
-        packet.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        packet.hit.primID[i] = RTC_INVALID_GEOMETRY_ID;
-        packet.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
-    }
-    rtcIntersect16(valid, impl_->scene, &context, &packet);
-    alignas(64) int grazing[width];
-    for (std::size_t i = 0; i < width; ++i) {
-        const float nx = packet.hit.Ng_x[i], ny = packet.hit.Ng_y[i], nz = packet.hit.Ng_z[i];
-        const float across = nx * fan.x[i] + ny * fan.y[i] + nz * fan.z[i];
-        const float least = 0.05f * 0.05f * (nx * nx + ny * ny + nz * nz);
-        hits.facet[i] = packet.hit.primID[i];
-        hits.range[i] = packet.ray.tfar[i];
-        grazing[i] = hits.facet[i] != RTC_INVALID_GEOMETRY_ID && !(across * across > least);
-    }
-    for (std::size_t i = 0; i < width; ++i) {
-        if (!grazing[i]) continue;
-        const Ray ray{.origin = fan.origin, .direction = {fan.x[i], fan.y[i], fan.z[i]}};
-        hits.range[i] = impl_->range(ray, hits.facet[i], hits.range[i]);
-    }
-}
-
 void RayScene::closest(const RayPacket& rays, int lanes,
                        std::array<std::uint32_t, 16>& facet) const {
     RTCIntersectContext context = context_for(Coherence::incoherent);
@@ -241,6 +236,76 @@ void RayScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> block
             // Embree marks a blocked ray by a far end of minus infinity.
             blocked[start + i] = packet.tfar[i] < 0.0f ? 1 : 0;
         }
+    }
+}
+
+struct RayBundles::State {
+    const RayScene::Impl& scene;
+    std::vector<float> rays;  // six arrays, one after the other
+    std::vector<std::uint32_t> facet;
+    std::vector<float> range;
+};
+
+RayBundles::RayBundles(const RayScene& scene, std::size_t most)
+    : state_(new State{.scene = *scene.impl_,
+                       .rays = std::vector<float>(6 * lanes * most),
+                       .facet = std::vector<std::uint32_t>(lanes * most),
+                       .range = std::vector<float>(lanes * most)}) {
+    const std::size_t n = lanes * most;
+    float* from = state_->rays.data();
+    origin_x = from, origin_y = from + n, origin_z = from + 2 * n;
+    direction_x = from + 3 * n, direction_y = from + 4 * n, direction_z = from + 5 * n;
+    facet = state_->facet.data();
+    range = state_->range.data();
+}
+
+RayBundles::~RayBundles() = default;
+
+void RayBundles::set_origin(const Eigen::Vector3f& origin) {
+    const std::size_t n = state_->range.size();
+    std::fill_n(origin_x, n, origin.x());
+    std::fill_n(origin_y, n, origin.y());
+    std::fill_n(origin_z, n, origin.z());
+}
+
+void RayBundles::closest(std::size_t bundles) {
+    // Embree takes sixteen rays to pieces of eight where it runs with AVX2: eight are handed over.
+    constexpr std::size_t some = 8;
+    RTCIntersectContext context = context_for(Coherence::coherent);
+    std::array<float, some> far;
+    std::array<unsigned, some> none;
+    far.fill(1e30f);
+    none.fill(RTC_INVALID_GEOMETRY_ID);
+    alignas(64) int valid[some];
+    alignas(64) RTCRayHit8 packet;
+    RTCRay8& ray = packet.ray;
+    RTCHit8& hit = packet.hit;
+    for (std::size_t i = 0; i < some; ++i) {
+        valid[i] = -1;
+        ray.tnear[i] = 0.0f;
+        ray.time[i] = 0.0f;
+        ray.mask[i] = 0xFFFFFFFFu;
+        ray.flags[i] = 0;
+        hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    const auto copy = [](const auto* from, auto* to) { std::memcpy(to, from, some * sizeof(*to)); };
+    std::uint32_t* to_facet = state_->facet.data();
+    float* to_range = state_->range.data();
+    for (std::size_t at = 0; at < bundles * lanes; at += some) {
+        copy(origin_x + at, ray.org_x);
+        copy(origin_y + at, ray.org_y);
+        copy(origin_z + at, ray.org_z);
+        copy(direction_x + at, ray.dir_x);
+        copy(direction_y + at, ray.dir_y);
+        copy(direction_z + at, ray.dir_z);
+        copy(far.data(), ray.tfar);
+        copy(none.data(), hit.geomID);
+        copy(none.data(), hit.primID);
+        rtcIntersect8(valid, state_->scene.scene, &context, &packet);
+        copy(hit.primID, to_facet + at);
+        copy(ray.tfar, to_range + at);
+        const std::uint32_t flat = grazing(packet);
+        if (flat != 0) state_->scene.recompute(packet, flat, to_range + at);
     }
 }
 

@@ -22,17 +22,6 @@ struct Hit {
     float range = 0.0f;        // [m], recomputed in double from the facet's corners
 };
 
-/// Sixteen rays from one point: the samples of a pixel, the most alike rays there are.
-struct Fan {
-    Eigen::Vector3f origin;
-    alignas(64) std::array<float, 16> x, y, z;  // unit directions
-};
-struct FanHits {
-    alignas(64) std::array<std::uint32_t, 16> facet;  // index(no_facet): nothing was hit
-    alignas(64) std::array<float, 16> range;  // [m]; recomputed in double at grazing incidence
-                                              // (below 3°), within 2e-5 of it elsewhere
-};
-
 /// Sixteen rays side by side, from 0 to infinity, that have little in common.
 struct RayPacket {
     alignas(64) std::array<float, 16> origin_x, origin_y, origin_z;
@@ -55,7 +44,6 @@ class RayScene {
     /// The nearest facet along each ray. Rays are traced 16 at a time in the order given.
     void closest(std::span<const Ray> rays, std::span<Hit> hits,
                  Coherence coherence = Coherence::coherent) const;
-    void closest(const Fan& fan, FanHits& hits) const;
     /// The nearest facet's number along the first `lanes` rays, index(no_facet) where there is
     /// none.
     void closest(const RayPacket& rays, int lanes, std::array<std::uint32_t, 16>& facet) const;
@@ -65,8 +53,36 @@ class RayScene {
     void occluded(const RayPacket& rays, int lanes, std::array<std::uint8_t, 16>& blocked) const;
 
  private:
+    friend class RayBundles;
     struct Impl;
     std::unique_ptr<Impl> impl_;
+};
+
+/// Bundles of sixteen rays that are much alike, the samples of a pixel each, laid side by side so
+/// that whole rows of pixels can be prepared, traced and read in turn. From 0 to infinity, all
+/// sixteen lanes in use. For one thread.
+class RayBundles {
+ public:
+    static constexpr std::size_t lanes = 16;
+    RayBundles(const RayScene& scene, std::size_t most);
+    ~RayBundles();
+    RayBundles(const RayBundles&) = delete;
+    RayBundles& operator=(const RayBundles&) = delete;
+
+    // (bundle, lane) To be written: where rays begin [m], and their unit directions.
+    float *origin_x, *origin_y, *origin_z;
+    float *direction_x, *direction_y, *direction_z;
+    void set_origin(const Eigen::Vector3f& origin);  // of all of them
+
+    /// The nearest facet of each ray of the first few bundles.
+    void closest(std::size_t bundles);
+    const std::uint32_t* facet;  // (bundle, lane) index(no_facet): nothing was hit
+    const float* range;  // (bundle, lane) [m]; recomputed in double at grazing incidence (below
+                         // 3°), within 2e-5 of it elsewhere
+
+ private:
+    struct State;
+    std::unique_ptr<State> state_;
 };
 
 }  // namespace diurna

@@ -152,12 +152,7 @@ TextureUses read_texture_uses(const Section& root, const std::vector<TextureInpu
     };
     read(root.section("terrain"), uses.of_object, "ground");
     for (const Section& polygon : root.sections("ground")) {
-        const std::string name = polygon.text_or("name", "");
-        const auto ground = uses.of_object.find("ground");
-        if (!polygon.has("material") && ground != uses.of_object.end()) {
-            uses.of_object[name] = ground->second;
-        }
-        read(polygon, uses.of_object, name);
+        read(polygon, uses.of_object, polygon.text_or("name", ""));
     }
     for (const char* kind : {"building", "object"}) {
         for (const Section& section : root.sections(kind)) {

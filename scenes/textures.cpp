@@ -10,6 +10,7 @@
 #include "materials/varied.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/world.hpp"
+#include "terrain/rings.hpp"
 
 namespace diurna {
 
@@ -148,6 +149,20 @@ TextureFrame frame_of(const World& world, std::size_t object, const ObjectInput&
             .heading = radians(input.placing.heading_deg)};
 }
 
+/// The texture of a place on the ground: that of the last polygon there, of those that leave the
+/// material to the rules and so are no objects of their own, else the terrain's.
+std::map<std::string, std::string>::const_iterator use_on_ground(const Scene& scene,
+                                                                 const Eigen::Vector3f& at) {
+    const auto& uses = scene.texture_uses.of_object;
+    const auto& polygons = scene.terrain.polygons;
+    for (auto polygon = polygons.rbegin(); polygon != polygons.rend(); ++polygon) {
+        if (!polygon->material.empty()) continue;
+        const auto use = uses.find(polygon->name);
+        if (use != uses.end() && contains(polygon->ring, at.head<2>().cast<double>())) return use;
+    }
+    return uses.find("ground");
+}
+
 }  // namespace
 
 std::vector<std::string> lay_textures(Scene& scene, World& world) {
@@ -197,7 +212,8 @@ std::vector<std::string> lay_textures(Scene& scene, World& world) {
     for (std::size_t f = 0; f < world.facets.size(); ++f) {
         const auto object = static_cast<std::size_t>(world.facets.object[f]);
         const MaterialId id = world.facets.material[f];
-        auto use = uses.of_object.find(world.objects[object]);
+        auto use = object == 0 ? use_on_ground(scene, world.facets.centroid[f])
+                               : uses.of_object.find(world.objects[object]);
         if (use == uses.of_object.end()) {
             use = uses.of_material.find(scene.materials[id].name);
             if (use == uses.of_material.end()) continue;

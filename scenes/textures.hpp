@@ -55,7 +55,7 @@ struct TextureUses {
     std::map<std::string, std::string> of_material;
 };
 /// The keys `texture` of [terrain], [[ground]], [[building]], [[object]] and [material.NAME].
-/// Ground of a polygon that names neither material nor texture has the terrain's.
+/// Ground of a polygon that names neither material nor texture is the terrain's.
 TextureUses read_texture_uses(const Section& root, const std::vector<TextureInput>& textures);
 
 /// Gives every textured facet of the world its levels' materials, which are added to the scene's,

@@ -201,3 +201,42 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
     has(problem(textured(good) + "[[texture]]\nname = \"t\"\n" + good),
         "a second texture named \"t\"");
 }
+
+// Ground that leaves its material to the rules is no object of its own, but has its own texture.
+TEST_CASE("textures lie on ground, polygons, objects' parts and materials", "[scenes][texture]") {
+    const ScratchFolder folder("textured");
+    const std::string tables =
+        "[[texture]]\nname = \"wide\"\nstd = 0.02\ncorrelation_length_m = 50.0\n"
+        "[[texture]]\nname = \"near\"\nstd = 0.03\ncorrelation_length_m = 5.0\n"
+        "[[texture]]\nname = \"rust\"\nwhat = \"emissivity\"\nstd = 0.02\nmean = 0.8\n"
+        "correlation_length_m = 1.0\n"
+        "[material.old_wall]\nlike = \"concrete_wall\"\ntexture = \"rust\"\n"
+        "[[ground]]\nname = \"yard\"\nrectangle_m = [0.0, -300.0, 200.0, 100.0, 0.0]\n"
+        "texture = \"near\"\n";
+    write_text(folder.path / "scene.toml", with(with(small_scene(), "material = \"grass\"",
+                                                     "material = \"grass\"\ntexture = \"wide\""),
+                                                "\"concrete_wall\"", "\"old_wall\"") +
+                                               tables);
+    const Prepared p = prepare(read_scene(folder.path / "scene.toml"));
+    const Patchwork& patchwork = p.world.patchwork;
+    double yard = 0.0;
+    std::size_t bare = 0;
+    for (std::size_t f = 0; f < p.world.facets.size(); ++f) {
+        const std::string& object =
+            p.world.objects[static_cast<std::size_t>(p.world.facets.object[f])];
+        const std::string material = p.scene.materials[p.world.facets.material[f]].name;
+        const Patchwork::Patch& patch = patchwork.patch[f];
+        bare += (patch.skin != no_skin) != (object == "ground" || material == "old_wall");
+        if (patch.skin == no_skin) continue;
+        const auto& skin = patchwork.skin[patch.skin];
+        const double deviation = std::get<ClutterTexture>(*skin.texture).deviation;
+        if (deviation == 0.03) {
+            yard += p.world.facets.area[f] * p.world.facets.normal[f].z();
+        }
+        bare += (material == "old_wall") !=
+                (p.scene.materials[skin.material[0]].name == "old_wall (emissivity 0.74)");
+    }
+    CHECK(bare == 0);
+    CHECK(yard == Approx(200.0 * 100.0).epsilon(2e-3));
+    CHECK(p.notes.back().find("texture \"rust\"") == 0);
+}

@@ -89,6 +89,13 @@ struct WaterStore {
     double wet_albedo = -1.0;  // of the surface where it is wet; negative: as dry
 };
 
+/// Snow's broadband albedo ages from the material's own on (Douville et al. 1995, Clim. Dyn. 12,
+/// 21): dry by 0.008 a day, melting by a factor e^−0.24 a day towards `old`, never below it; 10
+/// kg m⁻² of new snow bring it from `old` to `fresh`.
+struct AgeingAlbedo {
+    double fresh = 0.85, old = 0.5;
+};
+
 /// A big leaf over the ground: a skin without heat of its own, joined to the top node.
 struct BigLeaf {
     double skin_conductance;  // [W m⁻² K⁻¹]
@@ -119,6 +126,7 @@ struct ThermalSurface {
     Convection convection = Louis{};
     Evaporation evaporation;
     WaterStore store{};
+    std::optional<AgeingAlbedo> snow_albedo{};
     Canopy canopy{};
     double internal_heat = 0.0;       // [W m⁻²] released at the surface
     Schedule internal_schedule = {};  // [W m⁻²], in place of internal_heat

@@ -262,6 +262,13 @@ WaterStore read_store(const Section& section) {
             .wet_albedo = section.number_or("wet_albedo", -1.0, 0.0, 1.0)};
 }
 
+AgeingAlbedo read_snow_albedo(const Section& section) {
+    AgeingAlbedo ageing;
+    ageing.fresh = section.number_or("fresh", ageing.fresh, 0.0, 1.0);
+    ageing.old = section.number_or("old", ageing.old, 0.0, ageing.fresh);
+    return ageing;
+}
+
 Canopy read_canopy(const Section& section) {
     const std::string kind = read_kind(section, "none", {"none", "big_leaf", "two_source"});
     if (kind == "big_leaf") {
@@ -326,6 +333,9 @@ Material read_material(const Section& section, const MaterialLibrary& base,
         thermal.evaporation = read_evaporation(section.section("evaporation"));
     }
     if (section.has("store")) thermal.store = read_store(section.section("store"));
+    if (section.has("snow_albedo")) {
+        thermal.snow_albedo = read_snow_albedo(section.section("snow_albedo"));
+    }
     if (section.has("canopy")) thermal.canopy = read_canopy(section.section("canopy"));
     if (section.has("back")) thermal.back = read_back(section.section("back"));
     thermal.internal_heat =

@@ -10,58 +10,15 @@
 #include "materials/air.hpp"
 #include "materials/error.hpp"
 #include "materials/units.hpp"
+#include "tests/column_jobs.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;
+using namespace column_jobs;
 
 namespace {
 
 const PrivateTempFolder private_temp_folder;
-
-const Instant noon_free = parse_instant("2020-06-01T00:00:00Z");
-constexpr double day = 86400.0;
-
-/// A horizontal facet over `layers` that only exchanges by film and, if asked, radiation.
-ColumnJob facet_over(std::vector<Layer> layers, Bottom bottom, double film, double emissivity) {
-    ColumnJob job;
-    job.surface.albedo = 0.0;
-    job.surface.emissivity = emissivity;
-    job.surface.convection = ConstantFilm{film};
-    job.surface.layers = std::move(layers);
-    job.surface.bottom = bottom;
-    job.start = noon_free;
-    job.end = later(noon_free, day);
-    job.spin_up = SpinUp::periodic;
-    return job;
-}
-
-/// Weather sampled every `every` seconds through a day.
-template <class Absorbed, class Air>
-void drive(ColumnJob& job, const Absorbed& absorbed, const Air& air, double longwave,
-           double every = 300.0) {
-    job.weather = {};
-    for (double t = 0.0; t <= seconds_between(job.start, job.end) + 1.0; t += every) {
-        Forcing forcing;
-        forcing.air.temperature = air(t);
-        forcing.shortwave_down = absorbed(t);
-        forcing.longwave_down = longwave;
-        job.weather.instant.push_back(later(job.start, t));
-        job.weather.sample.push_back(forcing);
-    }
-}
-
-/// First harmonic of the surface temperature, as amplitude · exp(−i lag).
-std::complex<double> harmonic(const ColumnResult& result, int order = 1) {
-    std::complex<double> sum = 0.0;
-    const std::size_t n = result.row.size() - 1;  // the last row repeats the first
-    for (std::size_t i = 0; i < n; ++i) {
-        const double phase = 2.0 * std::numbers::pi * order * double(i) / double(n);
-        sum += result.row[i].surface_temperature * std::polar(1.0, -phase);
-    }
-    return 2.0 * sum / double(n);
-}
-
-constexpr Layer deep{4.0, 1.0, 2000.0, 1000.0};  // k = 1, C = 2e6: 34 skin depths
 
 }  // namespace
 
@@ -225,85 +182,6 @@ TEST_CASE("a thin plate with air behind loses heat on both sides",
     CHECK(row.back_temperature < row.surface_temperature);
     CHECK(result.worst_energy_closure < 1e-10);
     CHECK(result.periodic_residual < 1e-6);
-}
-
-TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
-          "[thermal][column_tool][store]") {
-    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 12.0, 0.95);
-    job.spin_up = SpinUp::none;
-    job.initial_temperature = 295.0;
-    job.step = 120.0;
-    job.surface.albedo = 0.2;
-    job.surface.store = {.capacity_mm = 2.0, .wet_albedo = 0.1};
-    drive(
-        job,
-        [](double t) { return 700.0 * std::max(0.0, -std::cos(2.0 * std::numbers::pi * t / day)); },
-        [](double) { return 295.0; }, 330.0, 1800.0);
-    for (Forcing& f : job.weather.sample) f.air.vapour_pressure = 900.0;
-    job.weather.sample[4].rain_mm_h =
-        3.0;  // around 2 h, straight down to nothing half an hour off:
-    job.weather.sample[5].rain_mm_h = 0.0;  // 1.5 mm in all
-    const ColumnResult result = run_column(job);
-    REQUIRE(result.has_store);
-    double rain = 0.0, evaporated = 0.0, most = 0.0;
-    for (std::size_t i = 1; i < result.row.size(); ++i) {
-        const ColumnRow &a = result.row[i - 1], &b = result.row[i];
-        rain += 0.5 * job.step / 3600.0 *
-                (job.weather.at(a.instant).rain_mm_h + job.weather.at(b.instant).rain_mm_h);
-        // Latent heat is all the store's: the surface itself is dry.
-        evaporated -= 0.5 * job.step * (a.latent + b.latent) / latent_heat_of_vaporisation(295.0);
-        most = std::max(most, b.water_mm);
-        CHECK(b.frost_mm == 0.0);
-        CHECK(b.water_mm == Approx(rain - evaporated).margin(0.02));
-    }
-    CHECK(rain == Approx(1.5).epsilon(1e-9));
-    CHECK(evaporated == Approx(1.5).epsilon(0.01));
-    CHECK(most > 1.2);
-    CHECK(result.row.back().water_mm < 0.01);  // the evening's dew
-    // Wet ground is darker by the wet share: half full, half way from 0.2 to 0.1.
-    for (const ColumnRow& row : result.row) {
-        const double sun = job.weather.at(row.instant).shortwave_down;
-        const double wet = std::min(1.0, row.water_mm / 2.0);
-        CHECK(row.absorbed_solar == Approx((0.8 + 0.1 * wet) * sun).margin(0.5));
-    }
-    CHECK(result.worst_energy_closure < 1e-9);
-    // What is more than it holds runs off.
-    job.weather.sample[4].rain_mm_h = 30.0;
-    double highest = 0.0;
-    for (const ColumnRow& row : run_column(job).row) highest = std::max(highest, row.water_mm);
-    CHECK(highest == Approx(2.0).epsilon(1e-6));
-}
-
-TEST_CASE("moist air lays frost on a cold roof, the morning takes it off",
-          "[thermal][column_tool][frost]") {
-    ColumnJob job = facet_over({{0.01, 1.0, 2000.0, 1000.0}}, FixedFlux{0.0}, 8.0, 0.95);
-    job.spin_up = SpinUp::none;
-    job.initial_temperature = 271.0;
-    job.step = 300.0;
-    job.surface.store = {.capacity_mm = 1.0};
-    drive(
-        job, [](double t) { return t > 43200.0 ? 400.0 : 0.0; }, [](double) { return 272.0; },
-        200.0);
-    for (Forcing& f : job.weather.sample) {
-        f.air.vapour_pressure = 0.95 * saturation_vapour_pressure(272.0);
-    }
-    const ColumnResult result = run_column(job);
-    double laid = 0.0;
-    for (std::size_t i = 1; i <= 144; ++i) {
-        laid += 0.5 * job.step * (result.row[i - 1].latent + result.row[i].latent) / 2.8345e6;
-    }
-    const ColumnRow& noon = result.row[144];
-    CHECK(noon.surface_temperature < 271.0);
-    CHECK(noon.frost_mm > 0.1);
-    CHECK(noon.frost_mm == Approx(laid).epsilon(0.02));
-    CHECK(noon.water_mm == 0.0);
-    CHECK(result.row.back().frost_mm == Approx(0.0).margin(1e-9));
-    // Melting takes its heat once: what frost melted, 0.3337 MJ/kg.
-    double melted = 0.0;
-    for (const ColumnRow& row : result.row) melted += row.melt * job.step;
-    CHECK(melted > 0.0);
-    CHECK(melted <= noon.frost_mm * 3.337e5 * 1.01);
-    CHECK(result.limited == 0);
 }
 
 TEST_CASE("a thin wall follows its room's and its heater's schedule",

@@ -214,6 +214,12 @@ TEST_CASE("every kind of bottom, convection, evaporation and back is read",
     CHECK(plate->emissivity == 0.8);
     CHECK(plate->albedo == 0.3);
     CHECK(with("internal_heat_W_m2 = 40").internal_heat == 40.0);
+    const auto snow = with("snow_albedo = { fresh = 0.9, old = 0.6 }").snow_albedo;
+    REQUIRE(snow);
+    CHECK(snow->fresh == 0.9);
+    CHECK(snow->old == 0.6);
+    CHECK(with("snow_albedo = {}").snow_albedo->fresh == 0.85);
+    CHECK_FALSE(with("").snow_albedo);
 }
 
 TEST_CASE("a library's material may be taken as it is or changed", "[materials][library]") {

@@ -147,3 +147,25 @@ TEST_CASE("water evaporates into dry air, dews out of moist, and takes nothing w
                             saturated / (air_density(air) * 1005.0 / 12.0 + 70.0);
     CHECK(flux(0.0, 293.0) == Approx(expected).epsilon(1e-9));
 }
+
+TEST_CASE("an hour of grass evaporates as in FAO's worked example", "[thermal][turbulence][fao]") {
+    // FAO Irrigation and Drainage Paper 56, example 19, N'Diaye (Senegal), 14 to 15 h: 38 °C, 52 %,
+    // 3.3 m/s, net radiation less soil heat 1.749 − 0.175 MJ/m²h: 0.63 mm/h. Its grass: aerodynamic
+    // resistance 208/u, surface 70 s/m. Its formula is linear in T_s − T_a; ours is not.
+    const AirState air{.temperature = 311.15, .pressure = 101.2e3, .vapour_pressure = 3445.0};
+    ThermalSurface grass =
+        surface_of(ConstantFilm{air_density(air) * dry_air_heat_capacity / (208.0 / 3.3)});
+    grass.evaporation = {.minimum_resistance = 70.0, .wetness = 1.0};
+    const AirFilm film = air_film(grass, louis_form(0.01, 0.001, 10.0, 2.0), air, 3.3);
+    const double available = (1.749 - 0.175) * 1e6 / 3600.0;
+    double low = 290.0, high = 340.0, evaporated = 0.0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.5 * (low + high);
+        const Film f = ground_film(film, t);
+        const double latent = -latent_heat(film, f, t).flux;
+        (latent + f.h * (t - air.temperature) < available ? low : high) = t;
+        evaporated = latent / latent_heat_of_vaporisation(air.temperature) * 3600.0;
+    }
+    CAPTURE(low - air.temperature);
+    CHECK(evaporated == Approx(0.63).epsilon(0.03));
+}

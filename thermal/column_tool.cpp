@@ -76,6 +76,7 @@ int make_periodic(PointFacet& facet, Instant from, Instant to, double& residual)
     for (int passes = 1; passes <= most_passes; ++passes) {
         const std::vector<double> start = facet.u;
         const Standing standing = facet.standing;
+        facet.renew_snow();
         Eigen::MatrixXd map = Eigen::MatrixXd::Identity(n, n);
         if (passes == 1) {
             facet.advance(from, to, &steps, &map);

@@ -10,7 +10,6 @@ namespace diurna {
 
 namespace {
 
-constexpr double least_flux = 1e-3;    // [W m⁻²] that heat balances are measured against
 constexpr double vapour_heat = 2.5e6;  // [J kg⁻¹] about, for what a step will dry
 
 Bottom bottom_of(const ThermalSurface& surface) {
@@ -50,15 +49,17 @@ PointFacet::PointFacet(PointSetup setup)
     : column(setup.surface.layers, bottom_of(setup.surface), setup.reference, setup.grid),
       u(column.size(), 0.0),
       setup_(std::move(setup)),
-      rest_(u.size(), 0.0) {}
+      rest_(u.size(), 0.0),
+      snow_albedo_(setup_.surface.albedo) {}
 
-SurfaceConditions PointFacet::conditions(Instant when, const Standing& water) const {
+SurfaceConditions PointFacet::conditions(Instant when, const Standing& water,
+                                         double snow_albedo) const {
     const PointForcing forcing = setup_.forcing(when);
     const ThermalSurface& surface = setup_.surface;
     // Measured light up over light down is the surface's albedo, wet or not.
     double albedo = forcing.albedo;
     if (std::isnan(albedo)) {
-        albedo = surface.albedo;
+        albedo = surface.snow_albedo ? snow_albedo : surface.albedo;
         const WaterStore& store = surface.store;
         if (store.capacity_mm > 0.0 && store.wet_albedo >= 0.0) {
             const double wet = std::min(1.0, water.water / store.capacity_mm);
@@ -84,7 +85,7 @@ SurfaceConditions PointFacet::conditions(Instant when, const Standing& water) co
 }
 
 SurfaceTerms PointFacet::terms(Instant when) const {
-    SurfaceConditions c = conditions(when, standing);
+    SurfaceConditions c = conditions(when, standing, snow_albedo_);
     c.wet_share = wet_share({.standing = standing, .evaporation = evaporation_}, 0.0, 0.0);
     return surface_terms(c, column.temperature(0, u[0]));
 }
@@ -146,7 +147,8 @@ PointFacet::Taken PointFacet::half_step(Instant from, double at, double step, bo
         const double dried = share * std::max(0.0, -begin.evaporation) / vapour_heat * step;
         middle.water = std::clamp(middle.water + 0.5 * (rain - dried), 0.0, store.capacity_mm);
     }
-    std::array<SurfaceConditions, 2> c{conditions(when[0], middle), conditions(when[1], middle)};
+    std::array<SurfaceConditions, 2> c{conditions(when[0], middle, begin.snow_albedo),
+                                       conditions(when[1], middle, begin.snow_albedo)};
     for (SurfaceConditions& one : c) {
         one.frost_heat = (begin.standing.frost + snow) * heat_of_fusion / step;
         one.water_heat = (begin.standing.water + water) * heat_of_fusion / step;
@@ -161,10 +163,16 @@ PointFacet::Taken PointFacet::half_step(Instant from, double at, double step, bo
             step, gentle, {&met.top[0], &met.top[1]},
             {met.back[0] ? &met.back[0] : nullptr, met.back[1] ? &met.back[1] : nullptr}, state.u,
             map, nullptr, &state.rest);
-        const double black = stefan_boltzmann * power4(taken.step.surface[1]);
-        taken.terms = step * (least_flux + c[1].absorbed_solar + std::abs(c[1].internal) +
-                              c[1].emissivity * (c[1].longwave_in + black));
-        if (!taken.step.solved || !stores) return taken;
+        taken.duration = step;
+        taken.last = c[1];
+        if (!taken.step.solved) return taken;
+        if (setup_.surface.snow_albedo) {
+            const double fallen =
+                snow_share(c[1].air.air_temperature) * c[1].rain_mm_h * step / 3600.0;
+            state.snow_albedo = aged_albedo(*setup_.surface.snow_albedo, begin.snow_albedo,
+                                            taken.step.surface[1] >= zero_celsius, fallen, step);
+        }
+        if (!stores) return taken;
         const StoreFlows flows = store_flows(c, taken.step.surface, gentle, step);
         const double have = begin.standing.water + begin.standing.frost + flows.gained();
         if (flows.evaporated > have && attempt < 4) {

@@ -61,17 +61,19 @@ class PointFacet {
     /// Returns the largest move [K].
     double close_period(const std::vector<double>& start, const Eigen::MatrixXd& map);
     void keep_in_bounds();
+    /// Snow as old as at the beginning: before a span is gone through again.
+    void renew_snow() { snow_albedo_ = setup_.surface.albedo; }
     /// Takes over the state of a facet of the same column, and how long its steps were.
     void go_on_from(const PointFacet& other);
 
-    SurfaceConditions conditions(Instant when, const Standing& water) const;
+    SurfaceConditions conditions(Instant when, const Standing& water, double snow_albedo) const;
     SurfaceTerms terms(Instant when) const;
 
     struct Count {
         long long steps = 0, rejected = 0;
         int limited = 0;
-        /// |stored − in| over sun, longwave, internal heat and flux through both ends, and what
-        /// the nodes gained or lost; of any step.
+        /// |stored − in| over the magnitudes of all fluxes times the step and of what the nodes
+        /// gained or lost; of any step.
         double worst_closure = 0.0;
     };
 
@@ -86,13 +88,15 @@ class PointFacet {
         std::vector<double> u{}, rest{};  // (node) and what its doubles do not hold
         Standing standing;
         double evaporation = 0.0;  // of the last step [W m⁻²] per unit wet share
+        double snow_albedo = 0.0;
     };
-    State state() const { return {u, rest_, standing, evaporation_}; }
+    State state() const { return {u, rest_, standing, evaporation_, snow_albedo_}; }
     void take(const State& state);
     struct Taken {
         NonlinearColumn::Step step;
-        double melted = 0.0;  // [J m⁻²]
-        double terms = 0.0;   // [J m⁻²] sun, longwave and internal heat, whatever their sum
+        double melted = 0.0;       // [J m⁻²]
+        double duration = 0.0;     // [s]
+        SurfaceConditions last{};  // at its end
     };
     struct Ends {
         std::array<Boundary, 2> top, back;  // (stage); no back: the column's own bottom
@@ -111,6 +115,7 @@ class PointFacet {
     double next_march_ = 10.0;  // [s]
     double evaporation_ = 0.0;  // of the last step [W m⁻²] per unit wet share
     std::vector<double> rest_;  // (node) of u
+    double snow_albedo_;        // of snow that ages
 };
 
 /// The grid of a point's column: fine enough for a minute's shock, and never cut off.

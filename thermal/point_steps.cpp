@@ -9,6 +9,7 @@ namespace diurna {
 namespace {
 
 constexpr double shortest_step = 1e-7;  // [s]
+constexpr double least_flux = 1e-3;     // [W m⁻²] that a balance is measured against
 
 }  // namespace
 
@@ -17,6 +18,7 @@ void PointFacet::take(const State& state) {
     rest_ = state.rest;
     standing = state.standing;
     evaporation_ = state.evaporation;
+    snow_albedo_ = state.snow_albedo;
 }
 
 void PointFacet::count_closure(const Taken& taken, const State& before, const State& after) {
@@ -27,7 +29,12 @@ void PointFacet::count_closure(const Taken& taken, const State& before, const St
         gained += gain;
         moved += std::abs(gain);
     }
-    const double scale = taken.step.through + taken.terms + moved;
+    const SurfaceTerms at = surface_terms(taken.last, taken.step.surface[1]);
+    const HeatBalance& b = at.balance;
+    const double gross = least_flux + std::abs(b.absorbed_solar) + std::abs(b.longwave_in) +
+                         std::abs(b.longwave_out) + std::abs(b.sensible) + std::abs(b.latent) +
+                         std::abs(b.internal) + std::abs(at.frost_melt);
+    const double scale = taken.step.through + taken.duration * gross + moved;
     count.worst_closure =
         std::max(count.worst_closure, std::abs(gained - taken.step.heat_in) / scale);
 }
@@ -180,7 +187,9 @@ double PointFacet::close_period(const std::vector<double>& start, const Eigen::M
 }
 
 void PointFacet::go_on_from(const PointFacet& other) {
+    const double age = snow_albedo_;
     take(other.state());
+    snow_albedo_ = age;
     next_step_ = other.next_step_;
 }
 

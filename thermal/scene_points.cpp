@@ -70,8 +70,8 @@ double drift(const Standing& a, const Standing& b) {
 PointNeed point_need(const ThermalSurface& surface) {
     const auto* room = std::get_if<Interior>(&surface.bottom);
     if (!std::holds_alternative<std::monostate>(surface.canopy) ||
-        surface.store.capacity_mm > 0.0 || !surface.internal_schedule.empty() ||
-        (room && !room->schedule.empty())) {
+        surface.store.capacity_mm > 0.0 || surface.snow_albedo ||
+        !surface.internal_schedule.empty() || (room && !room->schedule.empty())) {
         return PointNeed::always;
     }
     PointNeed need = PointNeed::never;

@@ -11,6 +11,16 @@ double snow_share(double air_temperature) {
     return std::clamp(0.5 * (zero_celsius + 2.0 - air_temperature), 0.0, 1.0);
 }
 
+double aged_albedo(const AgeingAlbedo& law, double before, bool melting, double fallen,
+                   double step) {
+    constexpr double day = 86400.0, dry_loss = 0.008, melting_rate = 0.24, renewing = 10.0;
+    const double over = std::max(0.0, before - law.old);
+    const double left = melting ? over * std::exp(-melting_rate * step / day)
+                                : std::max(0.0, over - dry_loss * step / day);
+    const double aged = std::min(before, law.old) + left;
+    return std::min(law.fresh, aged + fallen / renewing * (law.fresh - law.old));
+}
+
 StoreFlows store_flows(const std::array<SurfaceConditions, 2>& conditions,
                        const std::array<double, 2>& surface, bool gentle, double step) {
     StoreFlows flows;

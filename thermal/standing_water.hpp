@@ -17,6 +17,10 @@ struct Standing {
 /// between (after US Army Corps of Engineers 1956, Snow Hydrology).
 double snow_share(double air_temperature);
 
+/// The albedo of snow after a step (AgeingAlbedo): melting or dry, with what fell [kg m⁻²].
+double aged_albedo(const AgeingAlbedo& law, double before, bool melting, double fallen,
+                   double step);
+
 /// What a step brings to the water on a surface and takes from it.
 struct StoreFlows {
     double rain = 0.0, snow = 0.0;  // [kg m⁻²] as they fall

@@ -81,7 +81,7 @@ Skin skin_of(const TextureInput& texture, const Material& base, MaterialLibrary&
         }
         return skin;
     }
-    constexpr double one_level = 0.2;  // of albedo or emissivity (tests/textured_scene_test.cpp)
+    const double one_level = texture.what == What::albedo ? 0.3 : 0.2;  // textured_scene_test.cpp
     const double range = std::max(values.most - values.least, 1e-9);
     const int levels = texture.levels > 0
                            ? texture.levels

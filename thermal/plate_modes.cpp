@@ -63,6 +63,7 @@ struct Faces {
 
 constexpr double near_enough = 1e-8;  // [K] of the last correction, which has been applied
 constexpr int newton_steps = 12;
+constexpr int steps_after_jump = 2;  // in parts
 
 /// By halving within halving: every face's balance falls with its own temperature and rises with
 /// the other's.
@@ -186,7 +187,21 @@ void advance(const PlateStep& step, const ThermalSurface& surface, const ModeFor
         std::vector<double> x;
     };
     std::vector<Stray> strays;
+    std::vector<HeatJump> jumps(forcing.jumps.begin(), forcing.jumps.end());
+    for (std::size_t l = 0; l < count; ++l) {
+        if (batch.unsettled[l] == 0) continue;
+        --batch.unsettled[l];
+        jumps.push_back({l, 1e-3, 0.0});
+    }
     for (const HeatJump& jump : forcing.jumps) {
+        batch.unsettled[jump.lane] = steps_after_jump;
+        // It may have come from the step before with parts of its own.
+        const auto last =
+            std::remove_if(jumps.begin() + std::ptrdiff_t(forcing.jumps.size()), jumps.end(),
+                           [&](const HeatJump& other) { return other.lane == jump.lane; });
+        jumps.erase(last, jumps.end());
+    }
+    for (const HeatJump& jump : jumps) {
         Stray& stray = strays.emplace_back();
         stray.lane = jump.lane;
         for (int k = 0; k < 2; ++k) stray.drive[k] = batch.drive[k][jump.lane];

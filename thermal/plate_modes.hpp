@@ -52,6 +52,7 @@ struct PlateBatch {
     std::array<std::array<double, lanes>, 2> drive{};        // u [W m⁻²]
     std::array<std::array<double, lanes>, 2> slope{};        // d(flux)/dT [W m⁻² K⁻¹]
     std::array<NaturalFilm, lanes> natural{};                // of the front
+    std::array<int, lanes> unsettled{};  // steps that still go in parts after a jump
 
     void resize(std::size_t modes, std::size_t plates);
 };
@@ -60,7 +61,8 @@ struct PlateBatch {
 void begin_plates(const PlateStep& step, const ThermalSurface& surface, const AirFilm& air,
                   const double* heat, PlateBatch& batch);
 
-/// One step; plates whose heat jumps go to the jump and from there in parts of growing length.
+/// One step; plates whose heat jumps go to the jump and from there in parts of growing length, the
+/// two steps after that likewise: sheet steel takes minutes to follow.
 /// `record.slope` gets the sums over plates of d(flux)/dT at its end, front and back; worst_closure
 /// what the faces take in less what the modes got, over the sum of its terms.
 void advance_plates(const PlateStep& step, const ThermalSurface& surface,

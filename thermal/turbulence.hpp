@@ -90,20 +90,20 @@ struct Film {
     double h, rise, slope;
 };
 
-/// Ground (Louis) or constant film. One root and one division for both branches of F.
+/// Ground (Louis) or constant film, F = n / d and dF/dx = g / d². One root and one division for
+/// both branches: of a choice between them the compiler makes two of each, so they are blended.
 inline Film ground_film(const AirFilm& air, double temperature) {
     const double x = air.instability * (temperature - air.air_temperature);
-    const bool unstable = x > 0.0;
-    const double root = std::sqrt(unstable ? x : 1.0 - 30.0 * x);
-    const double inverse = 1.0 / (unstable ? 1.0 + air.c * root : root * (1.0 - air.s * x * root));
-    // Warm: F = 1 + a x i, F' = a (1 + c √x / 2) i².  Cold, i = 1 / (r (1 + s y r)): F = i r,
-    // dF/dx = s F² (1 + 45 y) / r, where F² / r = i² r.
-    const double warm = air.a * x * inverse;
-    const double f = unstable ? 1.0 + warm : inverse * root;
-    const double steepness = unstable ? air.a * inverse * inverse * (1.0 + 0.5 * air.c * root)
-                                      : air.s * (1.0 - 45.0 * x) * inverse * inverse * root;
-    const double slope = air.neutral * steepness * air.instability;
-    return {air.neutral * f + air.least, air.neutral * steepness * x, slope};
+    // Warm, r = √x:           d = 1 + c r,       n = d + a x,  g = a (1 + c r / 2).
+    // Cold, r = √(1 + 30 y):  d = r (1 + s y r), n = r,        g = s (1 + 45 y) r.
+    const double warm = static_cast<double>(x > 0.0), cold = 1.0 - warm;
+    const double r = std::sqrt(cold + x * (31.0 * warm - 30.0));
+    const double d = (warm + cold * r) * (1.0 + r * (warm * air.c - cold * air.s * x));
+    const double n = warm * (d + air.a * x) + cold * r;
+    const double g = warm * air.a * (1.0 + 0.5 * air.c * r) + cold * air.s * (1.0 - 45.0 * x) * r;
+    const double inverse = 1.0 / d;
+    const double steepness = air.neutral * g * inverse * inverse;
+    return {air.neutral * n * inverse + air.least, steepness * x, steepness * air.instability};
 }
 
 /// A plate under natural and forced convection: their sum (TARP) or their root sum of squares

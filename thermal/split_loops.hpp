@@ -53,8 +53,8 @@ namespace {
 /// differs from the modes' follows the surface, which runs fast at first.
 constexpr double part_share[]{0.0, 0.04, 0.15, 0.45, 1.0};
 constexpr int parts = 4;
-/// [K] of the last correction inside a step: what is left of it, 1e-6 K, decays to the step's end.
-constexpr double near_inside = 1e-2;
+/// [K] of the last correction inside a step: what is left of it, 1e-4 K, decays to the step's end.
+constexpr double near_inside = 5e-2;
 
 template <bool Plate, bool Wet>
 bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoefficients& c,

@@ -68,10 +68,10 @@ TEST_CASE("a canopy without leaves is bare ground", "[thermal][surface_exchange]
 
 TEST_CASE("a closed canopy is a big leaf that only radiates to its ground",
           "[thermal][surface_exchange][canopy]") {
-    // Leaves over all of the ground, joined to it by ε² σ (T_l⁴ − T_g⁴): as one skin of that
-    // conductance.
+    // Leaves without number over all of the ground, joined to it by ε² σ (T_l⁴ − T_g⁴): as one skin
+    // of that conductance.
     ThermalSurface closed = meadow(), leaf = meadow();
-    closed.canopy = TwoSource{.leaf_area = 40.0, .leaf_resistance = 100.0};
+    closed.canopy = TwoSource{.leaf_area = 1e5, .leaf_resistance = 100.0};
     const double ground = 290.0;
     const SurfaceTerms two = surface_terms(midday(closed), ground);
     const double joined =
@@ -112,6 +112,29 @@ TEST_CASE("sunlit sparse cover has hot ground between cool leaves",
     CHECK(terms.leaf > 303.0);
     CHECK(terms.radiometric < low);
     CHECK(terms.radiometric > terms.leaf);
+}
+
+TEST_CASE("desert shrub under a July noon is as at Lucky Hills",
+          "[thermal][surface_exchange][canopy]") {
+    // Monsoon '90, Arizona (Norman et al. 1995; reference/thermal/parameterisations.md): warmest
+    // soil 61 °C, warmest leaves 34 °C. Leaf area 0.5, dry soil that takes a fifth of what is left.
+    ThermalSurface shrub;
+    shrub.canopy = TwoSource{.leaf_area = 0.5, .leaf_resistance = 200.0};
+    SurfaceConditions c = midday(shrub, 303.0, 1500.0);
+    c.absorbed_solar = 800.0;
+    c.longwave_in = 400.0;
+    double low = 290.0, high = 360.0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.5 * (low + high);
+        (surface_terms(c, t).into_ground > 130.0 ? low : high) = t;
+    }
+    const SurfaceTerms terms = surface_terms(c, low);
+    CAPTURE(low, terms.leaf);
+    CHECK(terms.leaf == Approx(kelvin(34.0)).margin(4.0));
+    // The soil stays ten kelvin short of the warmest measured: no leaf keeps the wind from it
+    // beyond the share that leaves cover.
+    CHECK(low - terms.leaf > 12.0);
+    CHECK(low < kelvin(61.0));
 }
 
 TEST_CASE("frost takes the heat of sublimation from the pressure over ice",

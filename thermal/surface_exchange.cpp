@@ -40,12 +40,19 @@ struct Part {
     double shelter = 0.0;     // share of it that leaves keep from the open air's film
     double soil_film = 0.0;   // [W m⁻² K⁻¹] of the sheltered share
     double least_film = 0.0;  // [W m⁻² K⁻¹] of leaves, whatever lies still above them
+    double leaf_film = 0.0;   // [W m⁻² K⁻¹] of all leaves' boundary layers, per unit ground
 };
 
 Exchange exchange(const SurfaceConditions& c, const Part& part, double t) {
     const double excess = t - c.air.air_temperature;
     Film film = c.air.plate ? plate_film(c.air, c.natural, t) : ground_film(c.air, t);
     if (film.h < part.least_film) film = {part.least_film, 0.0, 0.0};
+    if (part.leaf_film > 0.0) {
+        // In series, and all of the leaves' faces on the part of the ground they cover.
+        const double share = part.leaf_film / (film.h + part.leaf_film);
+        film = {film.h * share / part.cover, film.rise * share * share / part.cover,
+                film.slope * share * share / part.cover};
+    }
     const double open = 1.0 - part.shelter;
     film = {open * film.h + part.shelter * part.soil_film, open * film.rise, open * film.slope};
     // Ground as warm as itself fills what is not sky.
@@ -203,6 +210,10 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
                                std::log(std::max(c.wind_height, 0.2) / 0.01) *
                                std::exp(-0.28 * std::pow(two.leaf_area, 2.0 / 3.0));
     const double soil_film = c.air.heat_capacity * (0.004 + 0.012 * near_ground);
+    // Their eq. A.8: the leaves' own resistance 90/F √(l/u), leaves of 5 cm, the wind among them a
+    // third of that above.
+    const double leaf_film = c.air.heat_capacity * two.leaf_area / 90.0 *
+                             std::sqrt(std::max(c.wind_speed, least_wind) / 3.0 / 0.05);
     SurfaceConditions dry = c;
     dry.frost_heat = dry.water_heat = 0.0;
     const Part canopy{.cover = cover,
@@ -211,7 +222,8 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
                       .resistance = two.leaf_resistance,
                       .wetness = 1.0,
                       .sides = 1.0,
-                      .least_film = least_film};
+                      .least_film = least_film,
+                      .leaf_film = leaf_film};
     const auto exchanged = [&](double leaf) { return between * (power4(leaf) - power4(ground)); };
     const auto leaf_balance = [&](double t) {
         const Exchange e = exchange(dry, canopy, t);

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "render/path_table.hpp"
+#include "render/background_table.hpp"
 #include "render/radiance.hpp"
 #include "render/view.hpp"
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
+#include "render/background_table.hpp"
 #include "render/eye_table.hpp"
-#include "render/path_table.hpp"
 #include "render/view.hpp"
 
 namespace diurna {

@@ -119,6 +119,14 @@ inline double level_step(const Job& job, const Level& level) {
     return job.step * double(level.stride);
 }
 
+/// Fills the job's sunlight at every instant: sun, sky and what facets reflect.
+void shine(Job& job);
+/// Sunlight that jumps at the shadows' edges: what falls on the facet with the sun's whole disc
+/// less what falls on it with none, times the change of the share.
+void find_jumps(Job& job);
+/// What each facet sees of a sky brighter towards the horizon, where any instant's is.
+std::vector<float> tilts(const Job& job);
+
 /// The materials' columns and forcing for steps of `stride` instants; modes from a finer level.
 Level make_level(const Job& job, const std::vector<MaterialId>& materials, std::size_t stride,
                  int most_substeps, const Level* finer = nullptr);

@@ -301,3 +301,41 @@ TEST_CASE("a wall is warmed by the brighter sky near the horizon, level ground i
     CHECK(tilted[1] - even[1] ==
           Approx(0.5 * 0.09 * std::log(2.0) * stefan_boltzmann * power4(290.0)).epsilon(0.01));
 }
+
+// Sheet metal over soil, each seeing the other two: what one gains of warmth the others answer.
+TEST_CASE("thin plates that see each other settle within six passes, by the error reported",
+          "[thermal][solver][exchange]") {
+    FacetSet facets;
+    const std::vector<Eigen::Vector3d> vertex{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1},
+                                              {0, 1, 1}, {3, 0, 0}, {3, 1, 0}, {3, 0, 1}};
+    append_facets(
+        facets, vertex, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}},
+        std::vector<MaterialId>{MaterialId{0}, MaterialId{1}, MaterialId{1}}, ObjectId{0});
+    const SkyView view{.sky_view = {0.4f, 0.3f, 0.3f},
+                       .below = {0.0f, 0.0f, 0.0f},
+                       .exchange = {.row = {0, 2, 4, 6},
+                                    .facet = {FacetId{1}, FacetId{2}, FacetId{0}, FacetId{2},
+                                              FacetId{0}, FacetId{1}},
+                                    .factor = {0.3f, 0.3f, 0.3f, 0.4f, 0.3f, 0.4f}}};
+    Material sheet =
+        ground("sheet", 0.3, 0.9, Tarp{}, {{0.0015, 45.0, 7800.0, 500.0}}, FixedFlux{0.0});
+    sheet.thermal.back = ExposedBack{.emissivity = 0.9, .albedo = 0.3};
+    const MaterialLibrary materials({mixed()[MaterialId{0}], sheet});
+    const Weather weather = summer();
+    const auto run = [&](double tolerance, int passes) {
+        return solve({.facets = facets,
+                      .sky_view = view,
+                      .sun = {},
+                      .materials = materials,
+                      .weather = weather,
+                      .site = tennessee,
+                      .elevation = 400.0},
+                     {.start = june, .max_passes = passes, .tolerance = tolerance});
+    };
+    const SolveResult usual = run(1e-4, 6), exact = run(1e-9, 40);
+    CHECK(usual.report.converged);
+    CHECK(usual.report.estimated_error <= 0.01);
+    // Floats of 300 K lie 3e-5 K apart.
+    CHECK(worst_difference(usual.temperature, exact.temperature) <=
+          usual.report.estimated_error + 1e-4);
+}

@@ -230,11 +230,13 @@ int main() {
         }
     }
 
-    // Peers, on facets of each material in turn.
+    // Peers, on facets of each material in turn; plates with air behind they do not know.
     std::map<std::size_t, MaterialColumn> column, thirty;
     std::map<std::size_t, std::vector<StageForcing>> air;
     std::vector<std::size_t> asked;
-    for (std::size_t f = 0; f < n; f += 43) asked.push_back(f);
+    for (std::size_t f = 0; f < n; f += 43) {
+        if (!prepared.scene.materials[sample.facets.material[f]].thermal.back) asked.push_back(f);
+    }
     for (const std::size_t f : asked) {
         const MaterialId id = sample.facets.material[f];
         const ThermalSurface& surface = prepared.scene.materials[id].thermal;

@@ -43,7 +43,8 @@ std::vector<std::uint32_t> special_pixels(const View& view, const FacetSet& face
             // A pixel's corner lies at most its diagonal away.
             const double pixel =
                 along * (rays.towards(column + 0.5, row + 0.5) - to).norm() +
-                (rays.start(column + 0.5, row + 0.5) - rays.start(column, row)).norm();
+                (rays.start(column + 0.49, row + 0.49) - rays.start(column, row)).norm() +
+                0.5 * rays.exposure_way.norm();
             found = (from + along * to - sphere.middle).norm() < sphere.radius + 1.1 * pixel;
         }
         if (found) pixels.push_back(static_cast<std::uint32_t>(p));
@@ -86,8 +87,10 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
                 const double column = double(p % width) + (s % columns + x) / columns;
                 const double row = double(p / width) + (double(s / columns) + y) / rows;
                 sample.clear();
-                walk(place, observer.position + eye.start(column, row), eye.towards(column, row),
-                     1.0f / static_cast<float>(options.samples), chance, sample);
+                const double when = observer.moves() ? chance() : 0.5;
+                walk(place, observer.position + eye.start(column, row, when),
+                     eye.towards(column, row), 1.0f / static_cast<float>(options.samples), chance,
+                     sample);
                 add_sample(sample, plumes, seen);
             }
             // Past the plumes after all: the view has it already.

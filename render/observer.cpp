@@ -34,6 +34,11 @@ void check_observer(const Observer& observer) {
         within("horizontal_fov_deg", observer.horizontal_fov_deg, 1e-3,
                observer.projection == Projection::pinhole ? 170.0 : 360.0);
     }
+    for (int axis = 0; axis < 3; ++axis) {
+        within("velocity [m/s]", observer.velocity[axis], -1e4, 1e4);
+    }
+    within("row_time [s]", observer.row_time, 0.0, 60.0);
+    within("exposure [s]", observer.exposure, 0.0, 60.0);
     within("width", observer.width, 1, 16384);
     within("height", observer.height, 1, 16384);
     if (!mistakes.empty()) throw InputError(std::move(mistakes));
@@ -101,9 +106,10 @@ Eigen::Vector3d PixelRays::towards(double at_column, double at_row) const {
     return std::cos(angle) * axis + std::sin(angle) / r * (x * right + y * down);
 }
 
-Eigen::Vector3d PixelRays::start(double at_column, double at_row) const {
-    if (projection != Projection::orthographic) return Eigen::Vector3d::Zero();
-    return per_pixel * ((at_column - middle_column) * right + (at_row - middle_row) * down);
+Eigen::Vector3d PixelRays::start(double at_column, double at_row, double when) const {
+    const Eigen::Vector3d way = std::floor(at_row) * row_way + (when - 0.5) * exposure_way;
+    if (projection != Projection::orthographic) return way;
+    return way + per_pixel * ((at_column - middle_column) * right + (at_row - middle_row) * down);
 }
 
 PixelRays pixel_rays(const Observer& observer) {
@@ -130,7 +136,9 @@ PixelRays pixel_rays(const Observer& observer) {
                 .down = down,
                 .middle_column = 0.5 * observer.width,
                 .middle_row = 0.5 * observer.height,
-                .per_pixel = across / observer.width};
+                .per_pixel = across / observer.width,
+                .row_way = observer.row_time * observer.velocity,
+                .exposure_way = observer.exposure * observer.velocity};
     }
     const double pitch =
         2.0 * std::tan(0.5 * radians(observer.horizontal_fov_deg)) / observer.width;
@@ -140,7 +148,9 @@ PixelRays pixel_rays(const Observer& observer) {
             .flat = true,
             .axis = axis,
             .right = right,
-            .down = down};
+            .down = down,
+            .row_way = observer.row_time * observer.velocity,
+            .exposure_way = observer.exposure * observer.velocity};
 }
 
 }  // namespace diurna

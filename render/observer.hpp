@@ -19,7 +19,7 @@ enum class Projection {
     orthographic,  // parallel rays from a plane through the position, across the axis
 };
 
-/// A camera that stands still: pose, projection, field of view and size of its picture.
+/// A camera: pose, projection, field of view, size of its picture, and how it moves meanwhile.
 ///
 /// Pixels are square. Column 0, row 0 is the upper left one; its centre lies at (0.5, 0.5). The
 /// corners of a fisheye's picture lie outside its circle and go on by the same law, behind the
@@ -35,6 +35,13 @@ struct Observer {
     int width = 640, height = 512;     // [pixels]
     Projection projection = Projection::pinhole;
     double picture_width = 0.0;  // [m] orthographic: from the left edge to the right
+
+    // While a picture is taken the scene stands still and the camera goes straight on without
+    // turning. The position is that at the middle of the first row's exposure.
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // east, north, up [m s⁻¹]
+    double row_time = 0.0;  // [s] from a row's exposure to the next one's; 0: all at once
+    double exposure = 0.0;  // [s] of each row
+    bool moves() const { return !velocity.isZero() && (row_time > 0.0 || exposure > 0.0); }
 };
 
 /// The field of view [deg] of a focal plane: width · pitch behind a lens of a focal length.
@@ -64,11 +71,15 @@ struct PixelRays {
     double middle_column = 0.0, middle_row = 0.0;      // of the picture [pixels]
     double per_pixel = 1.0;  // [rad], of r/f (fisheyes) or of angle; [m] orthographic
 
+    // Of a camera that moves [m]: its way from a row to the next, and during an exposure.
+    Eigen::Vector3d row_way = Eigen::Vector3d::Zero(), exposure_way = Eigen::Vector3d::Zero();
+
     /// Unit vector towards a place in the picture, in pixels from its upper left corner.
     Eigen::Vector3d towards(double at_column, double at_row) const;
-    /// Where the ray through that place begins, seen from the observer's position [m]: zero but for
-    /// the orthographic projection.
-    Eigen::Vector3d start(double at_column, double at_row) const;
+    /// Where the ray through that place begins, seen from the observer's position [m], `when` of
+    /// the row's exposure has gone by, 0 to 1: zero but for the orthographic projection and cameras
+    /// that move.
+    Eigen::Vector3d start(double at_column, double at_row, double when = 0.5) const;
 };
 PixelRays pixel_rays(const Observer& observer);
 

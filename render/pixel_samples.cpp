@@ -29,6 +29,7 @@ inline std::uint32_t sample_hash(std::uint32_t pixel, std::uint32_t sample) {
 PixelSamples::PixelSamples(const Observer& observer, int samples, std::uint64_t seed)
     : eye_(pixel_rays(observer)),
       position_(observer.position),
+      starts_differ_(observer.projection == Projection::orthographic || observer.moves()),
       origin_(observer.position.cast<float>()),
       width_(static_cast<std::size_t>(observer.width)),
       height_(static_cast<std::size_t>(observer.height)),
@@ -57,11 +58,6 @@ inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Plac
             const double x = double(column) + double{right[s]}, y = double(row) + double{down[s]};
             const Eigen::Vector3f to = eye_.towards(x, y).cast<float>();
             to_x[s] = to.x(), to_y[s] = to.y(), to_z[s] = to.z();
-            if (eye_.projection != Projection::orthographic) continue;
-            const Eigen::Vector3f from = (position_ + eye_.start(x, y)).cast<float>();
-            rays.origin_x[at + s] = from.x();
-            rays.origin_y[at + s] = from.y();
-            rays.origin_z[at + s] = from.z();
         }
         return;
     }
@@ -82,6 +78,18 @@ inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Plac
     }
 }
 
+void PixelSamples::start_at(std::size_t column, std::size_t row, const Places& right,
+                            const Places& down, const Places& when, std::size_t bundle,
+                            RayBundles& rays) const {
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const double x = double(column) + double{right[s]}, y = double(row) + double{down[s]};
+        const Eigen::Vector3f from = (position_ + eye_.start(x, y, when[s])).cast<float>();
+        rays.origin_x[bundle * lanes + s] = from.x();
+        rays.origin_y[bundle * lanes + s] = from.y();
+        rays.origin_z[bundle * lanes + s] = from.z();
+    }
+}
+
 void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, std::size_t at,
                        RayBundles& rays) const {
     const std::size_t first = part * lanes;
@@ -97,6 +105,15 @@ void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, st
         down[s] = from_down[s] + cell_down_ * (j + 0.5f);
     }
     aim_at(column, row, right, down, at, rays);
+    if (!starts_differ_) return;
+    // Instants of a pixel's samples lie evenly over the exposure, whatever cells they stand in.
+    constexpr double golden = 0.6180339887498949;
+    alignas(64) Places when;
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const double turns = double(first + s) * golden + double(hash) * 0x1p-32;
+        when[s] = static_cast<float>(turns - std::floor(turns));
+    }
+    start_at(column, row, right, down, when, at, rays);
 }
 
 void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t at,
@@ -107,6 +124,10 @@ void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t 
         down[s] = 0.5f + static_cast<float>(std::min(s / 4, height_ - 1 - row));
     }
     aim_at(column, row, right, down, at, rays);
+    if (!starts_differ_) return;
+    alignas(64) Places when;
+    std::fill(std::begin(when), std::end(when), 0.5f);
+    start_at(column, row, right, down, when, at, rays);
 }
 
 }  // namespace diurna

@@ -37,9 +37,13 @@ class PixelSamples {
     using Places = float[RayBundles::lanes];  // in the picture, from a pixel's corner
     void aim_at(std::size_t column, std::size_t row, const Places& right, const Places& down,
                 std::size_t at, RayBundles& rays) const;
+    /// Where they begin, `when` of the row's exposure has gone by.
+    void start_at(std::size_t column, std::size_t row, const Places& right, const Places& down,
+                  const Places& when, std::size_t at, RayBundles& rays) const;
 
     PixelRays eye_;
     Eigen::Vector3d position_;
+    bool starts_differ_;  // orthographic, or the camera moves
     Eigen::Vector3f origin_;
     std::size_t width_, height_, samples_;
     std::uint64_t seed_;

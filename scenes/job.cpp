@@ -33,7 +33,10 @@ Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
                       .width = input.width,
                       .height = input.height,
                       .projection = input.projection,
-                      .picture_width = input.picture_width};
+                      .picture_width = input.picture_width,
+                      .velocity = input.velocity,
+                      .row_time = input.row_time,
+                      .exposure = input.exposure};
     if (input.look_at) {
         observer = looking_at(observer, ground_point(dem, world.site, *input.look_at, where));
     }

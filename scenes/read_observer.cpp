@@ -66,6 +66,22 @@ ObserverInput read_observer(const Section& section, const Scene& scene) {
     observer.width = section.integer_or("width", 640, 1, 16384);
     observer.height = section.integer_or("height", 512, 1, 16384);
     read_projection(section, observer);
+    if (section.has("velocity_m_s")) {
+        const std::vector<double> velocity = section.numbers("velocity_m_s", 3);
+        observer.velocity = {velocity[0], velocity[1], velocity[2]};
+        if (!(observer.velocity.cwiseAbs().maxCoeff() <= 1e4)) {
+            section.mistake("velocity_m_s", "faster than 10000 m/s");
+        }
+    }
+    observer.row_time = section.number_or("row_time_s", 0.0, 0.0, 60.0);
+    observer.exposure = section.number_or("exposure_s", 0.0, 0.0, 60.0);
+    for (const char* key : {"row_time_s", "exposure_s"}) {
+        if (section.has(key) && !section.has("velocity_m_s")) {
+            section.mistake(key,
+                            "tells nothing of a camera that stands still, expected "
+                            "velocity_m_s = [east, north, up] beside it");
+        }
+    }
     observer.samples = section.integer_or("samples", 16, 1, 1024);
     if (section.has("adaptive")) {
         observer.adaptive = read_adaptive(section.section("adaptive"));

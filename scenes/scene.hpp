@@ -104,11 +104,13 @@ struct ObserverInput {
     double horizontal_fov_deg = 20.0;
     double picture_width = 0.0;  // [m] orthographic
     int width = 640, height = 512;
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // east, north, up [m s⁻¹]
+    double row_time = 0.0, exposure = 0.0;               // [s]
     int samples = 16;
     std::optional<AdaptiveOptions> adaptive;  // samples where pixels need them
-    std::vector<std::string> bands;  // "3-5", "8-12", "lwir", a name of Scene::bands
-    std::vector<std::string> cubes;  // names of Scene::cubes
-    bool terms = false;              // planes for the terms of the radiance, one by one
+    std::vector<std::string> bands;           // "3-5", "8-12", "lwir", a name of Scene::bands
+    std::vector<std::string> cubes;           // names of Scene::cubes
+    bool terms = false;                       // planes for the terms of the radiance, one by one
 };
 
 struct Scene {

@@ -80,6 +80,7 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
         [&](std::size_t k) {
             const std::size_t p = hops.pixel[k], width = static_cast<std::size_t>(view.width);
             std::vector<Hop> sample, seen;
+            const double offset = Chance{(options.seed << 32) + p}();
             for (int s = 0; s < options.samples; ++s) {
                 Chance chance{(options.seed * 0x9E3779B97F4A7C15u) ^
                               ((std::uint64_t{p} << 16) + std::uint64_t(s)) * 0xD1B54A32D192ED03u};
@@ -87,7 +88,7 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
                 const double column = double(p % width) + (s % columns + x) / columns;
                 const double row = double(p / width) + (double(s / columns) + y) / rows;
                 sample.clear();
-                const double when = observer.moves() ? chance() : 0.5;
+                const double when = exposed(std::size_t(s), offset);
                 walk(place, observer.position + eye.start(column, row, when),
                      eye.towards(column, row), 1.0f / static_cast<float>(options.samples), chance,
                      sample);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "materials/error.hpp"
 #include "materials/units.hpp"
@@ -110,6 +111,11 @@ Eigen::Vector3d PixelRays::start(double at_column, double at_row, double when) c
     const Eigen::Vector3d way = std::floor(at_row) * row_way + (when - 0.5) * exposure_way;
     if (projection != Projection::orthographic) return way;
     return way + per_pixel * ((at_column - middle_column) * right + (at_row - middle_row) * down);
+}
+
+double exposed(std::size_t sample, double offset) {
+    const double turns = double(sample) * (std::numbers::phi - 1.0) + offset;
+    return turns - std::floor(turns);
 }
 
 PixelRays pixel_rays(const Observer& observer) {

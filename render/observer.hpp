@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <string>
 
 #include "terrain/facets.hpp"
@@ -82,5 +83,9 @@ struct PixelRays {
     Eigen::Vector3d start(double at_column, double at_row, double when = 0.5) const;
 };
 PixelRays pixel_rays(const Observer& observer);
+
+/// What of the exposure has gone by at a pixel's sample, 0 to 1: even over its samples, whatever
+/// their number and their places (golden ratio). `offset` is the pixel's own, 0 to 1.
+double exposed(std::size_t sample, double offset);
 
 }  // namespace diurna

@@ -106,12 +106,9 @@ void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, st
     }
     aim_at(column, row, right, down, at, rays);
     if (!starts_differ_) return;
-    // Instants of a pixel's samples lie evenly over the exposure, whatever cells they stand in.
-    constexpr double golden = 0.6180339887498949;
     alignas(64) Places when;
     for (std::size_t s = 0; s < lanes; ++s) {
-        const double turns = double(first + s) * golden + double(hash) * 0x1p-32;
-        when[s] = static_cast<float>(turns - std::floor(turns));
+        when[s] = static_cast<float>(exposed(first + s, double(hash) * 0x1p-32));
     }
     start_at(column, row, right, down, when, at, rays);
 }

@@ -145,7 +145,10 @@ struct Material {
     ThermalSurface thermal;
     Finish finish{};           // the law of angle
     bool see_through = false;  // rays go on behind it: panes, nets; else it has a room behind
+    std::string varies = {};   // of a texture's level: the name of the material it varies
 
+    /// What a reader calls it: a texture's levels by the name of what they vary.
+    const std::string& kind() const { return varies.empty() ? name : varies; }
     double emissivity(double wavelength_um) const;  // 1 − ρ − τ
     /// The picture needs the angle at which this is seen, or what lies behind it.
     bool needs_rays() const { return see_through || finish.index() != 0; }

@@ -1,7 +1,7 @@
 #include "scenes/curves.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <map>
 
 namespace diurna {
 
@@ -22,23 +22,22 @@ double quantile(const std::vector<std::size_t>& order, std::span<const float> ke
 
 std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const FacetSet& facets,
                                          const MaterialLibrary& materials) {
-    std::vector<std::vector<std::size_t>> members(materials.size());
+    std::map<std::string, std::vector<std::size_t>> members;
     for (std::size_t facet = 0; facet < facets.size(); ++facet) {
-        members[index(facets.material[facet])].push_back(facet);
+        members[materials[facets.material[facet]].kind()].push_back(facet);
     }
     std::vector<DiurnalCurve> curves;
-    for (std::size_t m = 0; m < members.size(); ++m) {
-        std::vector<std::size_t>& order = members[m];
-        if (order.empty()) continue;
+    for (auto& [kind, order] : members) {
         DiurnalCurve curve;
-        curve.material = materials[MaterialId{static_cast<std::uint16_t>(m)}].name;
+        curve.material = kind;
         curve.facets = order.size();
         for (const std::size_t facet : order) curve.area += facets.area[facet];
         for (std::size_t i = 0; i < field.instant.size(); ++i) {
             const std::span<const float> kelvin = field.at(i);
             double sum = 0.0;
-            for (const std::size_t facet : members[m])
+            for (const std::size_t facet : order) {
                 sum += kelvin[facet] * double(facets.area[facet]);
+            }
             std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
                 return kelvin[a] != kelvin[b] ? kelvin[a] < kelvin[b] : a < b;
             });
@@ -48,8 +47,6 @@ std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const Fa
         }
         curves.push_back(std::move(curve));
     }
-    std::sort(curves.begin(), curves.end(),
-              [](const auto& a, const auto& b) { return a.material < b.material; });
     return curves;
 }
 

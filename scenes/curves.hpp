@@ -20,7 +20,7 @@ struct DiurnalCurve {
     std::vector<double> ninetieth;  // (instant) [K] a tenth of the area is warmer
 };
 
-/// One curve for each material that has facets, by name.
+/// One curve for each material that has facets, by name; the levels of its textures count with it.
 std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const FacetSet& facets,
                                          const MaterialLibrary& materials);
 

@@ -36,14 +36,15 @@ std::vector<Instant> instants(Instant start, double duration, double every) {
 std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     std::vector<bool> used(scene.materials.size(), false);
     for (const MaterialId id : world.surfaces().material) used[index(id)] = true;
-    std::string names;
+    std::vector<std::string> kinds;
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
-        if (used[i] && (material.thermal.evaporation.wetness > 0.0) == wet) {
-            names += (names.empty() ? "" : ", ") + material.name;
+        if (!used[i] || (material.thermal.evaporation.wetness > 0.0) != wet) continue;
+        if (std::find(kinds.begin(), kinds.end(), material.kind()) == kinds.end()) {
+            kinds.push_back(material.kind());
         }
     }
-    return names.empty() ? "none" : names;
+    return kinds.empty() ? "none" : fmt::format("{}", fmt::join(kinds, ", "));
 }
 
 /// Facets that are solved one by one whatever the weather.

@@ -93,6 +93,7 @@ Skin skin_of(const TextureInput& texture, const Material& base, MaterialLibrary&
             texture.what == What::albedo ? with_albedo(base, value) : with_emissivity(base, value);
         level.name = fmt::format("{} ({} {:.6g})", base.name,
                                  texture.what == What::albedo ? "albedo" : "emissivity", value);
+        level.varies = base.kind();
         skin.material.push_back(materials.add(std::move(level)));
     }
     return skin;

@@ -18,10 +18,13 @@ Material named(const std::string& name) {
 }  // namespace
 
 TEST_CASE("a material's curve is its mean over area", "[scenes][curves]") {
-    const MaterialLibrary materials({named("grass"), named("sand")});
+    // Half of the grass is a level of its texture.
+    Material darker = named("grass (albedo 0.15)");
+    darker.varies = "grass";
+    const MaterialLibrary materials({named("grass"), named("sand"), darker});
     FacetSet facets;
     facets.area = {1.0f, 3.0f, 2.0f};
-    facets.material = {MaterialId{0}, MaterialId{0}, MaterialId{1}};
+    facets.material = {MaterialId{0}, MaterialId{2}, MaterialId{1}};
     const Instant start{};
     TemperatureField field;
     field.instant = {start, later(start, 3600.0)};

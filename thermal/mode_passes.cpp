@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thermal/block_heat.hpp"
 #include "thermal/passes.hpp"
 
 namespace diurna {
@@ -46,56 +47,31 @@ void run_modes(Job& job, const Level& level, Block& block) {
     block.steepness.assign(block.stride, 0.0);
     StepRecord record;
 
-    // Heat of sun, terrain and what is inside at the step's ends; with the sky's at the substep's.
-    alignas(64) double before[mode_lanes], after[mode_lanes], heat_before[mode_lanes],
-        heat[mode_lanes], jump[mode_lanes] = {};
-    facet_heat(job, block, kind, 0, before);
-    for (std::size_t l = 0; l < filled; ++l) {
-        heat[l] = before[l] + emissivity * kind.forcing[0].sky_longwave;
-    }
-    begin_modes(step, kind.forcing[0].air, heat, emissivity, batch);
+    BlockHeat heat(job, level, block, filled);
+    begin_modes(step, kind.forcing[0].air, heat.at_end, emissivity, batch);
     for (std::size_t l = 0; l < count; ++l) {
         job.kelvin[block.facet[l]] = float(batch.temperature[l]);
     }
-    std::vector<HeatJump> jumps;
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
-        facet_heat(job, block, kind, i, after);
-        const std::span<const HeatJump> edges = edges_of(level, block, i);
-        const double absorptance = edges.empty() ? 0.0 : absorptance_at(job, kind, i);
-        for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
+        heat.begin_step(i);
         for (int s = 0; s < substeps; ++s) {
             ++at;
             const StageForcing& forcing = kind.forcing[at];
-            const double sky = emissivity * forcing.sky_longwave;
-            const double share = double(s + 1) / substeps;
-            for (std::size_t l = 0; l < filled; ++l) {
-                heat_before[l] = heat[l];
-                heat[l] = before[l] + share * (after[l] - before[l] - jump[l]) + sky;
-            }
-            jumps.clear();
-            for (const HeatJump& edge : edges) {
-                const double within = edge.share * substeps - s;
-                if (within < 1.0) heat[edge.lane] += jump[edge.lane];
-                if (within >= 0.0 && within < 1.0) {
-                    jumps.push_back(
-                        {edge.lane, std::clamp(within, 1e-3, 1.0 - 1e-3), jump[edge.lane]});
-                }
-            }
+            heat.begin_substep(s, forcing.sky_longwave);
             advance_modes(step,
                           {.air_before = kind.forcing[at - 1].air,
                            .air = forcing.air,
-                           .heat_before = heat_before,
-                           .heat = heat,
-                           .jumps = jumps},
+                           .heat_before = heat.at_start,
+                           .heat = heat.at_end,
+                           .jumps = heat.jumps},
                           emissivity, batch, record);
             block.slope[at] = record.slope[0];
             for (std::size_t l = 0; l < count; ++l) block.steepness[l] += batch.slope[l];
         }
-        for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
+        heat.end_step();
         float* row = job.kelvin.data() + i * job.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
-        std::copy_n(after, filled, before);
     }
     end_modes(step, batch);
     block.slope[0] = block.slope[at];  // of a span that repeats

@@ -5,142 +5,18 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/error.hpp"
 #include "materials/microfacet.hpp"
 #include "materials/planck.hpp"
 #include "materials/units.hpp"
 #include "render/hop_merge.hpp"
-#include "render/hop_reference.hpp"
 #include "render/hop_shading.hpp"
 #include "render/hop_walk.hpp"
 #include "terrain/parallel.hpp"
 #include "terrain/site.hpp"
 #include "terrain/visibility.hpp"
-#include "tests/render_scene.hpp"
+#include "tests/hop_stage.hpp"
 
 using namespace diurna;
-
-namespace {
-
-/// A wall to the north, 40 m wide and high, with something in front of it; the eye stands at the
-/// origin, the air is none and space is cold.
-struct Stage {
-    FacetSet facets;
-    std::vector<Material> all;
-    std::vector<Plume> plumes;
-    std::vector<float> temperature, sun;
-    Atmosphere air = Vacuum{.space_temperature = 3.0};
-    double ground_km = 0.3;
-    Eigen::Vector3d to_sun = direction(200.0, 40.0);
-
-    /// An upright rectangle across the line of sight, `north` metres away, that faces south.
-    void wall(double north, double half, Material material, float kelvins,
-              bool faces_south = true) {
-        rectangle({{-half, north, -half},
-                   {half, north, -half},
-                   {half, north, half},
-                   {-half, north, half}},
-                  std::move(material), kelvins, faces_south);
-    }
-    void rectangle(std::vector<Eigen::Vector3d> corner, Material material, float kelvins,
-                   bool as_given = true) {
-        std::vector<std::array<std::uint32_t, 3>> triangle = {{0, 1, 2}, {0, 2, 3}};
-        if (!as_given) triangle = {{0, 2, 1}, {0, 3, 2}};
-        material.name += std::to_string(all.size());  // a library holds a name once
-        all.push_back(std::move(material));
-        append_facets(facets, corner, triangle,
-                      std::vector<MaterialId>(2, MaterialId{std::uint16_t(all.size() - 1)}),
-                      ObjectId{0});
-        temperature.resize(facets.size(), kelvins);
-    }
-    void plume(double north, double thickness, double absorption, double kelvins) {
-        Plume box{.name = "gas",
-                  .vertex = {},
-                  .triangle = {},
-                  .absorption = flat_spectrum(absorption),
-                  .temperature = kelvins};
-        for (const double up : {-5.0, 5.0}) {
-            for (const auto& [x, y] :
-                 {std::pair{-5.0, 0.0}, {5.0, 0.0}, {5.0, thickness}, {-5.0, thickness}}) {
-                box.vertex.emplace_back(x, north + y, up);
-            }
-        }
-        box.triangle = {{0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5}, {2, 3, 7}, {2, 7, 6},
-                        {3, 0, 4}, {3, 4, 7}, {4, 5, 6}, {4, 6, 7}, {0, 2, 1}, {0, 3, 2}};
-        plumes.push_back(std::move(box));
-    }
-
-    struct Seen {
-        Hops hops;
-        View view;
-        std::vector<std::vector<float>> planes;  // (term)
-        std::vector<double> reference;           // (every 41st pixel of the hops)
-        double at(std::size_t pixel) const {
-            double sum = 0.0;
-            for (const auto& plane : planes) sum += double{plane[pixel]};
-            return sum;
-        }
-    };
-    Observer observer(int size = 5, double fov_deg = 2.0) const {
-        Observer eye;
-        eye.horizontal_fov_deg = fov_deg;
-        eye.width = eye.height = size;
-        return eye;
-    }
-    Seen look(const Observer& eye, const Band& band, int samples = 16,
-              bool with_reference = false) {
-        const RayScene scene(facets);
-        const MaterialLibrary materials(all);
-        const SkyView sky = sky_view(facets, scene, {.rays = 64});
-        Seen seen;
-        seen.view = cast_view(scene, facets, eye, {.samples = samples});
-        const PlumeScene volumes(plumes);
-        seen.hops =
-            follow_rays(seen.view, scene, facets, materials, volumes, eye, {.samples = samples});
-        const RadianceInput input{.facets = facets,
-                                  .sky_view = sky,
-                                  .materials = materials,
-                                  .atmosphere = air,
-                                  .temperature = temperature,
-                                  .sun_fraction = sun,
-                                  .to_sun = to_sun,
-                                  .sun_zenith_deg = degrees(std::acos(to_sun.z())),
-                                  .ground_height_km = ground_km};
-        seen.planes.assign(term_count, std::vector<float>(seen.view.pixels(), 0.0f));
-        const HopLight light(seen.hops, plumes, seen.view.observer_height, {&band, 1}, input);
-        light.add(seen.planes);
-        if (with_reference) {
-            const auto scattered = scattered_sun(input, band.node_um);
-            for (std::size_t k = 0; k < seen.hops.pixel.size(); k += 41) {
-                seen.reference.push_back(hop_radiance(seen.hops, k, plumes,
-                                                      seen.view.observer_height, band, input,
-                                                      scattered ? &*scattered : nullptr));
-            }
-        }
-        return seen;
-    }
-};
-
-Material plain(double reflectance) { return testing::material("wall", flat_spectrum(reflectance)); }
-
-Material pane(double reflectance, double transmittance, Finish finish = Lambert{}) {
-    Material material =
-        testing::material("pane", flat_spectrum(reflectance), flat_spectrum(transmittance));
-    material.see_through = true;
-    material.finish = std::move(finish);
-    return material;
-}
-
-Material metal(double reflectance, double roughness) {
-    Material material = testing::material("metal", flat_spectrum(reflectance));
-    material.finish = Glossy{.roughness = roughness, .metal = true, .index = {}, .extinction = {}};
-    return material;
-}
-
-const Band lwir = flat_band("8-12", 8.0, 12.0, bin_edges_um());
-const Band mwir = flat_band("3-5", 3.0, 5.0, bin_edges_um());
-
-}  // namespace
 
 TEST_CASE("a pane shows what is behind and glows itself", "[render][hops]") {
     Stage stage;
@@ -167,57 +43,6 @@ TEST_CASE("nets in a row cover by their shares", "[render][hops]") {
         0.7 * band_radiance(lwir, 285.0) +
         0.3 * (0.4 * band_radiance(lwir, 300.0) + 0.6 * band_radiance(lwir, 350.0));
     CHECK(seen.at(12) == Approx(expected).epsilon(1e-6));
-}
-
-TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume]") {
-    const double absorption = GENERATE(0.02, 0.3, 2.0), thickness = 4.0;
-    Stage stage;
-    stage.wall(60.0, 20.0, plain(0.0), 300.0f);
-    stage.plume(20.0, thickness, absorption, 700.0);
-    const auto seen = stage.look(stage.observer(5, 0.5), mwir);
-    const double through = std::exp(-absorption * thickness);
-    const double expected =
-        through * band_radiance(mwir, 300.0) + (1.0 - through) * band_radiance(mwir, 700.0);
-    CAPTURE(absorption);
-    CHECK(seen.at(12) == Approx(expected).epsilon(2e-5));  // the ray's slant: 0.15 deg at most
-    // In front of the cold sky it shines alone.
-    Stage open;
-    open.wall(-60.0, 1.0, plain(0.0), 300.0f);
-    open.plume(20.0, thickness, absorption, 700.0);
-    CHECK(open.look(open.observer(5, 0.5), mwir).at(12) ==
-          Approx((1.0 - through) * band_radiance(mwir, 700.0)).epsilon(2e-5));
-}
-
-TEST_CASE("plumes in a row, and an eye inside one", "[render][hops][plume]") {
-    Stage stage;
-    stage.wall(60.0, 20.0, plain(0.0), 300.0f);
-    stage.plume(20.0, 2.0, 0.2, 500.0);
-    stage.plume(30.0, 3.0, 0.1, 400.0);
-    stage.plume(-1.0, 6.0, 0.05, 350.0);  // 5 m of it before the eye
-    const double a = std::exp(-0.25), b = std::exp(-0.4), c = std::exp(-0.3);
-    const double expected =
-        (1 - a) * band_radiance(lwir, 350.0) +
-        a * ((1 - b) * band_radiance(lwir, 500.0) +
-             b * ((1 - c) * band_radiance(lwir, 400.0) + c * band_radiance(lwir, 300.0)));
-    CHECK(stage.look(stage.observer(5, 0.5), lwir).at(12) == Approx(expected).epsilon(2e-5));
-}
-
-TEST_CASE("a plume's mesh must be closed", "[render][hops][plume]") {
-    Stage stage;
-    stage.plume(20.0, 2.0, 0.2, 500.0);
-    stage.plumes[0].triangle.pop_back();
-    CHECK_THROWS_AS(PlumeScene(stage.plumes), InputError);
-    Plume column{.name = "smoke",
-                 .vertex = frustum_vertices({0, 0, 0}, 1.0, 3.0, 10.0, {4.0, 0.0}, 24),
-                 .triangle = frustum_triangles(24),
-                 .absorption = flat_spectrum(0.1),
-                 .temperature = 300.0};
-    const PlumeScene scene({&column, 1});
-    // Through the axis at half height: the middle circle's diameter of 4 m, less what 24 sides cut.
-    const auto chords = scene.chords({2.0, -20.0, 5.0}, {0.0, 1.0, 0.0}, 1e3);
-    REQUIRE(chords.size() == 1);
-    CHECK(chords[0].to - chords[0].from == Approx(4.0).epsilon(0.01));
-    CHECK(scene.chords({2.0, -20.0, 5.0}, {0.0, 1.0, 0.0}, 20.0)[0].to == Approx(20.0));
 }
 
 // A polished metal wall, tilted by 45° so that it shows what lies below the line of sight: ground

@@ -13,9 +13,9 @@
 #include <map>
 #include <string>
 
-#include "materials/mie.hpp"
-#include "materials/spectrum.hpp"
-#include "materials/units.hpp"
+#include "materials/atmosphere/mie.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/spectrum.hpp"
 
 using namespace diurna;
 

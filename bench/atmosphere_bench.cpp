@@ -10,10 +10,10 @@
 #include <limits>
 #include <string>
 
-#include "materials/atmosphere.hpp"
-#include "materials/modtran.hpp"
-#include "materials/scattering.hpp"
-#include "materials/tabulated.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/atmosphere/path_grid.hpp"
+#include "materials/atmosphere/sun_field.hpp"
+#include "materials/modtran/modtran.hpp"
 #include "tests/lowtran_rows.hpp"
 #include "tests/lowtran_sun.hpp"
 

@@ -14,12 +14,12 @@
 #include <map>
 
 #include "bench/column_peers.hpp"
-#include "scenes/job.hpp"
-#include "scenes/scene_file.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/visibility.hpp"
-#include "thermal/solver.hpp"
-#include "thermal/sun_exposure.hpp"
+#include "materials/base/parallel.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/run/job.hpp"
+#include "terrain/visibility/sky_view.hpp"
+#include "thermal/solve/shadow_edges.hpp"
+#include "thermal/solve/solver.hpp"
 
 using namespace diurna;
 

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace diurna {
 

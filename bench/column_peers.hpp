@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "thermal/batch.hpp"
-#include "thermal/passes.hpp"
+#include "thermal/solve/pass.hpp"
+#include "thermal/steppers/layered_batch.hpp"
 
 // What others do with the same column under the same forcing (bench/column_bench.cpp).
 

@@ -3,7 +3,7 @@
 // rms degrees of horizons against bisection with Embree rays; rms sky view against 256 azimuths;
 // share of wrong decisions (more or less than half of the sun) against Embree.
 
-#include "terrain/height_field.hpp"
+#include "terrain/relief/height_field.hpp"
 
 #include <fmt/format.h>
 
@@ -13,11 +13,11 @@
 #include <functional>
 #include <random>
 
-#include "materials/units.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/ray_scene.hpp"
-#include "terrain/sun.hpp"
+#include "terrain/place/sun.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 
 using namespace diurna;
 

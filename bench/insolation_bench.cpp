@@ -10,8 +10,8 @@
 #include <cmath>
 #include <map>
 
-#include "terrain/ground_mesh.hpp"
-#include "terrain/relief_light.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/visibility/relief_visibility.hpp"
 
 using namespace diurna;
 

@@ -17,16 +17,16 @@
 #include <filesystem>
 #include <numbers>
 
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
-#include "render/adaptive.hpp"
-#include "render/exr.hpp"
-#include "render/pixel_samples.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/picture/exr.hpp"
 #include "render/tracer.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/ray_scene.hpp"
-#include "terrain/site.hpp"
-#include "terrain/visibility.hpp"
+#include "render/view/adaptive.hpp"
+#include "render/view/pixel_samples.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sky_view.hpp"
 
 using namespace diurna;
 

@@ -5,7 +5,7 @@
 // facet at every step's instant against steps twelve times as short, modes four times as fine and a
 // period closed to 1e-6 K.
 
-#include "thermal/solver.hpp"
+#include "thermal/solve/solver.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>
@@ -13,9 +13,9 @@
 #include <cmath>
 #include <ctime>
 
-#include "scenes/job.hpp"
-#include "scenes/scene_file.hpp"
-#include "terrain/parallel.hpp"
+#include "materials/base/parallel.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/run/job.hpp"
 
 using namespace diurna;
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "materials/library.hpp"
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/library.hpp"
 #include "tests/measured_days.hpp"
 #include "tests/thermal_cases.hpp"
-#include "thermal/column_tool.hpp"
+#include "thermal/point/point_job.hpp"
 
 /// Rows of the validation table about the column and its surface: cases of
 /// reference/thermal/analytic_cases.md and measured days. What needs data that are not part of the

@@ -1,7 +1,7 @@
 // Elevation files to networks of a stated tolerance: time, triangles, and the worst error found by
 // rasterising the network anew. Arguments: elevation files (default: the sample scene's).
 
-#include "terrain/triangulate.hpp"
+#include "terrain/ground/triangulate.hpp"
 
 #include <fmt/format.h>
 

@@ -11,13 +11,13 @@
 #include <string>
 #include <vector>
 
-#include "materials/atmosphere.hpp"
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
-#include "terrain/ground_mesh.hpp"
-#include "terrain/sun.hpp"
-#include "terrain/visibility.hpp"
-#include "thermal/column_tool.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/place/sun.hpp"
+#include "terrain/visibility/sky_view.hpp"
+#include "thermal/point/point_job.hpp"
 #include "thermal_rows.hpp"
 
 using namespace diurna;

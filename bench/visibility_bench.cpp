@@ -2,7 +2,7 @@
 // sixteen times as many rays. Beside them the bare rate of occlusion rays, their limit. By the
 // processor's own clock, all threads together.
 
-#include "terrain/visibility.hpp"
+#include "terrain/visibility/sky_view.hpp"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 #include <ctime>
 #include <functional>
 
-#include "terrain/exchange.hpp"
-#include "terrain/ground_mesh.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/sky_rays.hpp"
+#include "materials/base/parallel.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/sky_rays.hpp"
 
 using namespace diurna;
 

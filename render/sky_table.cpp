@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/units.hpp"
-#include "render/path_table.hpp"
-#include "terrain/parallel.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "render/path/path_table.hpp"
 
 namespace diurna {
 

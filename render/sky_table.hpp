@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "materials/band.hpp"
-#include "render/band_table.hpp"
-#include "render/path_table.hpp"
-#include "render/radiance.hpp"
+#include "materials/radiation/band.hpp"
+#include "render/light/band_channels.hpp"
+#include "render/light/radiance.hpp"
+#include "render/path/path_table.hpp"
 
 namespace diurna {
 

@@ -7,19 +7,19 @@
 #include <numbers>
 #include <optional>
 
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
-#include "render/background.hpp"
-#include "render/band_table.hpp"
-#include "render/eye_table.hpp"
-#include "render/hop_shading.hpp"
-#include "render/leaving.hpp"
-#include "render/path_table.hpp"
-#include "render/pixel_sum.hpp"
-#include "render/scattered_path.hpp"
-#include "render/scene_basis.hpp"
-#include "render/truth.hpp"
-#include "terrain/parallel.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/eye/eye_table.hpp"
+#include "render/eye/pixel_sum.hpp"
+#include "render/eye/truth.hpp"
+#include "render/light/band_channels.hpp"
+#include "render/light/interreflection.hpp"
+#include "render/light/scene_basis.hpp"
+#include "render/path/background.hpp"
+#include "render/path/path_table.hpp"
+#include "render/path/scattered_path.hpp"
+#include "render/rays/shading.hpp"
 
 namespace diurna {
 

@@ -2,13 +2,13 @@
 
 #include <span>
 
-#include "materials/band.hpp"
-#include "render/frame.hpp"
-#include "render/hops.hpp"
-#include "render/lit_facets.hpp"
-#include "render/observer.hpp"
-#include "render/radiance.hpp"
-#include "render/view.hpp"
+#include "materials/radiation/band.hpp"
+#include "render/light/lit_facets.hpp"
+#include "render/light/radiance.hpp"
+#include "render/picture/frame.hpp"
+#include "render/rays/hops.hpp"
+#include "render/view/observer.hpp"
+#include "render/view/view.hpp"
 
 namespace diurna {
 
@@ -25,7 +25,7 @@ struct FrameOptions {
 };
 
 /// The picture of an instant in every band: radiance.BAND and apparent_temperature.BAND, truth,
-/// terms (render/frame.hpp). A pixel averages radiance, never temperature.
+/// terms (render/picture/frame.hpp). A pixel averages radiance, never temperature.
 ///
 /// What leaves a facet is a short row of numbers: its heat and the light of its surroundings in a
 /// few modes (spectral_basis.hpp), sky view, sunlight. What each of them is worth at the eye is a
@@ -38,9 +38,9 @@ struct FrameOptions {
 /// without air, 1.5-1.8 µm, 2.6 mK in 0.4-0.7 µm; with sunlight that the air scatters, within 0.1 %
 /// of radiance below 2.5 µm (tests/tracer_test.cpp).
 ///
-/// By day and below 5 µm the air's scattered sunlight (materials/scattering.hpp) falls on surfaces
-/// and is seen in the sky, before the far plain beyond the scene's edge and before every facet
-/// (scattered_path.hpp).
+/// By day and below 5 µm the air's scattered sunlight (materials/atmosphere/sun_field.hpp) falls on
+/// surfaces and is seen in the sky, before the far plain beyond the scene's edge and before every
+/// facet (scattered_path.hpp).
 ///
 /// Notes of the frame: for each band the error estimate, the size of the grid, and a bound on what
 /// the bounces of light that are not followed would add. The same bytes for any number of threads.

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace diurna {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "materials/material.hpp"
-#include "terrain/object_mesh.hpp"
+#include "materials/matter/material.hpp"
+#include "terrain/objects/object_mesh.hpp"
 
 namespace diurna {
 

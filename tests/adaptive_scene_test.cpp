@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "materials/error.hpp"
-#include "render/exr.hpp"
-#include "scenes/scene_file.hpp"
+#include "materials/base/error.hpp"
+#include "render/picture/exr.hpp"
+#include "scenes/input/scene_file.hpp"
 #include "tests/small_scene.hpp"
 
 using namespace diurna;

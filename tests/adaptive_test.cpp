@@ -1,10 +1,10 @@
-#include "render/adaptive.hpp"
+#include "render/view/adaptive.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
-#include "terrain/parallel.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

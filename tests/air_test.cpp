@@ -1,4 +1,4 @@
-#include "materials/air.hpp"
+#include "materials/air/moist_air.hpp"
 
 #include <catch2/catch.hpp>
 

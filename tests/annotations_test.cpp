@@ -1,4 +1,4 @@
-#include "scenes/annotations.hpp"
+#include "scenes/report/annotations.hpp"
 
 #include <catch2/catch.hpp>
 #include <numeric>

@@ -1,11 +1,11 @@
-#include "materials/atmosphere.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <random>
 
-#include "materials/planck.hpp"
+#include "materials/radiation/planck.hpp"
 
 using namespace diurna;
 

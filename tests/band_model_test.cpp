@@ -1,4 +1,4 @@
-#include "materials/band_model.hpp"
+#include "materials/atmosphere/band_model.hpp"
 
 #include <fmt/format.h>
 
@@ -6,10 +6,10 @@
 #include <cmath>
 #include <map>
 
-#include "materials/atmosphere.hpp"
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "materials/units.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
 #include "tests/lowtran_rows.hpp"
 #include "tests/shared_data.hpp"
 

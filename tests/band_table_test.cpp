@@ -1,9 +1,9 @@
-#include "render/band_table.hpp"
+#include "render/light/band_channels.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/band_model.hpp"
-#include "materials/planck.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/radiation/planck.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,11 +1,11 @@
-#include "materials/band.hpp"
+#include "materials/radiation/band.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
+#include "materials/base/error.hpp"
+#include "materials/radiation/planck.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "terrain/exchange.hpp"
-#include "terrain/sun.hpp"
-#include "terrain/visibility.hpp"
+#include "terrain/place/sun.hpp"
+#include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/bowl.hpp"
 
 // The shadow in a bowl without air or conduction is warmed by its sunlit rest alone. In a spherical

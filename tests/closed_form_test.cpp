@@ -8,11 +8,11 @@
 #include <functional>
 #include <numbers>
 
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
-#include "terrain/site.hpp"
-#include "terrain/visibility.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "terrain/clutter.hpp"
+#include "terrain/texture/clutter.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

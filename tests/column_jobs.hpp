@@ -3,7 +3,7 @@
 #include <complex>
 #include <numbers>
 
-#include "thermal/column_tool.hpp"
+#include "thermal/point/point_job.hpp"
 
 /// Jobs of the point tool for cases with a closed form.
 namespace column_jobs {

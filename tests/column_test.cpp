@@ -1,9 +1,9 @@
-#include "thermal/column.hpp"
+#include "thermal/column/column.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "thermal/batch.hpp"
+#include "thermal/steppers/layered_batch.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "thermal/column_tool.hpp"
+#include "thermal/point/point_job.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <fstream>
 #include <numbers>
 
-#include "materials/air.hpp"
-#include "materials/error.hpp"
-#include "materials/units.hpp"
+#include "materials/air/moist_air.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
 #include "tests/column_jobs.hpp"
 #include "tests/scratch_folder.hpp"
 

@@ -1,13 +1,13 @@
-#include "render/cube.hpp"
+#include "render/picture/cube.hpp"
 
 #include <gdal_priv.h>
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
-#include "render/exr.hpp"
+#include "materials/base/error.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/picture/exr.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;

@@ -1,9 +1,9 @@
-#include "scenes/curves.hpp"
+#include "scenes/report/curves.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "scenes/chart.hpp"
-#include "scenes/digest.hpp"
+#include "scenes/report/chart.hpp"
+#include "scenes/run/digest.hpp"
 
 using namespace diurna;
 

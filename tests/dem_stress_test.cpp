@@ -4,11 +4,11 @@
 #include <random>
 #include <sstream>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "shared_data.hpp"
-#include "terrain/height_field.hpp"
-#include "terrain/raster_file.hpp"
-#include "terrain/triangulate.hpp"
+#include "terrain/ground/triangulate.hpp"
+#include "terrain/raster/raster_file.hpp"
+#include "terrain/relief/height_field.hpp"
 #include "tests/scratch_folder.hpp"
 
 // Rasters that are wrong: a clear error or a right answer, never a hang or a crash.

@@ -1,11 +1,11 @@
-#include "terrain/dem.hpp"
+#include "terrain/raster/dem.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "shared_data.hpp"
 #include "tests/scratch_folder.hpp"
 

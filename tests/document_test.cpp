@@ -1,9 +1,9 @@
-#include "materials/document.hpp"
+#include "materials/base/document.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 
 using namespace diurna;
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <random>
 
-#include "materials/library.hpp"
-#include "thermal/batch.hpp"
+#include "materials/matter/library.hpp"
+#include "thermal/steppers/layered_batch.hpp"
 
 using namespace diurna;
 

@@ -1,11 +1,11 @@
-#include "terrain/exchange.hpp"
+#include "terrain/visibility/reciprocity.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "terrain/parallel.hpp"
+#include "materials/base/parallel.hpp"
 #include "tests/bowl.hpp"
 
 // In a hollow sphere every part sees every other as its share of the whole sphere's area.

@@ -1,4 +1,4 @@
-#include "render/exr.hpp"
+#include "render/picture/exr.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <limits>
 #include <random>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 
 using namespace diurna;
 

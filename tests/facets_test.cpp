@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 using namespace diurna;
 

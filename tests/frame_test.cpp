@@ -1,8 +1,8 @@
-#include "render/frame.hpp"
+#include "render/picture/frame.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 using namespace diurna;
 

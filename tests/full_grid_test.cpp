@@ -2,8 +2,8 @@
 #include <cmath>
 #include <set>
 
-#include "terrain/ground_mesh.hpp"
-#include "terrain/triangulate.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/triangulate.hpp"
 
 using namespace diurna;
 

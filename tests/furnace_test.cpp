@@ -1,9 +1,9 @@
 #include <catch2/catch.hpp>
 
-#include "materials/atmosphere.hpp"
-#include "materials/planck.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
-#include "terrain/visibility.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,10 +1,10 @@
-#include "thermal/heat_balance.hpp"
+#include "thermal/surface/heat_balance.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
 
 using namespace diurna;
 

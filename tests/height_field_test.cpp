@@ -1,16 +1,16 @@
-#include "terrain/height_field.hpp"
+#include "terrain/relief/height_field.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "materials/error.hpp"
-#include "materials/units.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/ray_scene.hpp"
-#include "terrain/sun.hpp"
+#include "terrain/place/sun.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 
 // Closed forms as in visibility_test.cpp: every part of a bowl sees the same share of sky, a V
 // valley by its slope. Beside them robust rays, through the same triangles.

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "materials/units.hpp"
-#include "render/hop_reference.hpp"
-#include "render/hop_shading.hpp"
-#include "render/hops.hpp"
-#include "render/view.hpp"
-#include "terrain/site.hpp"
-#include "terrain/visibility.hpp"
+#include "materials/base/units.hpp"
+#include "render/rays/hops.hpp"
+#include "render/rays/reference.hpp"
+#include "render/rays/shading.hpp"
+#include "render/view/view.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/render_scene.hpp"
 
 namespace diurna {

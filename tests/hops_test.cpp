@@ -1,19 +1,19 @@
-#include "render/hops.hpp"
+#include "render/rays/hops.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "materials/microfacet.hpp"
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
-#include "render/hop_merge.hpp"
-#include "render/hop_shading.hpp"
-#include "render/hop_walk.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/site.hpp"
-#include "terrain/visibility.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/microfacet.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/rays/merge.hpp"
+#include "render/rays/shading.hpp"
+#include "render/rays/walk.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/hop_stage.hpp"
 
 using namespace diurna;

@@ -1,8 +1,8 @@
-#include "terrain/instant.hpp"
+#include "terrain/place/instant.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 using namespace diurna;
 

@@ -1,10 +1,10 @@
-#include "thermal/irradiance.hpp"
+#include "thermal/weather/sky_state.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
 #include "measured_days.hpp"
 #include "shared_data.hpp"
 

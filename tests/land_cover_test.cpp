@@ -1,14 +1,14 @@
-#include "terrain/land_cover.hpp"
+#include "terrain/raster/land_cover.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "shared_data.hpp"
-#include "terrain/dem.hpp"
-#include "terrain/object_mesh.hpp"
+#include "terrain/objects/object_mesh.hpp"
+#include "terrain/raster/dem.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;

@@ -1,16 +1,16 @@
-#include "scenes/land.hpp"
+#include "scenes/world/land.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <map>
 
-#include "render/exr.hpp"
-#include "scenes/job.hpp"
-#include "scenes/scene_file.hpp"
-#include "scenes/world.hpp"
-#include "terrain/exchange.hpp"
-#include "terrain/raster_file.hpp"
+#include "render/picture/exr.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/run/job.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/raster/raster_file.hpp"
+#include "terrain/visibility/reciprocity.hpp"
 #include "tests/small_scene.hpp"
 
 // From files on the ground to facets and pictures.

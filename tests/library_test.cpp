@@ -1,12 +1,12 @@
-#include "materials/library.hpp"
+#include "materials/matter/library.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
 
 using namespace diurna;
 

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "materials/atmosphere.hpp"
-#include "materials/files.hpp"
-#include "materials/units.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
 
 /// The reference runs of LOWTRAN7 and how they are repeated here: shared by tests and benches.
 namespace lowtran {

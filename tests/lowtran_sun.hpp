@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/scattering.hpp"
+#include "materials/atmosphere/sun_field.hpp"
 #include "tests/lowtran_rows.hpp"
 
 /// LOWTRAN7's scattered sunlight and its repetition here.

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "thermal/nonlinear_column.hpp"
+#include "thermal/column/nonlinear_column.hpp"
 #include "thermal_cases.hpp"
 
 using namespace diurna;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "materials/air.hpp"
-#include "materials/units.hpp"
-#include "thermal/column_tool.hpp"
+#include "materials/air/moist_air.hpp"
+#include "materials/base/units.hpp"
+#include "thermal/point/point_job.hpp"
 
 /// Readers of the measured surface temperatures (each data folder's SOURCE.md says what its columns
 /// are): weather in, skin temperature beside it.

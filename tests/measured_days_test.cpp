@@ -4,10 +4,10 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "materials/library.hpp"
+#include "materials/matter/library.hpp"
 #include "measured_days.hpp"
 #include "shared_data.hpp"
-#include "thermal/column_tool.hpp"
+#include "thermal/point/point_job.hpp"
 
 using namespace diurna;
 

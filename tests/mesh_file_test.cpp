@@ -1,10 +1,10 @@
-#include "terrain/mesh_file.hpp"
+#include "terrain/objects/mesh_file.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/shared_data.hpp"
 #include "tests/small_scene.hpp"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "shared_data.hpp"
-#include "terrain/dem.hpp"
-#include "terrain/raster_file.hpp"
+#include "terrain/raster/dem.hpp"
+#include "terrain/raster/raster_file.hpp"
 #include "tests/scratch_folder.hpp"
 
 // `mesh` and `check` take at most ten times their input and 200 MB, however fine the mesh.

@@ -1,4 +1,4 @@
-#include "materials/microfacet.hpp"
+#include "materials/matter/microfacet.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "materials/finish.hpp"
-#include "materials/material.hpp"
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/finish.hpp"
+#include "materials/matter/material.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "materials/mie.hpp"
+#include "materials/atmosphere/mie.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,12 +1,12 @@
-#include "thermal/mode_batch.hpp"
+#include "thermal/steppers/mode_batch.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/library.hpp"
-#include "materials/units.hpp"
-#include "thermal/heat_balance.hpp"
-#include "thermal/surface_kernel.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/library.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
+#include "thermal/surface/heat_balance.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "materials/modtran_deck.hpp"
+#include "materials/modtran/deck.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "materials/modtran.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/modtran/modtran.hpp"
 #include "tests/scratch_folder.hpp"
 #include "tests/shared_data.hpp"
 

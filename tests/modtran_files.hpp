@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <string>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "materials/modtran.hpp"
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
+#include "materials/modtran/modtran.hpp"
+#include "materials/radiation/planck.hpp"
 #include "tests/scratch_folder.hpp"
 
 namespace diurna {

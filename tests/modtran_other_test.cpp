@@ -1,4 +1,4 @@
-#include "materials/modtran.hpp"
+#include "materials/modtran/modtran.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "materials/modtran.hpp"
+#include "materials/modtran/modtran.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "materials/atmosphere.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
 #include "tests/modtran_files.hpp"
 #include "tests/shared_data.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "materials/files.hpp"
+#include "materials/base/files.hpp"
 
 /// A program in MODTRAN's place: air of 0.1 per km at 300 K, 0.2 to space, whatever the wavelength.
 /// It reads ranges and wavenumbers from the cards of its tape5 and prints a tape7 of what is true.

@@ -1,4 +1,4 @@
-#include "materials/modtran.hpp"
+#include "materials/modtran/modtran.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/modtran_files.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "materials/monotone_cubic.hpp"
+#include "materials/base/monotone_cubic.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

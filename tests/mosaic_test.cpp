@@ -4,10 +4,10 @@
 #include <cmath>
 #include <fstream>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "shared_data.hpp"
-#include "terrain/dem.hpp"
-#include "terrain/triangulate.hpp"
+#include "terrain/ground/triangulate.hpp"
+#include "terrain/raster/dem.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
-#include "materials/units.hpp"
-#include "render/view.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+#include "render/view/view.hpp"
 
 // Straight down on a floor whose western and eastern half are two objects: a pixel is a metre, and
 // the border stands in the middle of the picture while the camera stands over it.

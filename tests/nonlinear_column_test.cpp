@@ -1,11 +1,11 @@
-#include "thermal/nonlinear_column.hpp"
+#include "thermal/column/nonlinear_column.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
 #include "shared_data.hpp"
-#include "thermal/column_tool.hpp"
+#include "thermal/point/point_job.hpp"
 #include "thermal_cases.hpp"
 
 using namespace diurna;

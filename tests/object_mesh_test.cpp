@@ -1,4 +1,4 @@
-#include "terrain/object_mesh.hpp"
+#include "terrain/objects/object_mesh.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -7,7 +7,7 @@
 #include <map>
 #include <numbers>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;

@@ -1,11 +1,11 @@
-#include "render/observer.hpp"
+#include "render/view/observer.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
-#include "materials/error.hpp"
-#include "materials/units.hpp"
-#include "terrain/site.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+#include "terrain/place/site.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "terrain/parallel.hpp"
+#include "materials/base/parallel.hpp"
 
 #include <atomic>
 #include <catch2/catch.hpp>

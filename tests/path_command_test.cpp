@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "materials/band.hpp"
-#include "materials/files.hpp"
-#include "materials/planck.hpp"
+#include "materials/base/files.hpp"
+#include "materials/radiation/band.hpp"
+#include "materials/radiation/planck.hpp"
 #include "tests/modtran_stub.hpp"
 #include "tests/scratch_folder.hpp"
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "thermal/passes.hpp"
+#include "thermal/solve/pass.hpp"
 
 using namespace diurna;
 

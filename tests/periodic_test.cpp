@@ -1,8 +1,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "thermal/column_tool.hpp"
-#include "thermal/solver.hpp"
+#include "thermal/point/point_job.hpp"
+#include "thermal/solve/solver.hpp"
 
 using namespace diurna;
 

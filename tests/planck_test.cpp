@@ -1,11 +1,11 @@
-#include "materials/planck.hpp"
+#include "materials/radiation/planck.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "materials/fast_exp.hpp"
-#include "materials/units.hpp"
+#include "materials/base/fast_exp.hpp"
+#include "materials/base/units.hpp"
 
 using namespace diurna;
 

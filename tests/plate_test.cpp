@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "thermal/plate_modes.hpp"
+#include "thermal/steppers/plate_batch.hpp"
 
 using namespace diurna;
 

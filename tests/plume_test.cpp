@@ -1,12 +1,12 @@
-#include "render/plume.hpp"
+#include "render/rays/plume.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
-#include "render/hops.hpp"
-#include "terrain/visibility.hpp"
+#include "materials/base/error.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/rays/hops.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/hop_stage.hpp"
 
 using namespace diurna;

@@ -1,9 +1,9 @@
-#include "materials/profile.hpp"
+#include "materials/air/profile.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 using namespace diurna;
 

@@ -2,12 +2,12 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
-#include "materials/error.hpp"
-#include "materials/units.hpp"
-#include "render/observer.hpp"
-#include "render/view.hpp"
-#include "terrain/site.hpp"
-#include "terrain/visibility.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+#include "render/view/observer.hpp"
+#include "render/view/view.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/sky_view.hpp"
 
 using namespace diurna;
 

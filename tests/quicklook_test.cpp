@@ -1,4 +1,4 @@
-#include "render/quicklook.hpp"
+#include "render/picture/quicklook.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,10 +8,10 @@
 #include <limits>
 #include <random>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "render/bitmap_font.hpp"
-#include "render/palette.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "render/picture/bitmap_font.hpp"
+#include "render/picture/palette.hpp"
 
 using namespace diurna;
 

@@ -1,15 +1,15 @@
-#include "render/radiance.hpp"
+#include "render/light/radiance.hpp"
 
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <numeric>
 
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
-#include "terrain/site.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "terrain/place/site.hpp"
 #include "tests/render_scene.hpp"
 
-#include "render/lit_facets.hpp"
+#include "render/light/lit_facets.hpp"
 
 using namespace diurna;
 

@@ -1,11 +1,11 @@
-#include "materials/radiosonde.hpp"
+#include "materials/air/radiosonde.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 #include "tests/scratch_folder.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "terrain/raster_file.hpp"
+#include "terrain/raster/raster_file.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

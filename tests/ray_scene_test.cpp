@@ -1,4 +1,4 @@
-#include "terrain/ray_scene.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

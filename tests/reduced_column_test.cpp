@@ -1,12 +1,12 @@
-#include "thermal/reduced_column.hpp"
+#include "thermal/column/reduced_column.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
-#include "materials/library.hpp"
-#include "materials/units.hpp"
-#include "thermal/mode_batch.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/library.hpp"
+#include "thermal/steppers/mode_batch.hpp"
 
 using namespace diurna;
 

@@ -1,14 +1,14 @@
-#include "terrain/relief_light.hpp"
+#include "terrain/visibility/relief_visibility.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/units.hpp"
-#include "terrain/ground_mesh.hpp"
-#include "terrain/object_mesh.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/sun.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/objects/object_mesh.hpp"
+#include "terrain/place/sun.hpp"
 
 // The march over the grid against rays through the mesh, on the sample scene's relief.
 

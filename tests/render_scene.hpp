@@ -4,13 +4,13 @@
 #include <numbers>
 #include <vector>
 
-#include "materials/atmosphere.hpp"
-#include "materials/library.hpp"
-#include "render/radiance.hpp"
-#include "render/view.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/matter/library.hpp"
+#include "render/light/radiance.hpp"
+#include "render/view/view.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/ray_scene.hpp"
-#include "terrain/visibility.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sky_view.hpp"
 
 /// A small world for the renderer's tests, made by hand: hills with valleys, and a box of metal
 /// and glass that stands in front of the camera.

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/planck.hpp"
-#include "materials/scattering.hpp"
-#include "materials/units.hpp"
-#include "render/radiance.hpp"
+#include "materials/atmosphere/sun_field.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/light/radiance.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "render/scattered_path.hpp"
+#include "render/path/scattered_path.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "materials/units.hpp"
-#include "render/radiance.hpp"
+#include "materials/base/units.hpp"
+#include "render/light/radiance.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "materials/scattering.hpp"
+#include "materials/atmosphere/sun_field.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
+#include "materials/base/error.hpp"
+#include "materials/radiation/planck.hpp"
 #include "tests/lowtran_sun.hpp"
 #include "tests/shared_data.hpp"
 

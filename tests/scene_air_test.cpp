@@ -1,11 +1,11 @@
-#include "scenes/air.hpp"
+#include "scenes/world/air.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "scenes/scene_file.hpp"
-#include "terrain/sun.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "terrain/place/sun.hpp"
 #include "tests/small_scene.hpp"
-#include "thermal/irradiance.hpp"
+#include "thermal/weather/sky_state.hpp"
 
 using namespace diurna;
 

@@ -1,11 +1,11 @@
-#include "scenes/bands.hpp"
+#include "scenes/input/bands.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
 
-#include "materials/error.hpp"
-#include "render/exr.hpp"
-#include "scenes/scene_file.hpp"
+#include "materials/base/error.hpp"
+#include "render/picture/exr.hpp"
+#include "scenes/input/scene_file.hpp"
 #include "tests/small_scene.hpp"
 
 using namespace diurna;

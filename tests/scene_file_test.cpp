@@ -1,8 +1,8 @@
-#include "scenes/scene_file.hpp"
+#include "scenes/input/scene_file.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "tests/small_scene.hpp"
 
 using namespace diurna;

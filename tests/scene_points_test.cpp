@@ -1,14 +1,14 @@
-#include "thermal/scene_points.hpp"
+#include "thermal/solve/point_facets.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 
 #include "hills.hpp"
-#include "materials/soil.hpp"
-#include "materials/units.hpp"
-#include "terrain/parallel.hpp"
-#include "thermal/column_tool.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/soil.hpp"
+#include "thermal/point/point_job.hpp"
 
 using namespace diurna;
 

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/library.hpp"
-#include "thermal/solver.hpp"
-#include "thermal/sun_exposure.hpp"
+#include "materials/matter/library.hpp"
+#include "thermal/solve/shadow_edges.hpp"
+#include "thermal/solve/solver.hpp"
 
 using namespace diurna;
 

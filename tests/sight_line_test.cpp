@@ -1,10 +1,10 @@
-#include "materials/sight_line.hpp"
+#include "materials/air/sight_line.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/atmosphere.hpp"
-#include "materials/units.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/base/units.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "terrain/site.hpp"
+#include "terrain/place/site.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

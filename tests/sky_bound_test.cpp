@@ -1,13 +1,13 @@
-#include "terrain/sky_bound.hpp"
+#include "terrain/visibility/sky_bound.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
-#include "terrain/object_mesh.hpp"
-#include "terrain/ray_scene.hpp"
-#include "terrain/sky_rays.hpp"
-#include "terrain/visibility.hpp"
+#include "terrain/objects/object_mesh.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sky_rays.hpp"
+#include "terrain/visibility/sky_view.hpp"
 
 // The bound may be loose but never wrong: no ray above it meets anything.
 

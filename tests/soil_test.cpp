@@ -1,4 +1,4 @@
-#include "materials/soil.hpp"
+#include "materials/matter/soil.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,13 +1,13 @@
-#include "thermal/solver.hpp"
+#include "thermal/solve/solver.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 
 #include "hills.hpp"
-#include "materials/error.hpp"
-#include "materials/units.hpp"
-#include "terrain/parallel.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
 
 using namespace diurna;
 

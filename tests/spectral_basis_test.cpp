@@ -1,11 +1,11 @@
-#include "render/spectral_basis.hpp"
+#include "render/light/spectral_basis.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/band_model.hpp"
-#include "materials/planck.hpp"
-#include "render/leaving.hpp"
-#include "render/scene_basis.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/light/interreflection.hpp"
+#include "render/light/scene_basis.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "materials/spectrum.hpp"
+#include "materials/radiation/spectrum.hpp"
 
 #include <unistd.h>
 
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 
 using namespace diurna;
 

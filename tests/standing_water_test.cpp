@@ -1,10 +1,10 @@
-#include "thermal/standing_water.hpp"
+#include "thermal/surface/standing_water.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/air.hpp"
-#include "materials/units.hpp"
+#include "materials/air/moist_air.hpp"
+#include "materials/base/units.hpp"
 #include "tests/column_jobs.hpp"
 
 using namespace diurna;

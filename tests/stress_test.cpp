@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "materials/units.hpp"
-#include "thermal/column_tool.hpp"
+#include "materials/base/units.hpp"
+#include "thermal/point/point_job.hpp"
 
 using namespace diurna;
 

@@ -1,10 +1,10 @@
-#include "thermal/sun_path.hpp"
+#include "terrain/place/sun_path.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/units.hpp"
+#include "materials/base/units.hpp"
 
 using namespace diurna;
 

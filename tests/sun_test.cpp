@@ -1,4 +1,4 @@
-#include "terrain/sun.hpp"
+#include "terrain/place/sun.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,10 +1,10 @@
-#include "thermal/surface_exchange.hpp"
+#include "thermal/surface/ground_and_leaves.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/air.hpp"
-#include "materials/units.hpp"
+#include "materials/air/moist_air.hpp"
+#include "materials/base/units.hpp"
 
 using namespace diurna;
 

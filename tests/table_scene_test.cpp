@@ -3,13 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "materials/modtran.hpp"
-#include "render/exr.hpp"
-#include "scenes/air.hpp"
-#include "scenes/job.hpp"
-#include "scenes/scene_file.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/modtran/modtran.hpp"
+#include "render/picture/exr.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/run/job.hpp"
+#include "scenes/world/air.hpp"
 #include "tests/small_scene.hpp"
 
 using namespace diurna;

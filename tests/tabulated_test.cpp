@@ -1,4 +1,4 @@
-#include "materials/tabulated.hpp"
+#include "materials/atmosphere/path_grid.hpp"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <random>
 
-#include "materials/atmosphere.hpp"
-#include "materials/error.hpp"
-#include "materials/files.hpp"
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
 #include "tests/modtran_stub.hpp"
 #include "tests/scratch_folder.hpp"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "hills.hpp"
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "small_scene.hpp"
 
 using namespace diurna;

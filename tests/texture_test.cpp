@@ -1,14 +1,14 @@
-#include "terrain/texture.hpp"
+#include "terrain/texture/texture.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 
-#include "materials/error.hpp"
-#include "terrain/dem.hpp"
-#include "terrain/patchwork.hpp"
-#include "terrain/raster_file.hpp"
-#include "terrain/texture_file.hpp"
+#include "materials/base/error.hpp"
+#include "terrain/raster/dem.hpp"
+#include "terrain/raster/raster_file.hpp"
+#include "terrain/texture/texture_file.hpp"
+#include "terrain/texture/texture_levels.hpp"
 #include "tests/scratch_folder.hpp"
 #include "tests/small_scene.hpp"
 
@@ -209,7 +209,8 @@ TEST_CASE("a georeferenced picture lies where its CRS says", "[terrain][texture]
     double worst = 1.0;
     const auto layout = texels_from_site(image, site, 4000.0, &worst);
     CHECK(worst < 1e-3);
-    // Against each place's own way through PROJ (terrain/dem.hpp counts from texels' middles).
+    // Against each place's own way through PROJ (terrain/raster/dem.hpp counts from texels'
+    // middles).
     for (const Eigen::Vector2d& at :
          {Eigen::Vector2d(0, 0), Eigen::Vector2d(-3777, 1234), Eigen::Vector2d(2500, -3900)}) {
         const Geodetic place = to_geodetic(site, {at.x(), at.y(), 0.0});

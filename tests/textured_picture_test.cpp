@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/planck.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/patchwork.hpp"
+#include "terrain/texture/texture_levels.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
-#include "render/exr.hpp"
-#include "scenes/job.hpp"
-#include "scenes/scene_file.hpp"
+#include "materials/base/error.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/picture/exr.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/run/job.hpp"
 #include "tests/small_scene.hpp"
 
 using namespace diurna;

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <vector>
 
-#include "materials/soil.hpp"
-#include "materials/units.hpp"
-#include "thermal/nonlinear_column.hpp"
+#include "materials/base/units.hpp"
+#include "materials/matter/soil.hpp"
+#include "thermal/column/nonlinear_column.hpp"
 
 /// Cases of reference/thermal/analytic_cases.md that tests hold and the validation table shows.
 

@@ -1,11 +1,11 @@
-#include "render/tile_sightings.hpp"
+#include "render/view/tile_sightings.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/units.hpp"
-#include "render/sky_angles.hpp"
+#include "materials/base/units.hpp"
+#include "render/view/sky_angles.hpp"
 
 using namespace diurna;
 

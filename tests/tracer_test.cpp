@@ -4,14 +4,14 @@
 #include <cstring>
 #include <random>
 
-#include "materials/atmosphere.hpp"
-#include "materials/error.hpp"
-#include "materials/planck.hpp"
-#include "materials/units.hpp"
-#include "render/path_table.hpp"
-#include "terrain/parallel.hpp"
-#include "terrain/site.hpp"
-#include "terrain/visibility.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/path/path_table.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/sky_view.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

@@ -1,4 +1,4 @@
-#include "terrain/triangulate.hpp"
+#include "terrain/ground/triangulate.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,11 +9,11 @@
 #include <numbers>
 #include <random>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "shared_data.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/ground_mesh.hpp"
-#include "terrain/object_mesh.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/objects/object_mesh.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "thermal/turbulence.hpp"
+#include "thermal/surface/turbulence.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

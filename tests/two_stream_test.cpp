@@ -1,4 +1,4 @@
-#include "materials/two_stream.hpp"
+#include "materials/atmosphere/two_stream.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

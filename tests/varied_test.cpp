@@ -1,9 +1,9 @@
-#include "materials/varied.hpp"
+#include "materials/matter/varied.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "materials/library.hpp"
+#include "materials/matter/library.hpp"
 
 using namespace diurna;
 

@@ -1,11 +1,11 @@
-#include "render/view.hpp"
+#include "render/view/view.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>
 
-#include "materials/error.hpp"
-#include "materials/units.hpp"
-#include "terrain/parallel.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
 #include "tests/render_scene.hpp"
 
 using namespace diurna;

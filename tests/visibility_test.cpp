@@ -1,4 +1,4 @@
-#include "terrain/visibility.hpp"
+#include "terrain/visibility/sky_view.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -6,8 +6,8 @@
 #include <functional>
 #include <numbers>
 
-#include "terrain/parallel.hpp"
-#include "terrain/sun.hpp"
+#include "materials/base/parallel.hpp"
+#include "terrain/place/sun.hpp"
 
 // Closed forms: radiative transfer texts for canyon, shaft and wall; Ingersoll et al. (1992) for
 // the bowl (every facet of a spherical cap sees the same share of sky). Rays are random: a mean

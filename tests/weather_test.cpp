@@ -1,8 +1,8 @@
-#include "thermal/weather.hpp"
+#include "thermal/weather/weather.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 #include "small_scene.hpp"
 
 using namespace diurna;

@@ -1,13 +1,13 @@
-#include "scenes/world.hpp"
+#include "scenes/world/world.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "materials/error.hpp"
-#include "scenes/frames.hpp"
-#include "scenes/plan.hpp"
-#include "scenes/scene_file.hpp"
-#include "terrain/sun.hpp"
+#include "materials/base/error.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/plan/plan.hpp"
+#include "scenes/run/frames.hpp"
+#include "terrain/place/sun.hpp"
 #include "tests/small_scene.hpp"
 
 using namespace diurna;

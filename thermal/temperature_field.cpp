@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-#include "materials/error.hpp"
+#include "materials/base/error.hpp"
 
 namespace diurna {
 

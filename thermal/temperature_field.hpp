@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "terrain/facets.hpp"
-#include "terrain/instant.hpp"
-#include "terrain/site.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 

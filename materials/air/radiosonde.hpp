@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "materials/air/profile.hpp"
+
+namespace diurna {
+
+/// A profile from a radiosonde's table (CSV with a header, '#' comments): levels from the ground
+/// up.
+///
+/// height_m or height_km              above the sea; ascending, or descending
+/// pressure_hPa                       optional: else hydrostatic from the lowest level's, which
+///                                    must then be given in its row (others may be empty)
+/// temperature_C or temperature_K
+/// relative_humidity_percent, dew_point_C or mixing_ratio_g_kg
+///
+/// Gases besides water, and everything above the last level, are those of the AFGL profile `above`;
+/// temperature and pressure join it over 5 km. Two levels or more, up to 5000.
+/// Throws InputError with file:line:column for what cannot be.
+Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "US76");
+
+/// An AFGL name, or the path of a radiosonde file where the name ends in ".csv".
+Profile named_profile(const std::string& name);
+
+}  // namespace diurna

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "materials/air/profile.hpp"
+#include "materials/air/sight_line.hpp"
+
+namespace diurna {
+
+/// Carbon dioxide of the years 2024-26 (NOAA's global mean, rounded).
+inline constexpr double todays_co2_ppm = 425.0;
+
+/// One grey layer of cloud over part of the sky, thin against the heights around it. It shades and
+/// warms what is below it and fills its part of the sky; lines of finite range and lines to the
+/// ground go through the gaps, so that from above it is not seen.
+struct CloudLayer {
+    double fraction = 0.0;        // of the sky, 0 to 1
+    double base_km = 2.0;         // above the sea
+    double temperature = 0.0;     // [K] of its base; 0: that of the air there
+    double optical_depth = 20.0;  // at all wavelengths of sunlight, 0 to 1000
+    double emissivity = 1.0;      // in the thermal bands
+};
+
+/// The embedded band model: seven gases, water and nitrogen continua, Rayleigh extinction, ozone's
+/// visible bands, nitric acid, aerosol and rain on 433 bins of 25 to 200 cm⁻¹.
+///
+/// Per gas and bin τ = exp(−(C·W)^a), W = Σ u (P/P₀)ⁿ (T₀/T)ᵐ ds; continua are linear in their
+/// amounts. Aerosol follows Shettle and Fenn's extinction by local humidity; at 0.55 µm it is
+/// ln 50 / visibility − 0.01159 km⁻¹ at the ground and has LOWTRAN7's profile above it: the chosen
+/// type below 2 km, fading to tropospheric aerosol at 3 km, dry tropospheric aerosol standing in
+/// for the stratosphere's (optical depth below 0.01). Rain: 0.365 R^0.63 km⁻¹ at all wavelengths
+/// (LOWTRAN7), from the ground to `rain_top_km`. Below 5000 cm⁻¹ calibrated to MODTRAN 5, above to
+/// LOWTRAN7. Tables and their origin: data_folder()/atmosphere/SOURCE.md.
+///
+/// Extinction is counted whole (scattered light leaves the beam and none comes back): transmittance
+/// and direct sun are right; light scattered from the sun is `scattered_sun` (scattering.hpp).
+struct BandModel {
+    Profile profile;
+    std::string aerosol = "none";      // or one of aerosol_names()
+    double visibility_km = 23.0;       // 0.05 to 300
+    double co2_ppm = todays_co2_ppm;   // at the lowest level; the whole profile is scaled to it
+    double space_temperature = 2.725;  // [K] behind the air
+    double ground_km = 0.0;            // where the haze begins; its lowest 6 km are squeezed upward
+    double rain_mm_h = 0.0;            // 0 to 300
+    double rain_top_km = 3.0;          // above `ground_km`
+    CloudLayer cloud = {};
+    bool refraction = true;  // bends lines to the sky and the sun
+};
+
+/// none, rural, maritime, urban, tropospheric, desert, fog_advective, fog_radiative: what
+/// `BandModel::aerosol` may be.
+std::vector<std::string> aerosol_names();
+
+/// Throws InputError if a value is out of range, the aerosol unknown or the profile unusable.
+void check(const BandModel& model);
+
+/// Edges of the spectral bins as wavelengths [µm], ascending (bin count + 1): 0.351 to 20.
+std::span<const double> bin_edges_um();
+inline std::size_t bin_count() { return bin_edges_um().size() - 1; }
+/// The bin that holds a wavelength; below and above the grid the first and the last.
+std::size_t bin_of(double wavelength_um);
+
+/// Bins [first, last): work is proportional to their number.
+struct BinRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
+    std::size_t size() const { return last - first; }
+};
+BinRange all_bins();
+/// The bins that hold the given wavelengths, from the shortest to the longest.
+BinRange bins_of(std::span<const double> wavelengths_um);
+
+/// Transmittance from the observer to the far end of each segment.
+struct CumulativeTransmittance {
+    BinRange bins;
+    std::vector<double> temperature;    // (segment) [K]
+    std::vector<double> transmittance;  // (segment, bin), bins.size() a row
+
+    std::size_t segments() const { return temperature.size(); }
+    std::span<const double> row(std::size_t segment) const {
+        return std::span(transmittance).subspan(segment * bins.size(), bins.size());
+    }
+};
+CumulativeTransmittance cumulative_transmittance(const BandModel& model, const SightLine& line,
+                                                 BinRange bins);
+
+/// Transmittance to the end of the line alone, (bin); the fastest way to it.
+std::vector<double> transmittance(const BandModel& model, const SightLine& line, BinRange bins);
+
+/// The sun's irradiance above the air at 1 AU [W m⁻² µm⁻¹], 0.3 to 20 µm, mean over the bin that
+/// holds the wavelength (the band model's bins and five below them); beyond, the nearest bin's.
+/// ASTM E490 scaled to `solar_constant`; source: data_folder()/atmosphere/SOURCE.md.
+double solar_above_air(double wavelength_um);
+
+}  // namespace diurna

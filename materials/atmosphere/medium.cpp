@@ -1,0 +1,354 @@
+#include "materials/atmosphere/medium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/fast_exp.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Tables = BandModelTables;
+
+constexpr double standard_pressure_hPa = 1013.25;
+constexpr double standard_temperature = 273.15;
+constexpr double haze_squeezed_below_km = 6.0;  // LOWTRAN7: above, ground height does not matter
+constexpr std::size_t rayleigh_term = 4;
+
+/// Between levels exponentially, or linearly where one end is zero.
+double between(double low, double high, double t) {
+    if (low > 0.0 && high > 0.0) return low * std::exp(t * std::log(high / low));
+    return low + t * (high - low);
+}
+
+}  // namespace
+
+double ln_dryness(const AirSample& air) {
+    const double vapour_hPa =
+        air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
+    const double a = standard_temperature / air.temperature;
+    const double saturated = a * std::exp(18.9766 - 14.9595 * a - 2.43882 * a * a);
+    const double percent = 100.0 * (vapour_hPa * 1e5 / (461.5 * air.temperature)) / saturated;
+    return std::log(100.0 - std::clamp(percent, 0.0, 99.0));
+}
+
+AerosolPlace place_of(const Tables::Aerosol& aerosol, double dryness) {
+    const auto& levels = aerosol.levels;
+    std::size_t upper = 0;
+    while (upper < levels.size() && levels[upper].ln_dryness > dryness) ++upper;
+    const std::size_t high = std::min(upper, levels.size() - 1), low = upper > 0 ? upper - 1 : 0;
+    if (low == high) return {low, high, 0.0};
+    const double from = levels[low].ln_dryness;
+    return {low, high, (dryness - from) / (levels[high].ln_dryness - from)};
+}
+
+void negative_exponentials(std::span<double> values) {
+    double* const v = values.data();
+    const std::size_t count = values.size();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) v[i] = fast_exp(-v[i]);
+}
+
+void Amounts::add(const Amounts& other) {
+    for (std::size_t i = 0; i < gas.size(); ++i) gas[i] += other.gas[i];
+    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] += other.linear[i];
+    for (std::size_t i = 0; i < aerosol.size(); ++i) aerosol[i] += other.aerosol[i];
+    for (std::size_t k = 0; k < haze.size(); ++k) {
+        for (std::size_t i = 0; i < haze[k].size(); ++i) haze[k][i] += other.haze[k][i];
+    }
+    rain += other.rain;
+}
+
+Medium::Medium(const BandModel& model, BinRange bins)
+    : tables_(band_model_tables()), model_(model), bins_(bins), no_depth_(bins.size(), 0.0) {
+    constexpr auto carbon_dioxide = static_cast<std::size_t>(Gas::carbon_dioxide);
+    const double profile_co2 = model.profile.mixing_ratio_ppm[carbon_dioxide].front();
+    co2_scale_ = profile_co2 > 0.0 ? model.co2_ppm / profile_co2 : 0.0;
+    if (model.rain_mm_h > 0.0) rain_extinction_ = 0.365 * std::pow(model.rain_mm_h, 0.63);
+    for (const Tables::Run& run : tables_.runs) {  // runs stand in the order of their groups
+        const bool absorbs = run.first < bins.last && run.first + run.bins > bins.first;
+        const bool listed = !active_.empty() && active_.back() == run.group;
+        if (absorbs && !listed) active_.push_back(run.group);
+    }
+    for (const std::size_t group : active_) {
+        pressure_power_.push_back(tables_.groups[group].n);
+        temperature_power_.push_back(tables_.groups[group].m);
+    }
+    pressure_power_.resize(active_.size() + group_lanes, 0.0);
+    temperature_power_.resize(active_.size() + group_lanes, 0.0);
+    if (model.aerosol == "none") return;
+    boundary_ = &tables_.aerosols.at(model.aerosol);
+    tropospheric_ = &tables_.aerosols.at("tropospheric");
+    const bool winter = model.profile.name == "MLW" || model.profile.name == "SAW";
+    const std::vector<Tables::Haze>& season = tables_.haze[winter ? 1 : 0];
+    // Between tabulated visibilities linear in 1 / visibility, as the ground's extinction is.
+    std::size_t high = 1;
+    while (high + 1 < season.size() && season[high].visibility_km < model.visibility_km) ++high;
+    const Tables::Haze &a = season[high - 1], &b = season[high];
+    const double t = (1.0 / model.visibility_km - 1.0 / a.visibility_km) /
+                     (1.0 / b.visibility_km - 1.0 / a.visibility_km);
+    const double ground = std::max(0.0, std::log(50.0) / model.visibility_km - 0.01159);
+    haze_height_km_ = a.height_km;
+    for (std::size_t zone = 0; zone < zones; ++zone) {
+        haze_[zone] = a.extinction[zone];
+        for (std::size_t i = 0; i < haze_[zone].size(); ++i) {
+            // Beyond the tabulated visibilities the ground's extinction alone goes on.
+            const double inside = std::clamp(t, 0.0, 1.0);
+            haze_[zone][i] += inside * (b.extinction[zone][i] - a.extinction[zone][i]);
+        }
+    }
+    const double scale = ground / haze_[0].front();
+    // Thick haze fills the lowest kilometre evenly; thin haze thins at all its heights.
+    const std::size_t filled = model.visibility_km > 10.0 ? 3 : 2;
+    for (std::size_t i = 0; i < filled; ++i) haze_[0][i] *= scale;
+}
+
+Amounts Medium::none() const {
+    Amounts amounts;
+    amounts.gas.assign(tables_.groups.size(), 0.0);
+    if (boundary_ != nullptr || rain_extinction_ > 0.0) amounts.aerosol.assign(bins_.size(), 0.0);
+    if (boundary_ != nullptr) {
+        amounts.haze = {std::vector<double>(boundary_->node.size(), 0.0),
+                        std::vector<double>(tropospheric_->node.size(), 0.0)};
+    }
+    return amounts;
+}
+
+std::array<double, Medium::zones> Medium::haze(double height_km) const {
+    std::array<double, zones> extinction{};
+    if (boundary_ == nullptr) return extinction;
+    double z = height_km;
+    if (z < haze_squeezed_below_km) {
+        z = haze_squeezed_below_km * (z - model_.ground_km) /
+            (haze_squeezed_below_km - model_.ground_km);
+    }
+    if (z >= haze_height_km_.back()) return extinction;
+    if (z <= 0.0) {
+        for (std::size_t zone = 0; zone < zones; ++zone) extinction[zone] = haze_[zone].front();
+        return extinction;
+    }
+    const auto above = std::upper_bound(haze_height_km_.begin(), haze_height_km_.end(), z);
+    const auto i = static_cast<std::size_t>(above - haze_height_km_.begin());
+    const double t = (z - haze_height_km_[i - 1]) / (haze_height_km_[i] - haze_height_km_[i - 1]);
+    for (std::size_t zone = 0; zone < zones; ++zone) {
+        extinction[zone] = between(haze_[zone][i - 1], haze_[zone][i], t);
+    }
+    return extinction;
+}
+
+double Medium::rain(double height_km) const {
+    return height_km < model_.ground_km + model_.rain_top_km ? rain_extinction_ : 0.0;
+}
+
+void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double depth,
+                         std::span<double> node) const {
+    if (aerosol.levels.size() == 1) {  // fog, whatever the humidity
+        node[0] += depth;
+        return;
+    }
+    const auto [low, high, t] = place_of(aerosol, dryness);
+    // Drier or damper than the table: its end.
+    const std::size_t interval = std::min(low, aerosol.levels.size() - 2);
+    const double x = low == high ? (low == 0 ? 0.0 : 1.0) : t;
+    constexpr std::size_t count = Tables::interval_nodes;
+    static const auto [place, norm] = [] {
+        std::array<double, count> at{}, over{};
+        for (std::size_t k = 0; k < count; ++k) at[k] = chebyshev_node(k, count);
+        for (std::size_t k = 0; k < count; ++k) {
+            over[k] = 1.0;
+            for (std::size_t j = 0; j < count; ++j) over[k] /= j == k ? 1.0 : at[k] - at[j];
+        }
+        return std::pair(at, over);
+    }();
+    for (std::size_t k = 0; k < count; ++k) {  // Lagrange's form
+        double weight = norm[k];
+        for (std::size_t j = 0; j < count; ++j) weight *= j == k ? 1.0 : x - place[j];
+        node[interval * count + k] += depth * weight;
+    }
+}
+
+void Medium::spread(Amounts& amounts) const {
+    if (amounts.aerosol.empty()) return;
+    const std::size_t count = bins_.size();
+    double* const depth = amounts.aerosol.data();
+    for (std::size_t part = 0; part < amounts.haze.size(); ++part) {
+        std::vector<double>& weight = amounts.haze[part];
+        const auto& node = (part == 0 ? boundary_ : tropospheric_)->node;
+        constexpr std::size_t group = Tables::interval_nodes;
+        for (std::size_t k = 0; k < weight.size(); k += group) {
+            if (weight.size() == 1) {
+                const double* const e = node[0].data() + bins_.first;
+#pragma omp simd
+                for (std::size_t i = 0; i < count; ++i) depth[i] += weight[0] * e[i];
+                break;
+            }
+            const double* const w = &weight[k];
+            if (std::all_of(w, w + group, [](double x) { return x == 0.0; })) continue;
+            const double w0 = w[0], w1 = w[1], w2 = w[2], w3 = w[3], w4 = w[4], w5 = w[5];
+            const auto at = [&](std::size_t j) { return node[k + j].data() + bins_.first; };
+            const double *const e0 = at(0), *const e1 = at(1), *const e2 = at(2), *const e3 = at(3),
+                                *const e4 = at(4), *const e5 = at(5);
+#pragma omp simd
+            for (std::size_t i = 0; i < count; ++i) {
+                depth[i] +=
+                    (w0 * e0[i] + w1 * e1[i] + w2 * e2[i]) + (w3 * e3[i] + w4 * e4[i] + w5 * e5[i]);
+            }
+        }
+        std::fill(weight.begin(), weight.end(), 0.0);
+    }
+    if (amounts.rain > 0.0) {
+        for (std::size_t i = 0; i < count; ++i) depth[i] += amounts.rain;
+        amounts.rain = 0.0;
+    }
+}
+
+double Medium::add_gases(double height_km, double length_km, Amounts& amounts,
+                         AirSample& air) const {
+    air = air_at(model_.profile, height_km);
+    const double pressure = air.pressure_hPa / standard_pressure_hPa;
+    const double temperature = standard_temperature / air.temperature;
+    const double amagat = pressure * temperature;  // density over that at 0 °C, 1 atm
+
+    std::array<double, gas_count> amount;  // [cm at STP], water [g cm⁻²]
+    for (std::size_t gas = 0; gas < gas_count; ++gas) {
+        amount[gas] = 1e5 * amagat * air.mixing_ratio_ppm[gas] * 1e-6 * length_km;
+    }
+    const auto of = [&](Gas gas) -> double& { return amount[static_cast<std::size_t>(gas)]; };
+    of(Gas::carbon_dioxide) *= co2_scale_;
+    const double water_cm = of(Gas::water);
+    constexpr double loschmidt = 2.68675e19, avogadro = 6.022045e23, water_molar_mass = 18.015;
+    of(Gas::water) *= loschmidt / avogadro * water_molar_mass;
+
+    const double ln_pressure = std::log(pressure), ln_temperature = std::log(temperature);
+    for (std::size_t begin = 0; begin < active_.size(); begin += group_lanes) {
+        std::array<double, group_lanes> scale;
+#pragma omp simd
+        for (std::size_t i = 0; i < group_lanes; ++i) {
+            scale[i] = fast_exp(pressure_power_[begin + i] * ln_pressure +
+                                temperature_power_[begin + i] * ln_temperature);
+        }
+        const std::size_t end = std::min(begin + group_lanes, active_.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            amounts.gas[active_[i]] += of(tables_.groups[active_[i]].gas) * scale[i - begin];
+        }
+    }
+
+    const double molecules = water_cm * loschmidt * 1e-20;  // [1e20 cm⁻²]
+    const double vapour_hPa =
+        air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
+    const double reference = 296.0 / air.temperature / standard_pressure_hPa;
+    const double self = molecules * vapour_hPa * reference;
+    const double foreign = molecules * (air.pressure_hPa - vapour_hPa) * reference;
+    const double colder = std::clamp((296.0 - air.temperature) / 36.0, 0.0, 1.0);
+    const std::array<double, Tables::linear_count> linear = {
+        self,
+        self * colder,
+        foreign,
+        0.781 * amagat * pressure * std::sqrt(temperature) * length_km,
+        amagat * length_km,
+        of(Gas::ozone),
+        of(Gas::nitric_acid)};
+    for (std::size_t i = 0; i < linear.size(); ++i) amounts.linear[i] += linear[i];
+
+    return air.temperature;
+}
+
+double Medium::add(double height_km, double length_km, std::span<const double> aerosol,
+                   Amounts& amounts) const {
+    AirSample air;
+    for (std::size_t i = 0; i < amounts.aerosol.size(); ++i) {
+        amounts.aerosol[i] += aerosol[i] * length_km;
+    }
+    return add_gases(height_km, length_km, amounts, air);
+}
+
+double Medium::add(double height_km, double length_km, Amounts& amounts) const {
+    AirSample air;
+    add_gases(height_km, length_km, amounts, air);
+    const double drops = rain(height_km);
+    if (boundary_ != nullptr) {
+        const auto [boundary, troposphere, above] = haze(height_km);
+        // Rain saturates the air.
+        const double dryness = drops > 0.0 ? 0.0 : ln_dryness(air);
+        if (boundary > 0.0) {
+            add_aerosol(*boundary_, dryness, boundary * length_km, amounts.haze[0]);
+        }
+        if (troposphere > 0.0) {
+            add_aerosol(*tropospheric_, dryness, troposphere * length_km, amounts.haze[1]);
+        }
+        if (above > 0.0) {
+            add_aerosol(*tropospheric_, std::log(100.0), above * length_km, amounts.haze[1]);
+        }
+    }
+    amounts.rain += drops * length_km;
+    return air.temperature;
+}
+
+void Medium::add(const SightLine& line, std::size_t segment, Amounts& amounts) const {
+    const double length = line.length_km[segment];
+    constexpr double level_km = 0.02;  // where the middle is good to 1e-5 of the density
+    if (line.edge_km.empty() ||
+        std::abs(line.edge_km[segment + 1] - line.edge_km[segment]) < level_km) {
+        add(line.height_km[segment], length, amounts);
+        return;
+    }
+    constexpr double gauss = 0.21132486540518712;  // (1 − 1/√3) / 2
+    for (const double share : {gauss, 1.0 - gauss}) {
+        add(line.height_within(segment, share), 0.5 * length, amounts);
+    }
+}
+
+void Medium::depths(const Amounts& amounts, std::span<double> out) const {
+    find_depths(amounts, true, out);
+}
+
+void Medium::transmittances(const Amounts& amounts, std::span<double> out) const {
+    find_depths(amounts, true, out);
+    negative_exponentials(out);
+}
+
+void Medium::absorption_transmittances(const Amounts& amounts, std::span<double> out) const {
+    find_depths(amounts, false, out);
+    negative_exponentials(out);
+}
+
+void Medium::find_depths(const Amounts& amounts, bool scattering, std::span<double> out) const {
+    const std::array<const double*, Tables::linear_count> k = {
+        tables_.linear[0].data() + bins_.first, tables_.linear[1].data() + bins_.first,
+        tables_.linear[2].data() + bins_.first, tables_.linear[3].data() + bins_.first,
+        tables_.linear[4].data() + bins_.first, tables_.linear[5].data() + bins_.first,
+        tables_.linear[6].data() + bins_.first};
+    std::array<double, Tables::linear_count> w = amounts.linear;
+    if (!scattering) w[rayleigh_term] = 0.0;
+    const std::size_t count = bins_.size();
+    // Gases eight bins at a time, past the end of their runs and of the range: runs are filled up
+    // with values that count nothing.
+    constexpr std::size_t lanes = Tables::run_padding;
+    std::vector<float> gas(count + lanes, 0.0f);
+    for (const Tables::Run& run : tables_.runs) {
+        const std::size_t from = std::max(run.first, bins_.first);
+        const std::size_t to = std::min(run.first + run.bins, bins_.last);
+        if (from >= to) continue;
+        const float* ln_c = run.ln_c.data() + (from - run.first);
+        const float* a = run.a.data() + (from - run.first);
+        float* depth = gas.data() + (from - bins_.first);
+        const auto ln_amount = static_cast<float>(std::log(amounts.gas[run.group] + 1e-300));
+        for (std::size_t block = 0; block < to - from; block += lanes) {
+#pragma omp simd
+            for (std::size_t i = 0; i < lanes; ++i) {
+                const float x = a[block + i] * (ln_c[block + i] + ln_amount);
+                depth[block + i] += fast_exp(x > 6.0f ? 6.0f : x);
+            }
+        }
+    }
+    const double* const haze =
+        scattering && !amounts.aerosol.empty() ? amounts.aerosol.data() : no_depth_.data();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = w[0] * k[0][i] + w[1] * k[1][i] + w[2] * k[2][i] + w[3] * k[3][i] +
+                 w[4] * k[4][i] + w[5] * k[5][i] + w[6] * k[6][i] + haze[i] + double{gas[i]};
+    }
+}
+
+}  // namespace diurna

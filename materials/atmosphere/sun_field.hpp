@@ -1,0 +1,89 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "materials/atmosphere/atmosphere.hpp"
+
+namespace diurna {
+
+/// The sun as a scene's air and ground receive it.
+struct SunLight {
+    double zenith_deg = 180.0;  // at the ground, as seen through the air
+    double distance_au = 1.0;
+    double ground_albedo = 0.2;  // of the land all around, at every wavelength
+};
+
+/// Fluxes of sunlight at a height, per node [W m⁻² µm⁻¹].
+struct SunFlux {
+    std::vector<double> direct;  // on a plane facing the sun
+    std::vector<double> down;    // diffuse, on the horizontal from above
+    std::vector<double> up;      // all, on the horizontal from below
+};
+
+/// Sunlight in the air: what scatters once exactly (Mie's phase functions of aerosol, Rayleigh's of
+/// air; delta-scaled, after Nakajima and Tanaka 1988), what scatters more often from
+/// two-stream fluxes in the same air. Clouds as BandModel::cloud says, in their share of the sky.
+///
+/// Made once for an instant, then asked along many lines; safe to share between threads. Smooth in
+/// height, zenith angle and azimuth (continuous slopes), so that tables made of it stay small.
+/// The air is plane for multiple scattering, spherical and refracting for the beam; the sun stands
+/// under the same zenith angle along a whole line, so lines beyond 100 km under a low sun err.
+///
+/// Against LOWTRAN7 with Mie phase functions and its own two streams, and by band: README and
+/// tests/scattering_test.cpp. Bins outside those of the nodes cost nothing.
+class SunField {
+ public:
+    SunField(const BandModel& model, const SunLight& sun, std::span<const double> node_um);
+
+    std::size_t nodes() const;
+
+    /// Sunlight scattered into a line on its way from its far end to its start, (node)
+    /// [W m⁻² sr⁻¹ µm⁻¹]. What is behind its end is not in it.
+    ///
+    /// zenith_deg              of the line at its start, 0 up
+    /// azimuth_from_sun_deg    of the line's azimuth from that of the sun, 0 towards it
+    std::vector<double> path(const SightLine& line, double zenith_deg,
+                             double azimuth_from_sun_deg) const;
+    /// The same taken apart for tables: at_angle[k] + cos(zenith) · by_cosine, where angle k lies
+    /// between the line and the direction to the sun. Several angles cost little more than one.
+    struct Apart {
+        std::vector<std::vector<double>> at_angle;  // (angle)(node)
+        std::vector<double> by_cosine;              // (node)
+    };
+    Apart path_apart(const SightLine& line, std::span<const double> angle_deg) const;
+    /// That angle [deg].
+    double angle_from_sun_deg(double zenith_deg, double azimuth_from_sun_deg) const;
+
+    /// Scattered radiance of the sky (path to the top of the air, or to the cloud layer and what
+    /// shines through it), or of the air above the ground it ends on.
+    std::vector<double> sky(double height_km, double zenith_deg, double azimuth_from_sun_deg) const;
+    /// The same under several azimuths, (azimuth)(node): they cost little more than one.
+    std::vector<std::vector<double>> skies(double height_km, double zenith_deg,
+                                           std::span<const double> azimuth_from_sun_deg) const;
+
+    SunFlux flux(double height_km) const;
+
+    struct State;  // sun_field_state.hpp
+
+ private:
+    std::shared_ptr<const State> state_;
+};
+
+/// What falls on open level ground [W m⁻²]: all the heat balance needs of the air, from the object
+/// the camera looks through.
+struct GroundFluxes {
+    double sun_direct = 0.0;   // on a plane facing the sun, 0.3 to 5 µm
+    double sun_diffuse = 0.0;  // on the horizontal, from the sky
+    double thermal = 0.0;      // on the horizontal, from air and clouds, 3.5 to 100 µm
+};
+
+/// Beyond 20 µm, where the model has no bins, the air has the transmittance of its last one (500 to
+/// 525 cm⁻¹), and beyond 28 µm it is black; below 0.351 µm it has that of its first. Thermal flux
+/// is within 6 % of Dilley and O'Brien's fit for clear skies, subarctic winter (-5.6 %) to tropics;
+/// two-stream diffuse sunlight within 15 % of the sum of SunField::sky over the hemisphere
+/// (tests/scattering_test.cpp). Vacuum: no diffuse light, thermal flux of space.
+GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
+
+}  // namespace diurna

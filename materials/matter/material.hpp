@@ -1,0 +1,157 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "materials/matter/finish.hpp"
+#include "materials/radiation/spectrum.hpp"
+
+namespace diurna {
+
+enum class MaterialId : std::uint16_t {};
+
+/// c(T) = Σ coefficient[i] Tⁱ [J kg⁻¹ K⁻¹].
+using HeatPolynomial = std::array<double, 5>;
+
+/// A layer's laws beyond constants.
+struct Constant {};
+/// Conductivity (1 + cubic T³) and a polynomial heat capacity: regolith in a vacuum.
+struct Radiating {
+    double cubic;  // [K⁻³]
+    HeatPolynomial heat;
+};
+/// Water that freezes at 273.15 K; the layer's own constants hold thawed.
+struct Freezing {
+    double water;                 // [kg m⁻³] that freezes
+    double frozen_conductivity;   // [W m⁻¹ K⁻¹]
+    double frozen_heat_capacity;  // [J kg⁻¹ K⁻¹]
+};
+/// Snow: stays at or below 273.15 K. Meltwater beyond `held` (kg per kg of snow) runs off, and the
+/// pack stays as it is.
+struct Melting {
+    double held = 0.05;
+};
+using ThermalLaw = std::variant<Constant, Radiating, Freezing, Melting>;
+
+/// A homogeneous layer of a column, counted from the surface downward.
+struct Layer {
+    double thickness;      // [m]            1e-5 to 100
+    double conductivity;   // [W m⁻¹ K⁻¹]    0.005 to 500
+    double density;        // [kg m⁻³]
+    double heat_capacity;  // [J kg⁻¹ K⁻¹]
+    ThermalLaw law = Constant{};
+};
+
+/// What lies under the last layer.
+struct FixedTemperature {
+    double temperature;
+};  // [K]
+struct FixedFlux {
+    double flux;
+};  // [W m⁻²] upward, into the column
+/// A value through the day by local mean solar time: (hour, value), hours ascending, 0 to 24.
+/// Straight between its entries and around midnight; empty: none.
+using Schedule = std::vector<std::array<double, 2>>;
+/// A heated room: its air and the film to it.
+struct Interior {
+    double air_temperature;  // [K]
+    double film;             // [W m⁻² K⁻¹]
+    Schedule schedule = {};  // [K], in place of air_temperature
+};
+using Bottom = std::variant<FixedTemperature, FixedFlux, Interior>;
+
+/// How the surface exchanges heat with the air.
+struct Louis {
+    double least_film = 0.0;  // [W m⁻² K⁻¹] added: what calm, stable air over snow still exchanges
+};                            // bulk Monin-Obukhov, Louis 1979: ground
+struct Tarp {};               // natural + forced by plate orientation: walls, roofs
+struct Mowitt {};             // DOE-2 / MoWiTT: smooth surfaces, glass, metal
+struct ConstantFilm {
+    double film;
+};  // [W m⁻² K⁻¹]
+using Convection = std::variant<Louis, Tarp, Mowitt, ConstantFilm>;
+
+/// Evaporation by a resistance in series with the air's; wetness 0 (dry) to 1.
+struct Evaporation {
+    double minimum_resistance = 0.0;  // [s m⁻¹]
+    double wetness = 0.0;
+};
+
+/// Water standing on a surface, as on leaves, stones and roofs: filled by rain and dew, emptied by
+/// evaporation; what is more runs off. The wet share, content over capacity, evaporates without the
+/// surface's own resistance.
+struct WaterStore {
+    double capacity_mm = 0.0;  // none: neither filled nor emptied
+    double wet_albedo = -1.0;  // of the surface where it is wet; negative: as dry
+};
+
+/// Snow's broadband albedo ages from the material's own on (Douville et al. 1995, Clim. Dyn. 12,
+/// 21): dry by 0.008 a day, melting by a factor e^−0.24 a day towards `old`, never below it; 10
+/// kg m⁻² of new snow bring it from `old` to `fresh`.
+struct AgeingAlbedo {
+    double fresh = 0.85, old = 0.5;
+};
+
+/// A big leaf over the ground: a skin without heat of its own, joined to the top node.
+struct BigLeaf {
+    double skin_conductance;  // [W m⁻² K⁻¹]
+};
+/// Leaves and the ground between them apart, side by side in sun and sky (Norman et al. 1995):
+/// the leaves cover 1 − exp(−0.5 leaf area) and evaporate, the ground exchanges what reaches it.
+struct TwoSource {
+    double leaf_area;        // [m² m⁻²]
+    double leaf_resistance;  // [s m⁻¹] of the whole canopy to transpiration
+};
+using Canopy = std::variant<std::monostate, BigLeaf, TwoSource>;
+
+/// The open back of a thin plate: air, and surroundings at the air's temperature, behind the last
+/// layer, which then has no other bottom.
+struct ExposedBack {
+    double emissivity = 0.9;
+    double albedo = 0.9;
+};
+
+/// What the heat balance needs of a surface: broadband optics, exchange with the air, the column.
+/// albedo + solar transmittance + absorptance = 1; longwave: absorptance = emissivity.
+struct ThermalSurface {
+    double albedo = 0.0;                   // broadband, 0.3 to 4 µm
+    double solar_transmittance = 0.0;      // passes through (glass) and is absorbed elsewhere
+    double emissivity = 1.0;               // broadband, hemispherical
+    double roughness_length = 0.01;        // momentum [m]
+    double heat_roughness_length = 0.001;  // heat [m]
+    Convection convection = Louis{};
+    Evaporation evaporation;
+    WaterStore store{};
+    std::optional<AgeingAlbedo> snow_albedo{};
+    Canopy canopy{};
+    double internal_heat = 0.0;       // [W m⁻²] released at the surface
+    Schedule internal_schedule = {};  // [W m⁻²], in place of internal_heat
+    std::vector<Layer> layers;
+    Bottom bottom = FixedFlux{0.0};
+    std::optional<ExposedBack> back;  // if set, in place of `bottom`
+};
+
+/// A kind of matter: its spectra for the picture, its thermal surface for the balance. Opaque or
+/// partly transparent. Kirchhoff holds by construction: ε(λ) = 1 − ρ(λ) − τ(λ), at every angle
+/// (materials/matter/finish.hpp).
+struct Material {
+    std::string name;
+    Spectrum reflectance;    // directional-hemispherical ρ(λ), 0.3 to 20 µm
+    Spectrum transmittance;  // τ(λ); empty means opaque
+    ThermalSurface thermal;
+    Finish finish{};           // the law of angle
+    bool see_through = false;  // rays go on behind it: panes, nets; else it has a room behind
+    std::string varies = {};   // of a texture's level: the name of the material it varies
+
+    /// What a reader calls it: a texture's levels by the name of what they vary.
+    const std::string& kind() const { return varies.empty() ? name : varies; }
+    double emissivity(double wavelength_um) const;  // 1 − ρ − τ
+    /// The picture needs the angle at which this is seen, or what lies behind it.
+    bool needs_rays() const { return see_through || finish.index() != 0; }
+};
+
+}  // namespace diurna

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/light/radiance.hpp"
+
+namespace diurna {
+
+/// The facets a picture depends on (those seen, those that shine on them, and those that shine on
+/// these in turn) and who shines on whom: all that stays the same while nothing moves.
+struct LitFacets {
+    static constexpr std::uint32_t absent = 0xFFFFFFFFu;
+    std::vector<FacetId> facet;         // ascending
+    std::vector<std::uint32_t> place;   // (facet of the scene) index above, or absent
+    std::vector<std::uint32_t> target;  // (facet handed in) index above
+    std::vector<std::uint32_t> row;     // (lit + 1) light received: [row[i], row[i + 1])
+    std::vector<std::uint32_t> source;  // index of a lit facet
+    std::vector<float> factor;          // of each source; a row adds up to 1 − sky view
+    std::vector<MaterialId> material;   // (lit)
+    std::vector<float> sky_view;        // (lit)
+    std::vector<std::uint8_t> sends;    // (lit) some row has it as a source
+    std::vector<float> height;          // (lit) −1 to 1 from the lowest to the highest
+    std::array<double, 3> height_km{};  // least, middle, most of them
+    std::vector<bool> material_used;    // (material)
+
+    /// What reflections are worth in a band, from above: with r = greatest reflectance × (1 − sky
+    /// view) of a facet that has sources,
+    struct Worth {
+        float closed = 0.0f;       // the greatest 1 − sky view of a facet seen
+        std::vector<float> twice;  // (lit) r of a facet × the greatest r of the
+                                   // facets seen that it shines on; 0 if on none
+        float thrice = 0.0f;       // bounds what goes on after two bounces
+    };
+    std::vector<Worth> worth;  // (band)
+};
+/// seen   of a view's targets, in their order
+/// bands  that pictures are to be made in
+LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
+                     std::span<const Band> bands);
+
+/// Range of the temperatures of the facets lit [K].
+struct TemperatureExtent {
+    float coldest = 300.0f, hottest = 300.0f;
+    float middle() const { return 0.5f * (coldest + hottest); }
+};
+
+/// What changes from frame to frame, per facet lit.
+struct LitState {
+    std::vector<float> temperature;  // [K]
+    std::vector<float> sunlight;     // sunlit share × cosine / π [sr⁻¹]
+    TemperatureExtent extent;
+};
+/// Throws InputError if a temperature is not finite or outside 1 to 5000 K.
+LitState lit_state(const RadianceInput& input, const LitFacets& lit);
+
+}  // namespace diurna

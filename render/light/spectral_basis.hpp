@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "materials/radiation/band.hpp"
+
+namespace diurna {
+
+/// A few spectra (modes) that all a scene sends out in a band is a sum of, orthonormal under the
+/// band's quadrature: Σ_n weight_n φ_j(n) φ_k(n) = δ_jk. A spectrum then is a handful of numbers,
+/// and what becomes of it (reflection, air, response) acts on each mode once and for all, node by
+/// node: nothing is averaged inside a channel of the atmosphere.
+///
+/// Chosen from sample spectra by Gram-Schmidt with pivoting: the one worst represented becomes the
+/// next mode. The first `thermal` modes hold black bodies over the scene's temperatures; the first
+/// of all is the black body at the middle temperature, so that an isothermal scene stays exactly
+/// isothermal. Other light needs to be represented only as far as its receivers can tell: what they
+/// reflect of the rest is to be nothing.
+struct SpectralBasis {
+    Eigen::VectorXd root_weight;  // (node) √weight
+    Eigen::MatrixXd mode;         // (node, mode) √weight × φ
+    std::size_t thermal = 0;      // leading modes that black bodies need
+    double error = 0.0;           // Σ weight × receiver × rest, the worst left
+
+    std::size_t size() const { return static_cast<std::size_t>(mode.cols()); }
+};
+
+/// black      (sample)(node) black bodies; the first becomes the first mode
+/// fine       bound on √Σ weight (rest)² of any of them
+/// light      (sample)(node) what else the scene sends out
+/// receivers  (receiver)(node) what may become of it
+/// coarse     bound on Σ weight × receiver × rest of any light and receiver
+SpectralBasis spectral_basis(const Band& band, std::span<const std::vector<double>> black,
+                             double fine, std::span<const std::vector<double>> light,
+                             std::span<const std::vector<double>> receivers, double coarse);
+
+/// Coefficients of a spectrum given per node (of its projection, if it is not a sum of modes).
+Eigen::VectorXd project(const SpectralBasis& basis, std::span<const double> spectrum);
+/// Multiplication by a factor per node: (mode out, mode in).
+Eigen::MatrixXd product(const SpectralBasis& basis, std::span<const double> factor);
+
+}  // namespace diurna

@@ -1,0 +1,191 @@
+#include "render/picture/exr.hpp"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfInputFile.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <stdexcept>
+
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_values = std::size_t{1} << 28;
+
+/// OpenEXR does not report every failure to write the last bytes of a file; memory does not fail.
+class MemoryOut : public OPENEXR_IMF_NAMESPACE::OStream {
+ public:
+    MemoryOut() : OStream("memory") {}
+    void write(const char from[], int n) override {
+        const std::size_t end = place_ + static_cast<std::size_t>(n);
+        if (end > bytes_.size()) {
+            if (end > bytes_.capacity()) bytes_.reserve(std::max(end, 2 * bytes_.capacity()));
+            bytes_.resize(end);
+        }
+        std::memcpy(bytes_.data() + place_, from, static_cast<std::size_t>(n));
+        place_ = end;
+    }
+    std::uint64_t tellp() override { return place_; }
+    void seekp(std::uint64_t place) override { place_ = place; }
+    std::span<const std::byte> bytes() const { return bytes_; }
+
+ private:
+    std::vector<std::byte> bytes_;
+    std::size_t place_ = 0;
+};
+
+class MemoryIn : public OPENEXR_IMF_NAMESPACE::IStream {
+ public:
+    explicit MemoryIn(std::string_view bytes) : IStream("memory"), bytes_(bytes) {}
+    bool read(char to[], int n) override {
+        const auto count = static_cast<std::size_t>(n);
+        if (n < 0 || place_ > bytes_.size() || count > bytes_.size() - place_) {
+            throw std::runtime_error("ends too early");
+        }
+        std::memcpy(to, bytes_.data() + place_, count);
+        place_ += count;
+        return place_ < bytes_.size();
+    }
+    std::uint64_t tellg() override { return place_; }
+    void seekg(std::uint64_t place) override { place_ = place; }
+
+ private:
+    std::string_view bytes_;
+    std::size_t place_ = 0;
+};
+
+Imf::Compression openexr(ExrCompression compression) {
+    switch (compression) {
+        case ExrCompression::none:
+            return Imf::NO_COMPRESSION;
+        case ExrCompression::zips:
+            return Imf::ZIPS_COMPRESSION;
+        case ExrCompression::zip:
+            return Imf::ZIP_COMPRESSION;
+        case ExrCompression::piz:
+            return Imf::PIZ_COMPRESSION;
+    }
+    return Imf::NO_COMPRESSION;
+}
+
+/// A slice over a plane's pixels; OpenEXR asks for mutable bytes even where it only reads them.
+Imf::Slice slice(const float* pixel, int width) {
+    return Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(pixel)), sizeof(float),
+                      sizeof(float) * static_cast<std::size_t>(width));
+}
+
+constexpr std::string_view instant_key = "diurna.instant", observer_key = "diurna.observer",
+                           unit_prefix = "unit.", note_prefix = "note.";
+
+std::size_t values_of(const Imf::Header& header, int& width, int& height) {
+    const auto& window = header.dataWindow();
+    const auto w = std::int64_t{window.max.x} - window.min.x + 1;
+    const auto h = std::int64_t{window.max.y} - window.min.y + 1;
+    std::size_t planes = 0;
+    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++planes;
+    if (w < 1 || h < 1 || w > 65536 || h > 65536) throw std::runtime_error("has no sensible size");
+    width = static_cast<int>(w);
+    height = static_cast<int>(h);
+    return static_cast<std::size_t>(w * h) * planes;
+}
+
+}  // namespace
+
+void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompression compression) {
+    MemoryOut memory;
+    try {
+        Imf::Header header(frame.width, frame.height);
+        header.compression() = openexr(compression);
+        // Level 1 packs floats as well as level 9 to a few per cent, in a third of the time.
+        header.zipCompressionLevel() = 1;
+        header.insert("software", Imf::StringAttribute("diurna"));
+        header.insert(std::string(instant_key),
+                      Imf::StringAttribute(format_instant(frame.instant)));
+        header.insert(std::string(observer_key), Imf::StringAttribute(frame.observer));
+        for (const auto& [name, text] : frame.notes) {
+            header.insert(std::string(note_prefix) + name, Imf::StringAttribute(text));
+        }
+        for (const auto& [name, text] : frame.attributes) {
+            header.insert(name, Imf::StringAttribute(text));
+        }
+        Imf::FrameBuffer buffer;
+        for (const Plane& plane : frame.planes) {
+            if (plane.pixel.size() != frame.pixels()) {
+                throw std::runtime_error("plane " + plane.name + " has another size");
+            }
+            header.channels().insert(plane.name, Imf::Channel(Imf::FLOAT));
+            header.insert(std::string(unit_prefix) + plane.name, Imf::StringAttribute(plane.unit));
+            buffer.insert(plane.name, slice(plane.pixel.data(), frame.width));
+        }
+        // No threads of its own: frames are written side by side.
+        Imf::OutputFile file(memory, header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(frame.height);
+    } catch (const std::exception& problem) {
+        throw std::runtime_error(fmt::format("{}: {}", path.string(), problem.what()));
+    }
+    write_whole_file(path, memory.bytes());
+}
+
+Frame read_exr(const std::filesystem::path& path) {
+    const std::string bytes = read_text(path, std::size_t{1} << 31);
+    try {
+        MemoryIn memory(bytes);
+        Imf::InputFile file(memory, 0);
+        const Imf::Header& header = file.header();
+        Frame frame;
+        if (values_of(header, frame.width, frame.height) > most_values) {
+            throw std::runtime_error("is larger than 2^28 values");
+        }
+        if (!file.isComplete()) throw std::runtime_error("is incomplete");
+        for (auto it = header.begin(); it != header.end(); ++it) {
+            const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
+            const std::string_view name = it.name();
+            if (!text) continue;
+            if (name == instant_key) frame.instant = parse_instant(text->value(), path.string());
+            if (name == observer_key) frame.observer = text->value();
+            if (name.starts_with(note_prefix)) {
+                frame.notes.emplace(name.substr(note_prefix.size()), text->value());
+            } else if (name != instant_key && name != observer_key && name != "software" &&
+                       !name.starts_with(unit_prefix)) {
+                frame.attributes.emplace(name, text->value());
+            }
+        }
+        Imf::FrameBuffer buffer;
+        for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+            const auto* unit = header.findTypedAttribute<Imf::StringAttribute>(
+                std::string(unit_prefix) + c.name());
+            frame.planes.push_back({.name = c.name(),
+                                    .unit = unit ? unit->value() : "",
+                                    .pixel = std::vector<float>(frame.pixels())});
+        }
+        const auto corner = header.dataWindow().min;
+        for (const Plane& plane : frame.planes) {
+            const std::ptrdiff_t offset =
+                std::ptrdiff_t{corner.x} + std::ptrdiff_t{corner.y} * frame.width;
+            buffer.insert(plane.name, slice(plane.pixel.data() - offset, frame.width));
+        }
+        file.setFrameBuffer(buffer);
+        file.readPixels(header.dataWindow().min.y, header.dataWindow().max.y);
+        return frame;
+    } catch (const InputError&) {
+        throw;
+    } catch (const std::exception& problem) {
+        throw InputError(path.string(),
+                         fmt::format("is not a readable OpenEXR picture: {}", problem.what()));
+    }
+}
+
+}  // namespace diurna

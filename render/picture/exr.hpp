@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+
+#include "render/picture/frame.hpp"
+
+namespace diurna {
+
+enum class ExrCompression { none, zips, zip, piz };
+
+/// Writes every plane as a 32-bit float channel of one OpenEXR picture, whole or not at all.
+///
+/// Attributes: `diurna.instant` (ISO 8601), `diurna.observer`, `unit.PLANE` for every plane, and
+/// `note.NAME` for the frame's notes. Throws std::runtime_error with path and reason if it cannot
+/// be written.
+///
+/// Not packed unless asked: noise of 32-bit floats packs badly. The ten planes of a frame of
+/// 640 x 512 take 15 ms and 13.1 MB as they are, 144 ms and 7.6 MB with `zips`, 219 ms and 7.0 MB
+/// with `piz`; all else of that picture takes some 220 ms.
+void write_exr(const std::filesystem::path& path, const Frame& frame,
+               ExrCompression compression = ExrCompression::none);
+
+/// Reads such a file back; planes in alphabetical order, as OpenEXR keeps them. Throws InputError
+/// for a file that is missing, damaged, truncated, or of more than 2^28 values.
+Frame read_exr(const std::filesystem::path& path);
+
+}  // namespace diurna

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "terrain/place/instant.hpp"
+
+namespace diurna {
+
+/// One quantity of every pixel, row by row from the upper left.
+struct Plane {
+    std::string name;          // "radiance.8-12", "temperature", "normal.X"
+    std::string unit;          // "W m-2 sr-1", "K", "m", "1"
+    std::vector<float> pixel;  // (row, column)
+};
+
+/// What an observer sees at one instant, as named planes of one size.
+///
+///     radiance.BAND              W m-2 sr-1  at the aperture
+///     apparent_temperature.BAND  K           of the black body of that radiance
+///     TERM.BAND                  W m-2 sr-1  on request; they add up to radiance.BAND
+///     temperature, range         K, m        at the pixel's centre; NaN where it is sky
+///     facet, object, material    1           index at the pixel's centre, exact to 2^24; −1: sky
+///     void                       1           1: ground filled in for want of elevation; −1: sky;
+///                                            only where the scene has such ground
+///     normal.X, .Y, .Z           1           east, north, up; NaN where it is sky
+struct Frame {
+    int width = 0, height = 0;
+    Instant instant{};
+    std::string observer;
+    std::vector<Plane> planes;
+    std::map<std::string, std::string> notes;       // written to files as text attributes
+    std::map<std::string, std::string> attributes;  // the same, under these very names
+
+    std::size_t pixels() const { return std::size_t(width) * std::size_t(height); }
+    /// The plane of that name, or null.
+    const Plane* find(std::string_view name) const;
+    /// The plane of that name; throws InputError with the nearest name if there is none.
+    const Plane& operator[](std::string_view name) const;
+};
+
+/// The planes of one band and, with `truth`, those that belong to no band.
+Frame band_frame(const Frame& frame, const std::string& band, bool truth = true);
+
+/// "<observer>_<band>_<UTC>", fit for a file name: other characters than letters, digits, '.', '-'
+/// become '-'.
+std::string frame_name(const Frame& frame, const std::string& band);
+
+}  // namespace diurna

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "materials/radiation/band.hpp"
+#include "render/picture/frame.hpp"
+
+namespace diurna {
+
+struct QuicklookOptions {
+    std::string title = {};                     // one line above; empty: observer, band, instant
+    std::optional<double> low = {}, high = {};  // ends of the scale; else as `colour_scale` has it
+};
+
+/// The plane that shows what a band sees: radiance where sunlight outshines emission by day (its
+/// middle below 3 µm), apparent temperature elsewhere.
+std::string shown_plane(const Band& band);
+
+/// A plane as an 8-bit PNG with a title and a bar. Temperatures [K] are shown in °C by colours
+/// whose lightness rises evenly, any other quantity in its own unit by grey as light as it.
+/// Not finite: dark grey.
+void write_quicklook(const std::filesystem::path& path, const Frame& frame,
+                     const std::string& plane, const QuicklookOptions& options = {});
+
+/// Ends of a scale, in `colour_unit` of the plane.
+struct ColourScale {
+    double low, high;
+};
+/// Of temperatures percentiles 1 and 99, widened to whole degrees; of others zero and percentile
+/// 99. A series of pictures that shall share one takes the widest.
+ColourScale colour_scale(const Plane& plane);
+/// The same over the pixels that see a facet, if the frame has the plane `temperature` to tell
+/// them by: a cold sky shall not take up the colours.
+ColourScale colour_scale(const Frame& frame, const std::string& plane);
+std::string colour_unit(const Plane& plane);
+
+/// The bare picture, each side divided by `shrink` (values averaged), as PNG in memory: for
+/// contact sheets.
+std::vector<std::byte> encode_thumbnail(const Frame& frame, const std::string& plane,
+                                        const ColourScale& scale, int shrink);
+
+}  // namespace diurna

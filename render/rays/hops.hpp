@@ -1,0 +1,61 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "materials/matter/library.hpp"
+#include "render/rays/plume.hpp"
+#include "render/view/observer.hpp"
+#include "render/view/view.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+namespace diurna {
+
+/// One thing that a ray meets on its way through panes, nets and plumes and off mirrors.
+struct Hop {
+    enum class Kind : std::uint8_t { facet, plume, sky };
+    enum class Way : std::uint8_t { direct, through, mirrored };  // past the one before
+
+    Kind kind = Kind::sky;
+    Way way = Way::direct;
+    bool closed = false;       // facet: rays end here, whatever it is made of
+    bool straight = true;      // on the line of sight: no mirror on the way
+    std::uint32_t what = 0;    // index of the facet or plume
+    std::int32_t before = -1;  // the hop before, counted in the pixel's own list; −1: the eye
+    float weight = 0.0f;       // share of the pixel
+    float range = 0.0f;        // [m] along the way; plume: to its middle
+    float height = 0.0f;       // [m] above the origin's level surface
+    float cosine = 1.0f;       // facet: of the angle to its normal
+    float chord = 0.0f;        // plume [m]
+    Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();  // unit, of the ray that arrives
+};
+
+/// The rays of those pixels that see a pane, a net, a mirror or a plume: for a static view cast
+/// once, as View.
+struct Hops {
+    std::vector<std::uint32_t> pixel;  // ascending
+    std::vector<std::uint32_t> row;    // (pixel + 1) hops of pixel k: [row[k], row[k + 1])
+    std::vector<Hop> hop;              // of a pixel: one before those behind it
+    std::uint64_t rays = 0;            // cast to find them
+
+    bool empty() const { return hop.empty(); }
+};
+
+/// Follows the rays of every pixel of `view` that sees a material that needs_rays() or comes near
+/// a plume, `samples` a pixel, and takes these pixels' sightings out of `view`:
+/// what they see is in the hops instead. Empty, and nothing cast, where there is no such pixel.
+///
+/// Behind panes and nets a ray goes on, up to 8 times. A mirror sends one ray a sample into its
+/// lobe (the best of four of the visible microfacets, picked by weight), twice at most. What is
+/// met after that is closed: it mirrors as if diffuse and shows its own temperature.
+Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
+                 const MaterialLibrary& materials, const PlumeScene& plumes,
+                 const Observer& observer, const ViewOptions& options = {});
+
+/// Every facet in the hops, ascending, each once.
+std::vector<FacetId> facets_of(const Hops& hops);
+
+}  // namespace diurna

@@ -1,0 +1,58 @@
+#include "render/rays/merge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diurna {
+
+namespace {
+
+constexpr double most_depth = 0.01;  // of optical depth, from the mean chord
+constexpr float most_deep = 0.06f;   // of the mean range
+constexpr float most_turn = 2e-3f;   // [rad] of sky, from the mean direction
+
+/// Whether a hop is another sight of `mean`.
+bool alike(const Hop& mean, const Hop& hop, const PlumeScene& plumes) {
+    if (mean.kind != hop.kind || mean.what != hop.what || mean.way != hop.way ||
+        mean.before != hop.before || mean.closed != hop.closed) {
+        return false;
+    }
+    if (hop.kind == Hop::Kind::plume) {
+        const double apart = std::abs(double{hop.chord} - double{mean.chord});
+        return apart * plumes.greatest_absorption(hop.what) <= most_depth;
+    }
+    if (hop.kind == Hop::Kind::facet) {
+        return std::abs(hop.range - mean.range) <= most_deep * mean.range;
+    }
+    return (hop.direction - mean.direction).norm() <= most_turn;
+}
+
+void merge(const Hop& hop, Hop& mean) {
+    const float total = mean.weight + hop.weight, t = hop.weight / total;
+    mean.range += t * (hop.range - mean.range);
+    mean.height += t * (hop.height - mean.height);
+    mean.cosine += t * (hop.cosine - mean.cosine);
+    mean.chord += t * (hop.chord - mean.chord);
+    mean.direction = (mean.direction + t * (hop.direction - mean.direction)).normalized();
+    mean.weight = total;
+}
+
+}  // namespace
+
+void add_sample(std::span<const Hop> sample, const PlumeScene& plumes, std::vector<Hop>& pixel) {
+    std::vector<std::int32_t> place(sample.size());
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        Hop hop = sample[i];
+        if (hop.before >= 0) hop.before = place[static_cast<std::size_t>(hop.before)];
+        const auto same = std::find_if(pixel.begin(), pixel.end(),
+                                       [&](const Hop& mean) { return alike(mean, hop, plumes); });
+        place[i] = static_cast<std::int32_t>(same - pixel.begin());
+        if (same == pixel.end()) {
+            pixel.push_back(hop);
+        } else {
+            merge(hop, *same);
+        }
+    }
+}
+
+}  // namespace diurna

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/rays/hops.hpp"
+#include "render/rays/plume.hpp"
+
+namespace diurna {
+
+/// Adds a sample's hops to those of its pixel. What several samples meet after the same hops, the
+/// same way, is kept once, with their weights' sum and their mean range, height, angle, direction
+/// and chord: what it sends is linear in these within a pixel.
+///
+/// Where that would show they stay apart: chords through a plume that differ from the mean by more
+/// than 0.01 of optical depth (their mean's transmittance is within 5e-5 then, and 2 mK of a plume
+/// 40 K from what is behind it), sky more than 2 mrad from the mean direction, and facets more than
+/// 6 % from the mean range. Within 2 mK of samples kept one by one (tests/hops_test.cpp).
+void add_sample(std::span<const Hop> sample, const PlumeScene& plumes, std::vector<Hop>& pixel);
+
+}  // namespace diurna

@@ -1,0 +1,218 @@
+#include "render/view/adaptive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Variance of what a pixel's samples show in the worst appearance, if there were `samples`.
+double variance(const View& view, std::size_t pixel, std::span<const Appearance> appearances,
+                int samples) {
+    double worst = 0.0;
+    for (const Appearance& appearance : appearances) {
+        double sum = 0.0, squares = 0.0;
+        const auto add = [&](double weight, double value) {
+            sum += weight * value;
+            squares += weight * value * value;
+        };
+        // From the sky's value, so that large numbers' differences stay exact.
+        const double base = double{appearance.sky};
+        for (std::uint32_t k = view.row[pixel]; k < view.row[pixel + 1]; ++k) {
+            const Sighting& s = view.sighting[k];
+            add(double{s.weight}, double{appearance.facet[index(view.facet[s.target])]} - base);
+        }
+        worst = std::max(worst, squares - sum * sum);
+    }
+    return worst * samples / std::max(1.0, samples - 1.0);
+}
+
+/// Means over the 3 × 3 pixels around each, or as many as there are.
+std::vector<double> smoothed(const View& view, const std::vector<double>& values) {
+    std::vector<double> mean(values.size());
+    for_each_index(values.size(), [&](std::size_t p) {
+        const int x = static_cast<int>(p) % view.width, y = static_cast<int>(p) / view.width;
+        double sum = 0.0;
+        int count = 0;
+        for (int j = std::max(0, y - 1); j <= std::min(view.height - 1, y + 1); ++j) {
+            for (int i = std::max(0, x - 1); i <= std::min(view.width - 1, x + 1); ++i, ++count) {
+                sum += values[static_cast<std::size_t>(j) * std::size_t(view.width) +
+                              static_cast<std::size_t>(i)];
+            }
+        }
+        mean[p] = sum / count;
+    });
+    return mean;
+}
+
+/// Extra samples of a level: 0, 16, 48, 112 ...
+int extra(int level) { return 16 * ((1 << level) - 1); }
+
+}  // namespace
+
+std::vector<float> thermal_appearance(const FacetSet& facets, const SkyView& sky_view,
+                                      const MaterialLibrary& materials,
+                                      std::span<const float> temperature, const Band& band) {
+    std::vector<float> reflectance(materials.size());
+    for (std::size_t m = 0; m < reflectance.size(); ++m) {
+        const Spectrum& of = materials[MaterialId{static_cast<std::uint16_t>(m)}].reflectance;
+        double sum = 0.0, weight = 0.0;
+        for (std::size_t n = 0; n < band.node_um.size(); ++n) {
+            sum += band.weight[n] * of.at(band.node_um[n]);
+            weight += band.weight[n];
+        }
+        reflectance[m] = static_cast<float>(sum / weight);
+    }
+    constexpr float sky = 250.0f;
+    std::vector<float> appearance(facets.size());
+    for_each_index(facets.size(), [&](std::size_t f) {
+        const float open = reflectance[index(facets.material[f])] * float(sky_view.sky_view[f]);
+        appearance[f] = temperature[f] + open * (sky - temperature[f]);
+    });
+    return appearance;
+}
+
+std::vector<int> samples_wanted(const View& view, std::span<const Appearance> appearances,
+                                const AdaptiveOptions& options) {
+    std::vector<double> own(view.pixels());
+    for_each_index(own.size(), [&](std::size_t p) {
+        const double sights = double(view.row[p + 1] - view.row[p]) + (view.sky[p] > 0.0f);
+        own[p] = std::max(0.0, variance(view, p, appearances, options.from)) *
+                 std::sqrt(std::max(0.0, sights - 1.0));
+    });
+    const std::vector<double> around = smoothed(view, own);
+    std::vector<double> need(own.size());
+    double mean = 0.0;
+    for (std::size_t p = 0; p < own.size(); ++p) {
+        need[p] = std::pow(0.5 * (own[p] + around[p]), 0.4);
+        mean += need[p] / double(own.size());
+    }
+    const double scale = std::pow(mean / (options.tolerance * options.tolerance), 2.0 / 3.0);
+    std::vector<int> wanted(own.size());
+    for (std::size_t p = 0; p < own.size(); ++p) {
+        int level = 0;
+        // The middle of two levels by ratio.
+        while (options.from + extra(level + 1) <= options.to &&
+               need[p] * scale > std::sqrt(double(options.from + extra(level)) *
+                                           double(options.from + extra(level + 1)))) {
+            ++level;
+        }
+        wanted[p] = options.from + extra(level);
+    }
+    return wanted;
+}
+
+void add_view(View& view, const View& more, std::span<const float> share) {
+    assert(view.pixels() == more.pixels() && view.pixels() == share.size());
+    const auto first = static_cast<std::uint32_t>(view.facet.size());
+    std::vector<Sighting> sighting;
+    sighting.reserve(view.sighting.size() + more.sighting.size());
+    std::vector<std::uint32_t> row{0};
+    row.reserve(view.row.size());
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        const float old_share = 1.0f - share[p];
+        for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
+            Sighting s = view.sighting[k];
+            s.weight *= old_share;
+            sighting.push_back(s);
+        }
+        if (share[p] > 0.0f) {
+            for (std::uint32_t k = more.row[p]; k < more.row[p + 1]; ++k) {
+                Sighting s = more.sighting[k];
+                s.weight *= share[p];
+                s.target += first;
+                sighting.push_back(s);
+            }
+            const float old_sky = old_share * view.sky[p], sky = share[p] * more.sky[p];
+            view.sky[p] = old_sky + sky;
+            if (sky > 0.0f) {
+                if (old_sky == 0.0f) view.sky_azimuth_deg[p] = more.sky_azimuth_deg[p];
+                view.sky_zenith_deg[p] =
+                    (old_sky * view.sky_zenith_deg[p] + sky * more.sky_zenith_deg[p]) /
+                    (old_sky + sky);
+            }
+        }
+        row.push_back(static_cast<std::uint32_t>(sighting.size()));
+    }
+    view.sighting = std::move(sighting);
+    view.row = std::move(row);
+    const auto append = [](auto& to, const auto& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    append(view.facet, more.facet);
+    append(view.range, more.range);
+    append(view.range_root, more.range_root);
+    append(view.target_height, more.target_height);
+    view.rays += more.rays;
+
+    ViewExtent& extent = view.extent;
+    const ViewExtent& other = more.extent;
+    if (!more.facet.empty()) {
+        const bool none = first == 0;
+        extent.near = none ? other.near : std::min(extent.near, other.near);
+        extent.far = none ? other.far : std::max(extent.far, other.far);
+        extent.low = none ? other.low : std::min(extent.low, other.low);
+        extent.high = none ? other.high : std::max(extent.high, other.high);
+    }
+    if (other.sky_pixels > 0) {
+        const auto join = [&](std::array<float, 2>& range, const std::array<float, 2>& with) {
+            range = extent.sky_pixels == 0 ? with
+                                           : std::array<float, 2>{std::min(range[0], with[0]),
+                                                                  std::max(range[1], with[1])};
+        };
+        join(extent.sky_zenith_deg, other.sky_zenith_deg);
+        join(extent.sky_azimuth_deg, other.sky_azimuth_deg);
+    }
+    extent.sky_pixels = static_cast<std::size_t>(
+        std::count_if(view.sky.begin(), view.sky.end(), [](float sky) { return sky > 0.0f; }));
+}
+
+View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
+                        std::span<const Appearance> appearances, const AdaptiveOptions& options,
+                        const ViewOptions& view_options) {
+    const std::string where = "observer " + observer.name;
+    if (options.from < 2 || options.to < options.from || options.to > 4096 ||
+        !(options.tolerance > 0.0)) {
+        throw InputError(where, fmt::format("adaptive from {} to {} samples, tolerance {:g} K: "
+                                            "expected 2 <= from <= to <= 4096, a tolerance above 0",
+                                            options.from, options.to, options.tolerance));
+    }
+    for (const Appearance& appearance : appearances) {
+        if (appearance.facet.size() != facets.size()) {
+            throw InputError(where, fmt::format("an appearance has {} entries for {} facets",
+                                                appearance.facet.size(), facets.size()));
+        }
+    }
+    ViewOptions round = view_options;
+    round.samples = options.from;
+    View view = cast_view(scene, facets, observer, round);
+    const std::vector<int> wanted = samples_wanted(view, appearances, options);
+    for (int level = 1; options.from + extra(level) <= options.to; ++level) {
+        std::vector<std::uint8_t> asked(view.pixels());
+        std::vector<float> share(view.pixels(), 0.0f);
+        const float of_more = static_cast<float>(
+            1.0 / (1.0 + std::pow(double(options.from) / double(extra(level)), 1.5)));
+        bool any = false;
+        for (std::size_t p = 0; p < asked.size(); ++p) {
+            asked[p] = wanted[p] == options.from + extra(level);
+            if (asked[p]) share[p] = of_more;
+            any = any || asked[p];
+        }
+        if (!any) continue;
+        round.samples = extra(level);
+        round.seed = view_options.seed + 0x9E3779B97F4A7C15u * std::uint64_t(level);
+        round.asked = asked;
+        add_view(view, cast_view(scene, facets, observer, round), share);
+    }
+    return view;
+}
+
+}  // namespace diurna

@@ -1,0 +1,162 @@
+#include "render/view/observer.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+#include "terrain/place/site.hpp"
+
+namespace diurna {
+
+void check_observer(const Observer& observer) {
+    std::vector<Mistake> mistakes;
+    const std::string where = "observer " + observer.name;
+    const auto within = [&](const char* what, double value, double least, double most) {
+        if (!(value >= least && value <= most)) {
+            mistakes.push_back(
+                {where, fmt::format("{} is {:g}, expected {:g} to {:g}", what, value, least, most),
+                 ""});
+        }
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+        within("a coordinate of the position [m]", observer.position[axis], -1e5, 1e5);
+    }
+    within("azimuth_deg", observer.azimuth_deg, -360.0, 360.0);
+    within("elevation_deg", observer.elevation_deg, -90.0, 90.0);
+    within("roll_deg", observer.roll_deg, -360.0, 360.0);
+    if (observer.projection == Projection::orthographic) {
+        within("picture_width_m", observer.picture_width, 1e-3, 2e5);
+    } else {
+        within("horizontal_fov_deg", observer.horizontal_fov_deg, 1e-3,
+               observer.projection == Projection::pinhole ? 170.0 : 360.0);
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+        within("velocity [m/s]", observer.velocity[axis], -1e4, 1e4);
+    }
+    within("row_time [s]", observer.row_time, 0.0, 60.0);
+    within("exposure [s]", observer.exposure, 0.0, 60.0);
+    within("width", observer.width, 1, 16384);
+    within("height", observer.height, 1, 16384);
+    if (!mistakes.empty()) throw InputError(std::move(mistakes));
+}
+
+void check_observer(const Observer& observer, const FacetSet& facets, const RayScene& scene) {
+    check_observer(observer);
+    // A ray along a mesh edge could be counted to either side: three, nearly vertical, decide by
+    // majority.
+    constexpr std::array<std::array<float, 2>, 3> tilt = {
+        {{1.3e-4f, 0.7e-4f}, {-0.9e-4f, 1.1e-4f}, {0.2e-4f, -1.7e-4f}}};
+    std::array<Ray, 3> rays;
+    std::array<Hit, 3> hits;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i].origin = observer.position.cast<float>();
+        rays[i].direction = Eigen::Vector3f(tilt[i][0], tilt[i][1], 1.0f).normalized();
+    }
+    scene.closest(rays, hits);
+    int behind = 0;
+    Hit nearest;
+    for (const Hit& hit : hits) {
+        if (hit.facet != no_facet && facets.normal[index(hit.facet)].z() > 0.0f) {
+            ++behind;
+            nearest = hit;
+        }
+    }
+    if (behind < 2) return;
+    const auto object = static_cast<unsigned>(facets.object[index(nearest.facet)]);
+    throw InputError("observer " + observer.name,
+                     object == 0
+                         ? fmt::format("camera is {:.1f} m below the terrain", nearest.range)
+                         : fmt::format("camera is inside object {}, {:.1f} m below its top", object,
+                                       nearest.range),
+                     "raise its position");
+}
+
+Observer looking_at(Observer observer, const Eigen::Vector3d& target) {
+    const Eigen::Vector3d line = target - observer.position;
+    const double level = std::hypot(line.x(), line.y());
+    if (line.norm() == 0.0) {
+        throw InputError("observer " + observer.name, "looks at the place where it stands");
+    }
+    observer.azimuth_deg = level > 0.0 ? degrees(std::atan2(line.x(), line.y())) : 0.0;
+    if (observer.azimuth_deg < 0.0) observer.azimuth_deg += 360.0;
+    observer.elevation_deg = degrees(std::atan2(line.z(), level));
+    return observer;
+}
+
+double field_of_view_deg(int width, double pitch_um, double focal_length_mm) {
+    return 2.0 * degrees(std::atan(0.5 * width * pitch_um * 1e-3 / focal_length_mm));
+}
+
+Eigen::Vector3d PixelRays::towards(double at_column, double at_row) const {
+    if (flat) return (corner + at_column * column + at_row * row).normalized();
+    if (projection == Projection::orthographic) return axis;
+    const double x = (at_column - middle_column) * per_pixel;
+    const double y = (at_row - middle_row) * per_pixel;
+    if (projection == Projection::panorama) {
+        return std::cos(y) * (std::cos(x) * axis + std::sin(x) * right) + std::sin(y) * down;
+    }
+    const double r = std::hypot(x, y);
+    if (r < 1e-12) return axis;
+    const double angle =
+        projection == Projection::equidistant ? r : 2.0 * std::asin(std::min(1.0, 0.5 * r));
+    return std::cos(angle) * axis + std::sin(angle) / r * (x * right + y * down);
+}
+
+Eigen::Vector3d PixelRays::start(double at_column, double at_row, double when) const {
+    const Eigen::Vector3d way = std::floor(at_row) * row_way + (when - 0.5) * exposure_way;
+    if (projection != Projection::orthographic) return way;
+    return way + per_pixel * ((at_column - middle_column) * right + (at_row - middle_row) * down);
+}
+
+double exposed(std::size_t sample, double offset) {
+    const double turns = double(sample) * (std::numbers::phi - 1.0) + offset;
+    return turns - std::floor(turns);
+}
+
+PixelRays pixel_rays(const Observer& observer) {
+    const Eigen::Vector3d axis = direction(observer.azimuth_deg, observer.elevation_deg);
+    const double azimuth = radians(observer.azimuth_deg);
+    const Eigen::Vector3d level_right(std::cos(azimuth), -std::sin(azimuth), 0.0);
+    const Eigen::Vector3d level_down = axis.cross(level_right);
+    const double roll = radians(observer.roll_deg);
+    const Eigen::Vector3d right = std::cos(roll) * level_right + std::sin(roll) * level_down;
+    const Eigen::Vector3d down = std::cos(roll) * level_down - std::sin(roll) * level_right;
+    if (observer.projection != Projection::pinhole) {
+        const double fov = radians(observer.horizontal_fov_deg);
+        const double across =
+            observer.projection == Projection::orthographic ? observer.picture_width
+            : observer.projection == Projection::equisolid  ? 4.0 * std::sin(0.25 * fov)
+                                                            : fov;
+        return {.corner = axis,
+                .column = Eigen::Vector3d::Zero(),
+                .row = Eigen::Vector3d::Zero(),
+                .flat = false,
+                .projection = observer.projection,
+                .axis = axis,
+                .right = right,
+                .down = down,
+                .middle_column = 0.5 * observer.width,
+                .middle_row = 0.5 * observer.height,
+                .per_pixel = across / observer.width,
+                .row_way = observer.row_time * observer.velocity,
+                .exposure_way = observer.exposure * observer.velocity};
+    }
+    const double pitch =
+        2.0 * std::tan(0.5 * radians(observer.horizontal_fov_deg)) / observer.width;
+    return {.corner = axis - 0.5 * pitch * (observer.width * right + observer.height * down),
+            .column = pitch * right,
+            .row = pitch * down,
+            .flat = true,
+            .axis = axis,
+            .right = right,
+            .down = down,
+            .row_way = observer.row_time * observer.velocity,
+            .exposure_way = observer.exposure * observer.velocity};
+}
+
+}  // namespace diurna

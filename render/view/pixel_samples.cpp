@@ -1,0 +1,130 @@
+#include "render/view/pixel_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t lanes = RayBundles::lanes;
+
+/// 32 bits that depend on the given numbers alone: SplitMix64's finaliser for seed and pixel, then
+/// a 32-bit finaliser ("lowbias32", C. Wellons) for the sample, cheap in vector code.
+std::uint32_t pixel_hash(std::uint64_t seed, std::uint64_t pixel) {
+    std::uint64_t x = seed * 0x9E3779B97F4A7C15u + pixel * 0xD1B54A32D192ED03u;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return static_cast<std::uint32_t>((x ^ (x >> 31)) >> 16);
+}
+inline std::uint32_t sample_hash(std::uint32_t pixel, std::uint32_t sample) {
+    std::uint32_t x = pixel ^ (sample * 0x9E3779B9u);
+    x = (x ^ (x >> 16)) * 0x7FEB352Du;
+    x = (x ^ (x >> 15)) * 0x846CA68Bu;
+    return x ^ (x >> 16);
+}
+
+}  // namespace
+
+PixelSamples::PixelSamples(const Observer& observer, int samples, std::uint64_t seed)
+    : eye_(pixel_rays(observer)),
+      position_(observer.position),
+      starts_differ_(observer.projection == Projection::orthographic || observer.moves()),
+      origin_(observer.position.cast<float>()),
+      width_(static_cast<std::size_t>(observer.width)),
+      height_(static_cast<std::size_t>(observer.height)),
+      samples_(static_cast<std::size_t>(samples)),
+      seed_(seed) {
+    int rows = static_cast<int>(std::sqrt(double(samples)));
+    while (samples % rows != 0) --rows;
+    const int columns = samples / rows;
+    const std::size_t whole = (samples_ + lanes - 1) / lanes * lanes;
+    for (std::size_t s = 0; s < whole; ++s) {
+        const auto cell = static_cast<int>(s < samples_ ? s : s / lanes * lanes);
+        right_.push_back(static_cast<float>(cell % columns) / static_cast<float>(columns));
+        down_.push_back(static_cast<float>(cell / columns) / static_cast<float>(rows));
+    }
+    cell_right_ = 0x1p-16f / static_cast<float>(columns);
+    cell_down_ = 0x1p-16f / static_cast<float>(rows);
+}
+
+inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Places& right,
+                                 const Places& down, std::size_t bundle, RayBundles& rays) const {
+    const std::size_t at = bundle * lanes;
+    float *to_x = rays.direction_x + at, *to_y = rays.direction_y + at,
+          *to_z = rays.direction_z + at;
+    if (!eye_.flat) {
+        for (std::size_t s = 0; s < lanes; ++s) {
+            const double x = double(column) + double{right[s]}, y = double(row) + double{down[s]};
+            const Eigen::Vector3f to = eye_.towards(x, y).cast<float>();
+            to_x[s] = to.x(), to_y[s] = to.y(), to_z[s] = to.z();
+        }
+        return;
+    }
+    const Eigen::Vector3f from =
+        (eye_.corner + double(column) * eye_.column + double(row) * eye_.row).cast<float>();
+    const Eigen::Vector3f a = eye_.column.cast<float>(), b = eye_.row.cast<float>();
+    const float fx = from.x(), fy = from.y(), fz = from.z(), ax = a.x(), ay = a.y(), az = a.z(),
+                bx = b.x(), by = b.y(), bz = b.z();
+#pragma omp simd
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const float dx = fx + right[s] * ax + down[s] * bx;
+        const float dy = fy + right[s] * ay + down[s] * by;
+        const float dz = fz + right[s] * az + down[s] * bz;
+        const float scale = 1.0f / std::sqrt(dx * dx + dy * dy + dz * dz);
+        to_x[s] = dx * scale;
+        to_y[s] = dy * scale;
+        to_z[s] = dz * scale;
+    }
+}
+
+void PixelSamples::start_at(std::size_t column, std::size_t row, const Places& right,
+                            const Places& down, const Places& when, std::size_t bundle,
+                            RayBundles& rays) const {
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const double x = double(column) + double{right[s]}, y = double(row) + double{down[s]};
+        const Eigen::Vector3f from = (position_ + eye_.start(x, y, when[s])).cast<float>();
+        rays.origin_x[bundle * lanes + s] = from.x();
+        rays.origin_y[bundle * lanes + s] = from.y();
+        rays.origin_z[bundle * lanes + s] = from.z();
+    }
+}
+
+void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, std::size_t at,
+                       RayBundles& rays) const {
+    const std::size_t first = part * lanes;
+    const std::uint32_t hash = pixel_hash(seed_, row * width_ + column);
+    const float *from_right = &right_[first], *from_down = &down_[first];
+    alignas(64) Places right, down;
+#pragma omp simd
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const std::uint32_t bits = sample_hash(hash, static_cast<std::uint32_t>(first + s));
+        const auto i = static_cast<float>(static_cast<std::int32_t>(bits >> 16));
+        const auto j = static_cast<float>(static_cast<std::int32_t>(bits & 0xFFFFu));
+        right[s] = from_right[s] + cell_right_ * (i + 0.5f);
+        down[s] = from_down[s] + cell_down_ * (j + 0.5f);
+    }
+    aim_at(column, row, right, down, at, rays);
+    if (!starts_differ_) return;
+    alignas(64) Places when;
+    for (std::size_t s = 0; s < lanes; ++s) {
+        when[s] = static_cast<float>(exposed(first + s, double(hash) * 0x1p-32));
+    }
+    start_at(column, row, right, down, when, at, rays);
+}
+
+void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t at,
+                               RayBundles& rays) const {
+    alignas(64) Places right, down;
+    for (std::size_t s = 0; s < lanes; ++s) {
+        right[s] = 0.5f + static_cast<float>(std::min(s % 4, width_ - 1 - column));
+        down[s] = 0.5f + static_cast<float>(std::min(s / 4, height_ - 1 - row));
+    }
+    aim_at(column, row, right, down, at, rays);
+    if (!starts_differ_) return;
+    alignas(64) Places when;
+    std::fill(std::begin(when), std::end(when), 0.5f);
+    start_at(column, row, right, down, when, at, rays);
+}
+
+}  // namespace diurna

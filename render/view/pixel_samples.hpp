@@ -1,0 +1,54 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "render/view/observer.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+namespace diurna {
+
+/// Where the rays of an observer's pixels go. A pixel has one sample in each cell of a grid over
+/// it, as square as their number allows, at a place in the cell that depends on (seed, pixel,
+/// sample) alone.
+class PixelSamples {
+ public:
+    PixelSamples(const Observer& observer, int samples, std::uint64_t seed);
+
+    const PixelRays& eye() const { return eye_; }
+    const Eigen::Vector3f& origin() const { return origin_; }
+    /// How many bundles of rays a pixel's samples fill.
+    std::size_t bundles() const { return right_.size() / RayBundles::lanes; }
+    /// How many lanes of a bundle hold samples: its first ones. The others repeat the first.
+    std::size_t used(std::size_t bundle) const {
+        return std::min(RayBundles::lanes, samples_ - bundle * RayBundles::lanes);
+    }
+
+    /// Aims one bundle of rays, `at`, at a pixel's samples, from the sixteen times `part`-th on.
+    void aim(std::size_t column, std::size_t row, std::size_t part, std::size_t at,
+             RayBundles& rays) const;
+    /// Aims one at the middles of the 4 x 4 pixels from (column, row) on. Those beyond the last
+    /// column and row are moved back to it.
+    void aim_middles(std::size_t column, std::size_t row, std::size_t at, RayBundles& rays) const;
+
+ private:
+    using Places = float[RayBundles::lanes];  // in the picture, from a pixel's corner
+    void aim_at(std::size_t column, std::size_t row, const Places& right, const Places& down,
+                std::size_t at, RayBundles& rays) const;
+    /// Where they begin, `when` of the row's exposure has gone by.
+    void start_at(std::size_t column, std::size_t row, const Places& right, const Places& down,
+                  const Places& when, std::size_t at, RayBundles& rays) const;
+
+    PixelRays eye_;
+    Eigen::Vector3d position_;
+    bool starts_differ_;  // orthographic, or the camera moves
+    Eigen::Vector3f origin_;
+    std::size_t width_, height_, samples_;
+    std::uint64_t seed_;
+    std::vector<float> right_, down_;  // (sample) where its cell begins [pixels]
+    float cell_right_, cell_down_;     // 2⁻¹⁶ of a cell
+};
+
+}  // namespace diurna

@@ -1,0 +1,262 @@
+#include "render/view/tile_caster.hpp"
+
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "materials/air/sight_line.hpp"
+#include "render/view/pixel_samples.hpp"
+#include "render/view/sky_angles.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t block = 4, lanes = RayBundles::lanes;
+constexpr auto bend = static_cast<float>(1.0 / (2e3 * earth_radius_km));  // [1/m]
+
+/// Heights above the level surface of what rays meet [m].
+void levels(const RayBundles& rays, std::size_t bundles, float* level) {
+#pragma omp simd
+    for (std::size_t s = 0; s < bundles * lanes; ++s) {
+        const float px = rays.origin_x[s] + rays.range[s] * rays.direction_x[s];
+        const float py = rays.origin_y[s] + rays.range[s] * rays.direction_y[s];
+        level[s] =
+            rays.origin_z[s] + rays.range[s] * rays.direction_z[s] + bend * (px * px + py * py);
+    }
+}
+
+/// Range to the plane of the facet that a ray meets: Embree's float is off by up to 2e-5, but that
+/// of the facet beside it by no more than its corners.
+float refined(const RayBundles& rays, std::size_t ray, const FacetSet& facets) {
+    const std::size_t f = rays.facet[ray];
+    const Eigen::Vector3d origin(rays.origin_x[ray], rays.origin_y[ray], rays.origin_z[ray]);
+    const Eigen::Vector3d to(rays.direction_x[ray], rays.direction_y[ray], rays.direction_z[ray]);
+    const double range = rays.range[ray];
+    const Eigen::Vector3d normal = facets.normal[f].cast<double>();
+    const double descent = normal.dot(to);
+    if (!(std::abs(descent) > 0.05)) return rays.range[ray];  // recomputed already
+    const Eigen::Vector3d beside = facets.centroid[f].cast<double>() - origin - range * to;
+    return static_cast<float>(range + normal.dot(beside) / descent);
+}
+
+/// Samples on textured facets count for the two that each is a mixture of.
+class Blends {
+ public:
+    Blends(const Patchwork& patchwork, const Observer& observer, int samples)
+        : patchwork_(patchwork), observer_(observer), angle_(sample_angle(observer, samples)) {}
+
+    Blend at(const RayBundles& rays, std::size_t ray, float range) const {
+        const Eigen::Vector3d from(rays.origin_x[ray], rays.origin_y[ray], rays.origin_z[ray]);
+        const Eigen::Vector3d to(rays.direction_x[ray], rays.direction_y[ray],
+                                 rays.direction_z[ray]);
+        return blend_at(patchwork_, FacetId{rays.facet[ray]}, observer_, angle_, from, to,
+                        double{range});
+    }
+
+    /// As group_samples(), with room for two groups a lane.
+    std::size_t group(const RayBundles& rays, std::size_t lane, const float* level,
+                      std::size_t used, SampleGroup* groups) const {
+        std::size_t size = 0;
+        const auto add = [&](FacetId facet, std::uint32_t parts, std::size_t ray, float height) {
+            if (parts == 0) return;
+            const double samples = double(parts) / one_sample;
+            groups[size] = {static_cast<std::uint32_t>(index(facet)), parts,
+                            samples * double{rays.range[ray]}, samples * double{height}};
+            size = merge_groups(groups, size, 1);
+        };
+        for (std::size_t s = 0; s < used; ++s) {
+            const std::size_t ray = lane + s;
+            if (rays.facet[ray] == index(no_facet)) continue;
+            const Blend blend = at(rays, ray, rays.range[ray]);
+            const auto second =
+                static_cast<std::uint32_t>(std::lround(blend.second_share * float{one_sample}));
+            add(blend.first, one_sample - second, ray, level[s]);
+            add(blend.second, second, ray, level[s]);
+        }
+        return size;
+    }
+
+ private:
+    const Patchwork& patchwork_;
+    const Observer& observer_;
+    double angle_;
+};
+
+}  // namespace
+
+class TileCaster::State {
+ public:
+    State(const RayScene& scene, const FacetSet& facets, const Observer& observer,
+          const ViewOptions& options, View& view)
+        : scene_(scene),
+          facets_(facets),
+          samples_(observer, options.samples, options.seed),
+          azimuth_deg_(observer.azimuth_deg),
+          share_(1.0f / static_cast<float>(options.samples)),
+          asked_(options.asked),
+          view_(view) {
+        if (options.patchwork != nullptr && !options.patchwork->empty()) {
+            blends_.emplace(*options.patchwork, observer, options.samples);
+            view.centre_blend.assign(view.pixels(), {no_facet, no_facet});
+        }
+    }
+
+    void cast(std::size_t begin, std::size_t end, std::vector<TileView>& tiles) const {
+        Work work(scene_, samples_);
+        for (std::size_t t = begin; t < end; ++t) {
+            work.gatherer.start_tile();
+            work.sky = {};
+            std::size_t place = 0;
+            const Area all = tile_area(view_, t);
+            each_block(all, [&](const Area& area) {
+                cast_samples(area, place, work);
+                if (asked_.empty()) cast_middles(area, work.rays);
+                place += area.size();
+            });
+            TileView& out = tiles[t];
+            out.sightings = work.gatherer.finish_tile(all.size());
+            for (std::size_t k = 0; k < out.sightings.facet.size(); ++k) {
+                out.near = std::min(out.near, out.sightings.range[k]);
+                out.far = std::max(out.far, out.sightings.range[k]);
+                out.low = std::min(out.low, out.sightings.height[k]);
+                out.high = std::max(out.high, out.sightings.height[k]);
+            }
+            out.sky = note_sky(work.sky);
+        }
+    }
+
+ private:
+    /// What one thread needs.
+    struct Work {
+        static constexpr std::size_t most = block * block;  // bundles at a time
+        RayBundles rays;
+        TileGatherer gatherer;
+        SkyDirections sky;
+        std::vector<SampleGroup> groups;  // of a pixel
+        alignas(64) std::array<float, most * lanes> level;
+
+        // Of a pixel that is being put together from bundles.
+        std::size_t size = 0;  // groups
+        std::uint32_t open = 0;
+        std::array<float, 3> towards{};
+
+        Work(const RayScene& scene, const PixelSamples& samples)
+            : rays(scene, most), groups(2 * lanes * samples.bundles()) {
+            rays.set_origin(samples.origin());
+        }
+    };
+
+    /// `place`: of the area's first pixel in its tile.
+    void cast_samples(const Area& area, std::size_t place, Work& work) const {
+        const std::size_t parts = samples_.bundles();
+        const auto width = static_cast<std::size_t>(view_.width);
+        struct Bundle {
+            std::uint32_t pixel, place, part;
+        };
+        std::array<Bundle, Work::most> bundles;
+        std::size_t count = 0;
+        const auto cast = [&] {
+            work.rays.closest(count);
+            levels(work.rays, count, work.level.data());
+            for (std::size_t k = 0; k < count; ++k) {
+                gather(k, bundles[k].part, work);
+                if (bundles[k].part + 1 == parts) {
+                    finish_pixel(bundles[k].pixel, bundles[k].place, work);
+                }
+            }
+            count = 0;
+        };
+        each_pixel(area, [&](std::size_t x, std::size_t y) {
+            const std::size_t pixel = y * width + x;
+            if (asked_.empty() || asked_[pixel] != 0) {
+                for (std::size_t part = 0; part < parts; ++part) {
+                    samples_.aim(x, y, part, count, work.rays);
+                    bundles[count] = {static_cast<std::uint32_t>(pixel),
+                                      static_cast<std::uint32_t>(place),
+                                      static_cast<std::uint32_t>(part)};
+                    if (++count == Work::most) cast();
+                }
+            }
+            ++place;
+        });
+        if (count > 0) cast();
+    }
+
+    /// Adds a bundle to its pixel.
+    void gather(std::size_t at, std::size_t part, Work& work) const {
+        const std::size_t lane = at * lanes, used = samples_.used(part);
+        const float* level = work.level.data() + lane;
+        SampleGroup* more = work.groups.data() + work.size;
+        std::size_t found =
+            group_samples(work.rays.facet + lane, work.rays.range + lane, level, used, more);
+        std::size_t hits = 0;
+        for (std::size_t g = 0; g < found; ++g) hits += more[g].parts / one_sample;
+        if (hits < used) work.open += add_open_lanes(work.rays, at, used, work.towards.data());
+        if (blends_) found = blends_->group(work.rays, lane, level, used, more);
+        work.size = part == 0 ? found : merge_groups(work.groups.data(), work.size, found);
+    }
+
+    void finish_pixel(std::size_t pixel, std::size_t place, Work& work) const {
+        work.gatherer.add_pixel(place, {work.groups.data(), work.size}, share_);
+        if (work.open > 0) {
+            const std::size_t width = std::size_t(view_.width);
+            const Eigen::Vector3d middle =
+                samples_.eye().towards(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
+            work.sky.add(pixel, work.towards.data(), middle,
+                         static_cast<float>(work.open) * share_);
+        }
+        work.size = work.open = 0;
+        work.towards = {};
+    }
+
+    void cast_middles(const Area& area, RayBundles& rays) const {
+        static_assert(block * block == lanes);
+        samples_.aim_middles(area.x0, area.y0, 0, rays);
+        rays.closest(1);
+        each_pixel(area, [&](std::size_t x, std::size_t y) {
+            const std::size_t ray = (y - area.y0) * block + x - area.x0;
+            if (rays.facet[ray] == index(no_facet)) return;
+            const std::size_t pixel = y * std::size_t(view_.width) + x;
+            view_.centre[pixel] = FacetId{rays.facet[ray]};
+            view_.centre_range[pixel] = refined(rays, ray, facets_);
+            if (blends_) {
+                view_.centre_blend[pixel] = blends_->at(rays, ray, view_.centre_range[pixel]);
+            }
+        });
+    }
+
+    SkyExtent note_sky(const SkyDirections& sky) const {
+        std::vector<float> zenith, azimuth;
+        sky_angles(sky, azimuth_deg_, zenith, azimuth);
+        SkyExtent extent;
+        for (std::size_t k = 0; k < sky.size(); ++k) {
+            view_.sky[sky.pixel[k]] = sky.share[k];
+            view_.sky_zenith_deg[sky.pixel[k]] = zenith[k];
+            view_.sky_azimuth_deg[sky.pixel[k]] = azimuth[k];
+            extent.add(zenith[k], azimuth[k]);
+        }
+        return extent;
+    }
+
+    const RayScene& scene_;
+    const FacetSet& facets_;
+    PixelSamples samples_;
+    double azimuth_deg_;
+    float share_;
+    std::span<const std::uint8_t> asked_;
+    std::optional<Blends> blends_;
+    View& view_;
+};
+
+TileCaster::TileCaster(const RayScene& scene, const FacetSet& facets, const Observer& observer,
+                       const ViewOptions& options, View& view)
+    : state_(std::make_unique<State>(scene, facets, observer, options, view)) {}
+
+TileCaster::~TileCaster() = default;
+
+void TileCaster::cast(std::size_t begin, std::size_t end, std::vector<TileView>& tiles) const {
+    state_->cast(begin, end, tiles);
+}
+
+}  // namespace diurna

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/view/observer.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/texture/texture_levels.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+namespace diurna {
+
+struct ViewOptions {
+    int samples = 16;  // a pixel: multiples of 16 fill whole ray packets
+    std::uint64_t seed = 1;
+    /// Where a sample meets a textured facet it counts for the two it is a mixture of there, in
+    /// parts of 2^-16; null: no textures. A sample stands for a square as wide as the distance to
+    /// the next sample, on slanting ground by the root of what that stretches it.
+    const Patchwork* patchwork = nullptr;
+    /// (pixel) those that are not zero are cast; empty: all. The others see nothing, and pixels'
+    /// centres are not cast.
+    std::span<const std::uint8_t> asked = {};
+};
+
+/// What a pixel sees of one target.
+struct Sighting {
+    std::uint32_t target = 0;  // index into View::facet
+    float weight = 0.0f;       // share of the pixel, 0 to 1
+    float deeper = 0.0f;       // [m] range beyond the target's, mean over the samples that hit
+    float higher = 0.0f;       // [m] height above the target's
+};
+
+/// Least and greatest of what a view sees.
+struct ViewExtent {
+    float near = 0.0f, far = 0.0f;  // [m] ranges of targets
+    float low = 0.0f, high = 0.0f;  // [m] their heights
+    std::size_t sky_pixels = 0;     // that see sky
+    std::array<float, 2> sky_zenith_deg{}, sky_azimuth_deg{};
+};
+
+/// What every pixel of an observer sees, cast once and good for every instant and band while
+/// nothing moves. Weights of a pixel's sightings and of its sky add up to 1.
+///
+/// A target is a facet as a tile of 32 x 32 pixels sees it, or a part of it where it reaches so
+/// deep into the picture that the air in front of it is not linear in range and height: parts span
+/// at most 1/128 of an octave of range and 16 m of height. What a target sends to the eye is thus
+/// worked out once, with two slopes. Targets are numbered tile by tile as they come up, so that
+/// neighbours in the picture are neighbours in memory; a facet on a border of tiles is several.
+struct View {
+    int width = 0, height = 0;
+    std::size_t facets = 0;            // of the scene it was cast on
+    std::vector<FacetId> facet;        // (target)
+    std::vector<float> range;          // (target) [m] mean over its sightings
+    std::vector<float> range_root;     // (target) [m^⅓] its cube root
+    std::vector<float> target_height;  // (target) [m] above the origin's level surface, earth's
+                                       // curvature included; mean over its sightings
+    std::vector<std::uint32_t> row;    // (pixel + 1) sightings of pixel p: [row[p], row[p + 1])
+    std::vector<Sighting> sighting;
+    std::vector<float> sky;              // (pixel) share that sees no facet
+    std::vector<float> sky_zenith_deg;   // (pixel) mean direction of that share; 0 if none
+    std::vector<float> sky_azimuth_deg;  // (pixel) of the pixel's middle from the optical axis,
+                                         // −180 to 180; 0 where no sky
+    std::vector<FacetId> centre;         // (pixel) facet at the pixel's centre, or no_facet
+    std::vector<float> centre_range;     // (pixel) [m]; NaN where no facet
+    std::vector<Blend> centre_blend{};   // (pixel) what `centre` is made of; empty: no textures
+    double observer_height = 0.0;        // [m] above the origin's level surface
+    std::uint64_t rays = 0;              // cast to make it
+    ViewExtent extent;
+
+    std::size_t pixels() const { return sky.size(); }
+    float range_of(const Sighting& s) const { return range[s.target] + s.deeper; }
+    float height_of(const Sighting& s) const { return target_height[s.target] + s.higher; }
+};
+
+/// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a place that depends
+/// on (seed, pixel, sample) alone, and one through its centre. The same for any number of threads.
+/// Averaging ranges over a pixel is the only loss.
+View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
+               const ViewOptions& options = {});
+
+/// Angle [rad] between neighbouring samples of a pixel, at the middle of the picture; orthographic:
+/// distance [m].
+double sample_angle(const Observer& observer, int samples);
+
+/// What a ray finds that meets a textured facet at a range.
+Blend blend_at(const Patchwork& patchwork, FacetId facet, const Observer& observer,
+               double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
+               double range);
+
+/// Height [m] of a place in the east-north-up frame above the level surface through the origin.
+double level_height(const Eigen::Vector3d& place);
+
+}  // namespace diurna

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+
+#include "materials/air/radiosonde.hpp"
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/atmosphere/sun_field.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
+#include "materials/modtran/deck.hpp"
+#include "materials/modtran/modtran.hpp"
+#include "materials/radiation/spectrum.hpp"
+#include "scenes/commands/raster_commands.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Length [km] of the line from one height to another under a zenith angle at its start.
+double range_to_height(double from_km, double to_km, double zenith_deg) {
+    const double r0 = earth_radius_km + from_km, r1 = earth_radius_km + to_km;
+    const double along = r0 * std::cos(radians(zenith_deg));
+    const double inside = along * along + r1 * r1 - r0 * r0;
+    if (inside >= 0.0) {
+        for (const double range : {-along - std::sqrt(inside), -along + std::sqrt(inside)}) {
+            if (range > 0.0) return range;
+        }
+    }
+    throw InputError("--to-height-km", fmt::format("a path from {:g} km under zenith angle {:g}° "
+                                                   "never reaches {:g} km",
+                                                   from_km, zenith_deg, to_km));
+}
+
+SightLine line_of(const PathArguments& a, const BandModel& model) {
+    const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
+    if (ends != 1) {
+        throw InputError("path",
+                         fmt::format("found {} ends of the path, expected one of --range-km, "
+                                     "--to-height-km, --to-ground, --to-space",
+                                     ends));
+    }
+    if (a.range_km) return sight_line(a.height_km, a.zenith_deg, *a.range_km);
+    if (a.to_height_km) {
+        return sight_line(a.height_km, a.zenith_deg,
+                          range_to_height(a.height_km, *a.to_height_km, a.zenith_deg));
+    }
+    if (a.to_ground != ends_on_ground(model, a.height_km, a.zenith_deg)) {
+        throw InputError(
+            a.to_ground ? "--to-ground" : "--to-space",
+            fmt::format("a path from {:g} km under zenith angle {:g}° ends {}", a.height_km,
+                        a.zenith_deg, a.to_ground ? "in space" : "on the ground"));
+    }
+    return line_of(model, a.height_km, a.zenith_deg);
+}
+
+/// What a path has in a band.
+struct BandResult {
+    double transmittance;       // mean over wavelength
+    double thermal, scattered;  // [W m⁻² sr⁻¹]
+};
+
+std::vector<BandResult> by_band_model(const PathArguments& a, const BandModel& model,
+                                      const SightLine& line, std::span<const Band> bands) {
+    std::vector<BandResult> results;
+    for (const Band& band : bands) {
+        const NodeSpectrum path = path_at_nodes(model, line, band.node_um);
+        BandResult& result = results.emplace_back();
+        result.transmittance = band_mean_nodes(band, path.transmittance);
+        result.thermal = band_sum_nodes(band, path.radiance);
+        result.scattered = 0.0;
+        if (!a.sun_zenith_deg) continue;
+        const SunField field(model,
+                             {.zenith_deg = *a.sun_zenith_deg, .ground_albedo = a.ground_albedo},
+                             band.node_um);
+        result.scattered = band_sum_nodes(
+            band, a.to_space ? field.sky(a.height_km, a.zenith_deg, a.azimuth_from_sun_deg)
+                             : field.path(line, a.zenith_deg, a.azimuth_from_sun_deg));
+    }
+    return results;
+}
+
+/// The same path for MODTRAN.
+ModtranDeck deck_of(const PathArguments& a, const BandModel& model, const SightLine& line,
+                    std::span<const Band> bands) {
+    ModtranDeck deck;
+    deck.emission =
+        a.sun_zenith_deg ? ModtranDeck::Emission::thermal_and_sun : ModtranDeck::Emission::thermal;
+    deck.multiple_scattering = a.sun_zenith_deg.has_value();
+    const auto names = afgl_profile_names();
+    if (std::find(names.begin(), names.end(), a.profile) != names.end()) {
+        deck.model = a.profile;
+    } else {
+        deck.profile = model.profile;
+    }
+    deck.aerosol = a.aerosol;
+    deck.visibility_km = a.visibility_km;
+    deck.rain_mm_h = a.rain_mm_h;
+    deck.co2_ppm = a.co2_ppm;
+    deck.ground_km = a.ground_km;
+    deck.albedo = a.ground_albedo;
+    deck.h1_km = a.height_km;
+    deck.zenith_deg = a.zenith_deg;
+    deck.range_km = line.range_km();
+    deck.h2_km = std::max(0.0, line.height_within(line.size() - 1, 1.0));
+    deck.path = a.to_space             ? ModtranDeck::PathType::to_space
+                : a.zenith_deg == 90.0 ? ModtranDeck::PathType::level
+                                       : ModtranDeck::PathType::between_heights;
+    if (a.sun_zenith_deg) deck.sun_zenith_deg = *a.sun_zenith_deg;
+    deck.sun_azimuth_deg = a.azimuth_from_sun_deg;
+    double from_um = 1e9, to_um = 0.0;
+    for (const Band& band : bands) {
+        from_um = std::min(from_um, band.from_um());
+        to_um = std::max(to_um, band.to_um());
+    }
+    deck.first_per_cm = deck.step_per_cm * std::floor(1e4 / to_um / deck.step_per_cm);
+    deck.last_per_cm = deck.step_per_cm * std::ceil(1e4 / from_um / deck.step_per_cm);
+    return deck;
+}
+
+std::vector<BandResult> by_modtran(const ModtranRunner& runner, const ModtranDeck& deck,
+                                   std::span<const Band> bands) {
+    const FilePath path = path_of(run_decks(runner, {deck}).front());
+    std::vector<BandResult> results;
+    for (const Band& band : bands) {
+        const double from = band.from_um(), to = band.to_um();
+        const auto sum = [&](const std::vector<double>& value) {
+            return integral(Spectrum{path.wavelength_um, value}, from, to);
+        };
+        if (from < path.wavelength_um.front() - 1e-9 || to > path.wavelength_um.back() + 1e-9) {
+            throw std::runtime_error(
+                fmt::format("MODTRAN gave {:g} to {:g} um, the band needs {:g} to {:g}",
+                            path.wavelength_um.front(), path.wavelength_um.back(), from, to));
+        }
+        results.push_back(
+            {sum(path.transmittance) / (to - from), sum(path.thermal), sum(path.scattered)});
+    }
+    return results;
+}
+
+/// The embedded model's spectrum, bin by bin.
+void write_spectrum(const std::filesystem::path& file, const BandModel& model,
+                    const SightLine& line) {
+    const PathSpectrum spectrum = path_spectrum(model, line);
+    const auto edges = bin_edges_um();
+    std::string text = "from_um,to_um,transmittance,thermal_path_radiance_W_m2_sr_um\n";
+    for (std::size_t bin = 0; bin + 1 < edges.size(); ++bin) {
+        text += fmt::format("{:.6f},{:.6f},{:.6f},{:.6g}\n", edges[bin], edges[bin + 1],
+                            spectrum.transmittance[bin], spectrum.radiance[bin]);
+    }
+    write_whole_file(file, text);
+}
+
+}  // namespace
+
+void path_command(const PathArguments& arguments) {
+    const BandModel model{.profile = named_profile(arguments.profile),
+                          .aerosol = arguments.aerosol,
+                          .visibility_km = arguments.visibility_km,
+                          .co2_ppm = arguments.co2_ppm,
+                          .ground_km = arguments.ground_km,
+                          .rain_mm_h = arguments.rain_mm_h};
+    check(model);
+    const SightLine line = line_of(arguments, model);
+    std::vector<Band> bands;
+    for (const std::string& band : arguments.bands) {
+        bands.push_back(parse_band(band, bin_edges_um()));
+    }
+    std::vector<BandResult> results;
+    if (arguments.modtran.empty()) {
+        results = by_band_model(arguments, model, line, bands);
+    } else {
+        if (!arguments.csv.empty()) {
+            throw InputError("--csv", "writes the embedded model's spectrum, not MODTRAN's");
+        }
+        const auto runner = modtran_runner(arguments.modtran);
+        results = by_modtran(*runner, deck_of(arguments, model, line, bands), bands);
+    }
+    std::string out = "band_um,transmittance,thermal_path_radiance_W_m2_sr";
+    out += arguments.sun_zenith_deg ? ",scattered_sun_W_m2_sr\n" : "\n";
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        out += fmt::format("{:g}-{:g},{:.6f},{:.6g}", bands[b].from_um(), bands[b].to_um(),
+                           results[b].transmittance, results[b].thermal);
+        if (arguments.sun_zenith_deg) out += fmt::format(",{:.6g}", results[b].scattered);
+        out += '\n';
+    }
+    if (!arguments.csv.empty()) write_spectrum(arguments.csv, model, line);
+    fmt::print("{}", out);
+}
+
+}  // namespace diurna

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/base/document.hpp"
+#include "materials/radiation/band.hpp"
+
+namespace diurna {
+
+/// A band under a name of its own, [[bands]]: the response curve of a file, or a flat range.
+struct BandInput {
+    std::string name;
+    std::filesystem::path file;  // empty: flat
+    Spectrum response;           // 0 to 1
+};
+
+/// A hyperspectral cube, [[cubes]]: equal channels side by side.
+struct CubeInput {
+    std::string name;
+    double from_um = 0.0, to_um = 0.0;
+    int channels = 0;
+};
+
+/// Bands that go by a word instead of their range: "visible" 0.4-0.7, "nir" 0.75-1, "swir" 1.5-1.8,
+/// "mwir" 3-5, "lwir" 8-12 µm.
+std::vector<std::string> band_names();
+
+/// Reads every table of [[bands]] and [[cubes]]. A name may be used once, and not look like a
+/// range.
+std::vector<BandInput> read_bands(const Section& root, const std::filesystem::path& folder);
+std::vector<CubeInput> read_cubes(const Section& root);
+
+/// The band an observer names: one of the scene's own, a word of band_names() or a range such as
+/// "3-5". Throws InputError with the nearest name.
+Band named_band(const std::vector<BandInput>& own, const std::string& name,
+                std::span<const double> breakpoints_um = {});
+
+}  // namespace diurna

@@ -1,0 +1,80 @@
+#include "scenes/input/read_air.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace diurna {
+
+namespace {
+
+/// The table of paths, its own mistakes told where the scene names it.
+void read_table(const Section& section, const Reading& reading, AirInput& air) {
+    air.table_file = reading.file(section, "table");
+    if (air.vacuum || air.drives_heat) {
+        section.mistake("table", air.vacuum
+                                     ? "a vacuum has no table of paths"
+                                     : "a table has no fluxes for drives_heat = true to take");
+    }
+    if (!std::filesystem::is_regular_file(air.table_file)) return;
+    try {
+        air.table = read_path_table(air.table_file);
+    } catch (const InputError& error) {
+        section.mistake("table", error.mistakes().front().line());
+    } catch (const std::runtime_error& error) {
+        section.mistake("table", fmt::format("{}: {}", air.table_file.string(), error.what()));
+    }
+}
+
+}  // namespace
+
+AirInput read_air(const Section& section, const Reading& reading) {
+    std::vector<std::string> profiles = afgl_profile_names();
+    profiles.push_back("vacuum");
+    AirInput air;
+    air.profile = section.word_or("profile", air.profile, profiles);
+    air.vacuum = air.profile == "vacuum";
+    air.aerosol = section.word_or("aerosol", air.aerosol, aerosol_names());
+    air.visibility_km = section.number_or("visibility_km", air.visibility_km, 0.05, 300);
+    air.co2_ppm = section.number_or("co2_ppm", air.co2_ppm, 0, 10000);
+    air.cloud_base_km = section.number_or("cloud_base_km", air.cloud_base_km, 0.05, 15);
+    air.drives_heat = section.flag_or("drives_heat", air.drives_heat);
+    if (air.vacuum && air.drives_heat) {
+        section.mistake("drives_heat",
+                        "a vacuum has neither sky nor air to drive the heat balance");
+    }
+    if (section.has("table")) read_table(section, reading, air);
+    return air;
+}
+
+void check_table_bands(const Section& section, const Scene& scene) {
+    if (!scene.air.table) return;
+    constexpr double least_um = 3.0;
+    const TableSpan span = table_span(*scene.air.table);
+    const auto check = [&](const std::string& name, double from_um, double to_um) {
+        if (from_um < least_um) {
+            section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "
+                                                 "scattered sun, expected {:g} um or more",
+                                                 name, from_um, least_um));
+        } else if (from_um < span.least_um || to_um > span.most_um) {
+            section.mistake("table",
+                            fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to "
+                                        "{:.4g}",
+                                        name, from_um, to_um, span.least_um, span.most_um));
+        }
+    };
+    for (const ObserverInput& observer : scene.observers) {
+        for (const std::string& name : observer.bands) {
+            try {
+                const Band band = named_band(scene.bands, name, bin_edges_um());
+                check(name, band.from_um(), band.to_um());
+            } catch (const InputError&) {
+                // Told of where the observer names it.
+            }
+        }
+    }
+    for (const CubeInput& cube : scene.cubes) check(cube.name, cube.from_um, cube.to_um);
+}
+
+}  // namespace diurna

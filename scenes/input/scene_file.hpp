@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+
+namespace diurna {
+
+/// Reads a scene file (TOML; scenes/jacksboro/scene.toml shows every part). Types, ranges and names
+/// are checked here and every mistake of the file is reported at once, with file:line:column; the
+/// files it names must exist. `settings` are "key.path=value" and take the place of what the file
+/// says. Throws InputError.
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
+
+}  // namespace diurna

@@ -1,0 +1,187 @@
+#include "scenes/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "materials/base/parallel.hpp"
+#include "terrain/place/sun.hpp"
+#include "thermal/solve/point_facets.hpp"
+
+namespace diurna {
+
+namespace {
+
+// What one core of the machine class that bench/results names takes, measured on the default scene
+// and on scenes/camouflage: seconds of the processor over the counts. For the estimate only.
+constexpr double sky_per_facet = 9e-6;
+constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
+constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
+constexpr double heat_per_facet_step = 0.25e-6;      // all passes and the exchange
+constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
+constexpr double write_per_value = 0.08e-6;
+constexpr double cast_per_ray = 0.05e-6;
+constexpr double render_per_pixel = 0.3e-6;  // and band
+constexpr double light_per_facet = 0.23e-6;  // and frame: its sun and temperature
+constexpr double annotate_per_pixel = 0.25e-6;
+constexpr double seen_through = 4.0;  // of casting and rendering, where rays pass smoke or nets
+
+std::vector<Instant> instants(Instant start, double duration, double every) {
+    std::vector<Instant> found;
+    const int count = static_cast<int>(std::lround(duration / every));
+    for (int i = 0; i <= count; ++i) found.push_back(later(start, i * every));
+    return found;
+}
+
+std::string wet_materials(const Scene& scene, const World& world, bool wet) {
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const MaterialId id : world.surfaces().material) used[index(id)] = true;
+    std::vector<std::string> kinds;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
+        if (!used[i] || (material.thermal.evaporation.wetness > 0.0) != wet) continue;
+        if (std::find(kinds.begin(), kinds.end(), material.kind()) == kinds.end()) {
+            kinds.push_back(material.kind());
+        }
+    }
+    return kinds.empty() ? "none" : fmt::format("{}", fmt::join(kinds, ", "));
+}
+
+/// Facets that are solved one by one whatever the weather.
+std::size_t always_points(const Scene& scene, const World& world) {
+    std::vector<bool> single;
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
+        single.push_back(point_need(material.thermal) == PointNeed::always);
+    }
+    return std::size_t(std::count_if(world.facets.material.begin(), world.facets.material.end(),
+                                     [&](MaterialId id) { return single[index(id)]; }));
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene, const World& world) {
+    Plan plan;
+    plan.facets = world.surfaces().size();
+    plan.steps = instants(scene.time.start, scene.time.duration, scene.time.step);
+    plan.frames = instants(scene.time.start, scene.time.duration, scene.time.frame_every);
+    plan.frames.pop_back();  // the end of a periodic day is its start
+    for (const Instant step : plan.steps) {
+        // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
+        if (sun_position(world.site, step).elevation_deg > -0.84) plan.sunlit_steps.push_back(step);
+    }
+    plan.sky_rays = world.ground_facets * static_cast<std::size_t>(scene.sky_rays) +
+                    (world.facets.size() - world.ground_facets) *
+                        static_cast<std::size_t>(scene.object_sky_rays);
+    plan.sun_rays = world.facets.size() * plan.sunlit_steps.size() *
+                    static_cast<std::size_t>(scene.sun_samples);
+    for (const ObserverInput& observer : scene.observers) {
+        const std::size_t pixels = static_cast<std::size_t>(observer.width) * observer.height;
+        plan.pixels += pixels;
+        plan.view_rays += pixels * static_cast<std::size_t>(observer.samples);
+    }
+
+    const double facets = double(plan.facets), ground = double(world.ground_facets);
+    const double threads = thread_count(), frames = double(plan.frames.size());
+    const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
+    double band_pixels = 0.0;
+    for (const ObserverInput& observer : scene.observers) {
+        band_pixels += double(observer.width) * observer.height * double(observer.bands.size());
+    }
+    const double through = scene.plumes.empty() ? 1.0 : seen_through;
+    const double points = double(always_points(scene, world));
+    plan.stages = {
+        {"sky view", sky_per_facet * facets / threads},
+        {"shadows",
+         sunlit * (shadow_per_ground_facet * ground + shadow_per_object_facet * (facets - ground)) /
+             threads},
+        {"heat balance",
+         steps * (heat_per_facet_step * facets + heat_per_point / 144.0 * points) / threads},
+        {"write temperatures", write_per_value * facets * (frames + 1.0)},
+        {"views", through * cast_per_ray * double(plan.view_rays) / threads},
+        {"frames", frames *
+                       (through * render_per_pixel * band_pixels +
+                        light_per_facet * facets * double(scene.observers.size())) /
+                       threads},
+        {"report", annotate_per_pixel * frames * double(plan.pixels)},
+    };
+    plan.seconds = 0.0;
+    for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
+    // Program and libraries; what a facet has once; six fields of a value for each step; views.
+    plan.memory = 170e6 + facets * (600.0 + 6.0 * 4.0 * steps) + double(plan.pixels) * 160.0;
+
+    const std::size_t dark = plan.steps.size() - plan.sunlit_steps.size();
+    plan.decisions = {
+        {.what = "shadows",
+         .computed = true,
+         .why =
+             fmt::format("{} of {} steps have the sun up; {} at night cast no ray; an edge within "
+                         "a step is found to 20 s, which is this much for some minutes",
+                         plan.sunlit_steps.size(), plan.steps.size(), dark),
+         .error = 0.4,
+         .error_unit = "K"},
+        {.what = "heat balance step by step",
+         .computed = true,
+         .why = "in modes of each material, rms over facets and instants (bench/results)",
+         .error = 0.003,
+         .error_unit = "K"},
+        {.what = "evaporation",
+         .computed = wet_materials(scene, world, true) != "none",
+         .why = fmt::format("wet: {}; dry and left out: {}", wet_materials(scene, world, true),
+                            wet_materials(scene, world, false)),
+         .error = 0.0,
+         .error_unit = "W m-2"},
+        {.what = "exchange between facets",
+         .computed = true,
+         .why = "only where a facet's rays met another facet; open ground has no row",
+         .error = 0.0,
+         .error_unit = "W m-2"},
+        {.what = "reflected sun at night",
+         .computed = false,
+         .why = "the sun is below the horizon",
+         .error = 0.0,
+         .error_unit = "W m-2 sr-1"},
+        {.what = "radiance of unseen facets",
+         .computed = false,
+         .why = "no pixel holds them; their temperature still warms those that are seen",
+         .error = 0.0,
+         .error_unit = "W m-2 sr-1"},
+        {.what = "rays per frame",
+         .computed = false,
+         .why = "nothing moves: each observer's view is cast once and kept for all frames",
+         .error = 0.0,
+         .error_unit = "W m-2 sr-1"},
+        {.what = "terms of the radiance as planes",
+         .computed = std::any_of(scene.observers.begin(), scene.observers.end(),
+                                 [](const ObserverInput& o) { return o.terms; }),
+         .why = "observer.terms asks for them",
+         .error = 0.0,
+         .error_unit = "W m-2 sr-1"},
+    };
+    return plan;
+}
+
+std::string describe(const Plan& plan) {
+    std::string text = fmt::format(
+        "facets      {:>12}\n"
+        "steps       {:>12}   {} with the sun up\n"
+        "frames      {:>12}   {} pixels each\n"
+        "rays        {:>12.4g}   sky {:.3g}, sun {:.3g}, views {:.3g}\n"
+        "memory      {:>9.0f} MB  estimated\n"
+        "time        {:>10.1f} s   estimated, {} threads\n",
+        plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.frames.size(),
+        plan.pixels, static_cast<double>(plan.sky_rays + plan.sun_rays + plan.view_rays),
+        static_cast<double>(plan.sky_rays), static_cast<double>(plan.sun_rays),
+        static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds, thread_count());
+    for (const PlannedStage& stage : plan.stages) {
+        text += fmt::format("  {:<18} {:>6.1f} s\n", stage.name, stage.seconds);
+    }
+    for (const Decision& decision : plan.decisions) {
+        text += fmt::format("{:<9} {:<34} {} (error {:g} {})\n",
+                            decision.computed ? "computed" : "skipped", decision.what, decision.why,
+                            decision.error, decision.error_unit);
+    }
+    return text;
+}
+
+}  // namespace diurna

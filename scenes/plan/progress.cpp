@@ -1,0 +1,82 @@
+#include "scenes/plan/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace diurna {
+
+namespace {
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+}  // namespace
+
+ProgressStyle default_progress_style() {
+    return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+Progress::~Progress() {
+    // A stage that did not end was given up; its half-drawn bar would stand before the error.
+    if (!name_.empty() && style_ == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::stage(const std::string& name) {
+    finish();
+    const std::lock_guard lock(mutex_);
+    name_ = name;
+    began_ = Clock::now();
+    shown_ = {};
+    if (style_ == ProgressStyle::bar) show(0.0, false);
+}
+
+void Progress::done(double share) {
+    const std::lock_guard lock(mutex_);
+    if (name_.empty() || Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
+    shown_ = Clock::now();
+    if (style_ == ProgressStyle::bar || style_ == ProgressStyle::json) show(share, false);
+}
+
+void Progress::finish() {
+    const std::lock_guard lock(mutex_);
+    if (name_.empty()) return;
+    stages_.push_back({name_, seconds_since(began_)});
+    show(1.0, true);
+    name_.clear();
+}
+
+double Progress::seconds() const {
+    double sum = 0.0;
+    for (const Stage& stage : stages_) sum += stage.seconds;
+    return sum;
+}
+
+void Progress::show(double share, bool ended) {
+    const double spent = seconds_since(began_);
+    switch (style_) {
+        case ProgressStyle::silent:
+            return;
+        case ProgressStyle::lines:
+            if (ended) fmt::print(stderr, "{:<28} {:7.2f} s\n", name_, spent);
+            break;
+        case ProgressStyle::json:
+            fmt::print(stderr, "{{\"stage\":\"{}\",\"share\":{:.4f},\"seconds\":{:.3f}}}\n", name_,
+                       share, spent);
+            break;
+        case ProgressStyle::bar: {
+            constexpr int width = 30;
+            const int full = static_cast<int>(std::clamp(share, 0.0, 1.0) * width);
+            const std::string eta =
+                !ended && share > 0.02 ? fmt::format("  {:.0f} s left", spent * (1.0 / share - 1.0))
+                                       : "";
+            fmt::print(stderr, "\r\033[K{:<28} {:█>{}}{:░>{}} {:7.2f} s{}{}", name_, "", full, "",
+                       width - full, spent, eta, ended ? "\n" : "");
+            break;
+        }
+    }
+    std::fflush(stderr);
+}
+
+}  // namespace diurna

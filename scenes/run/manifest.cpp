@@ -1,0 +1,85 @@
+#include "scenes/run/manifest.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "materials/base/files.hpp"
+#include "materials/base/parallel.hpp"
+#include "scenes/run/digest.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> input_files(const Scene& scene) {
+    std::vector<fs::path> files{scene.file, scene.terrain.elevation, scene.weather.file};
+    files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
+    if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
+    if (!scene.air.table_file.empty()) files.push_back(scene.air.table_file);
+    for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
+    for (const ObjectInput& object : scene.terrain.objects) files.push_back(object.file);
+    for (const BandInput& band : scene.bands) {
+        if (!band.file.empty()) files.push_back(band.file);
+    }
+    for (const TextureInput& texture : scene.textures) {
+        if (!texture.file.empty()) files.push_back(texture.file);
+    }
+    for (const PlumeInput& plume : scene.plumes) {
+        if (!plume.file.empty()) files.push_back(plume.file);
+    }
+    std::vector<fs::path> data;
+    for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
+        const std::string extension = entry.path().extension();
+        if (entry.is_regular_file() && (extension == ".csv" || extension == ".toml")) {
+            data.push_back(entry.path());
+        }
+    }
+    std::sort(data.begin(), data.end());
+    files.insert(files.end(), data.begin(), data.end());
+    return files;
+}
+
+}  // namespace
+
+std::string job_key(const Scene& scene, const std::vector<std::string>& settings) {
+    std::string text = DIURNA_VERSION;
+    for (const std::string& setting : settings) text += "\n" + setting;
+    for (const fs::path& file : input_files(scene)) text += "\n" + sha256_of_file(file);
+    return sha256(text);
+}
+
+std::string manifest_key(const fs::path& folder) {
+    std::ifstream file(folder / "manifest.json");
+    const nlohmann::json manifest = nlohmann::json::parse(file, nullptr, false);
+    if (!manifest.is_object()) return "";
+    return manifest.value("key", std::string());
+}
+
+void write_manifest(const fs::path& folder, const Scene& scene,
+                    const std::vector<std::string>& settings, const std::string& key,
+                    const std::vector<std::string>& outputs,
+                    const std::vector<Progress::Stage>& stages) {
+    nlohmann::ordered_json manifest;
+    manifest["program"] = "diurna " DIURNA_VERSION;
+    manifest["compiler"] = "g++ " __VERSION__;
+    manifest["state"] = outputs.empty() ? "running" : "done";
+    manifest["key"] = key;
+    manifest["scene"] = scene.name;
+    manifest["seed"] = scene.seed;
+    manifest["settings"] = settings;
+    manifest["exact"] = scene.exact;
+    manifest["threads"] = thread_count();
+    for (const fs::path& file : input_files(scene)) {
+        manifest["inputs"][file.lexically_normal().string()] = sha256_of_file(file);
+    }
+    for (const std::string& name : outputs) {
+        manifest["outputs"][name] = sha256_of_file(folder / name);
+    }
+    for (const Progress::Stage& stage : stages) manifest["seconds"][stage.name] = stage.seconds;
+    write_whole_file(folder / "manifest.json", manifest.dump(2) + "\n");
+}
+
+}  // namespace diurna

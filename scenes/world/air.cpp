@@ -1,0 +1,138 @@
+#include "scenes/world/air.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/atmosphere/sun_field.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "terrain/place/sun.hpp"
+#include "thermal/weather/sky_state.hpp"
+
+namespace diurna {
+
+namespace {
+
+Stamp stamp_of(const std::string& interval) {
+    return interval == "start" ? Stamp::start : interval == "end" ? Stamp::end : Stamp::instant;
+}
+
+/// The series at every step of the heat balance, its unmeasured radiation from the atmosphere.
+Weather driven_by_air(const Scene& scene, const World& world, const Weather& weather) {
+    Weather driven = weather;
+    driven.note = "sun and longwave that were not measured come from the scene's atmosphere";
+    const auto steps = static_cast<std::size_t>(std::lround(scene.time.duration / scene.time.step));
+    driven.instant.resize(steps + 1);
+    driven.sample.resize(steps + 1);
+    const double ground_km = world.sea_level_height / 1000.0;
+    const auto fill = [&](std::size_t i) {
+        const Instant instant = later(scene.time.start, static_cast<double>(i) * scene.time.step);
+        const SunPosition sun = sun_position(world.site, instant);
+        const GroundFluxes flux = ground_fluxes(
+            atmosphere_at(scene, world, weather, instant),
+            {.zenith_deg = 90.0 - sun.elevation_deg, .distance_au = sun.distance_au}, ground_km);
+        Forcing forcing = weather.at(instant);
+        if (std::isnan(forcing.shortwave_down) && std::isnan(forcing.direct_normal)) {
+            forcing.direct_normal = flux.sun_direct;
+            forcing.diffuse = flux.sun_diffuse;
+        }
+        if (std::isnan(forcing.longwave_down)) forcing.longwave_down = flux.thermal;
+        driven.instant[i] = instant;
+        driven.sample[i] = forcing;
+    };
+    for_each_index(steps + 1, fill, 4);
+    return driven;
+}
+
+}  // namespace
+
+Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
+                         Instant instant) {
+    const AirInput& air = scene.air;
+    if (air.vacuum) return Vacuum{};
+    const Forcing forcing = weather.at(instant);
+    const double ground_km = world.sea_level_height / 1000.0;
+    if (air.table) {
+        Tabulated table = *air.table;
+        table.profile = std::make_shared<const Profile>(
+            with_surface(afgl_profile(air.profile), ground_km, forcing.air.temperature,
+                         forcing.air.vapour_pressure / 100.0));
+        return table;
+    }
+    BandModel model;
+    model.profile = with_surface(afgl_profile(air.profile), ground_km, forcing.air.temperature,
+                                 forcing.air.vapour_pressure / 100.0);
+    model.aerosol = air.aerosol;
+    model.visibility_km = air.visibility_km;
+    model.co2_ppm = air.co2_ppm;
+    model.ground_km = std::max(0.0, ground_km);
+    model.rain_mm_h = forcing.rain_mm_h;
+    if (!std::isnan(forcing.cloud_fraction)) model.cloud.fraction = forcing.cloud_fraction;
+    model.cloud.base_km = ground_km + air.cloud_base_km;
+    return model;
+}
+
+void check_table(const Scene& scene, const World& world, const std::vector<Observer>& observers) {
+    if (!scene.air.table) return;
+    const TableSpan span = table_span(*scene.air.table);
+    const std::string where = scene.file.string() + ": atmosphere.table";
+    constexpr double slack = 1e-3;  // [km]
+    const auto inside = [&](const char* what, double low, double high, double least, double most) {
+        if (low >= least - slack && high <= most + slack) return;
+        throw InputError(where, fmt::format("{} from {:.3f} to {:.3f} km, the table has {:.3f} to "
+                                            "{:.3f} km",
+                                            what, low, high, least, most));
+    };
+    const double sea_km = world.sea_level_height / 1000.0;
+    const auto height_km = [&](const auto& p) {
+        const Eigen::Vector3d at = p.template cast<double>();
+        const double sag = at.head<2>().squaredNorm() / (2e3 * earth_radius_km);
+        return sea_km + 1e-3 * (at.z() + sag);
+    };
+    double low = sea_km, high = sea_km, farthest = 0.0;
+    for (const Eigen::Vector3f& vertex : world.facets.vertex) {
+        low = std::min(low, height_km(vertex));
+        high = std::max(high, height_km(vertex));
+    }
+    inside("surfaces lie", low, high, span.extent.least_to_km, span.extent.most_to_km);
+    inside("surfaces that see the sky lie", low, high, span.least_sky_km, span.most_sky_km);
+    for (const Observer& observer : observers) {
+        const double eye_km = height_km(observer.position);
+        inside("observers look", eye_km, eye_km, span.extent.least_from_km,
+               span.extent.most_from_km);
+        inside("observers see the sky", eye_km, eye_km, span.least_sky_km, span.most_sky_km);
+        for (const Eigen::Vector3f& vertex : world.facets.vertex) {
+            farthest = std::max(farthest, (vertex.cast<double>() - observer.position).norm());
+        }
+        // Beyond the mesh the plain goes on to its horizon.
+        const double above_km = std::max(0.0, eye_km - sea_km);
+        farthest = std::max(
+            farthest, 1e3 * std::sqrt(above_km * (2.0 * (earth_radius_km + sea_km) + above_km)));
+    }
+    inside("lines of sight, to the plain's horizon, go", 0.0, 1e-3 * farthest, 0.0,
+           span.extent.most_range_km);
+}
+
+std::vector<std::string> table_notes(const Scene& scene) {
+    if (!scene.air.table) return {};
+    return {
+        fmt::format("the air is a table of {} paths of {}, the same at every instant: weather's "
+                    "rain and cloud and scattered sunlight are not in the pictures' air; error "
+                    "of interpolation between its paths not measured",
+                    table_span(*scene.air.table).paths, scene.air.table_file.filename().string())};
+}
+
+Weather scene_weather(const Scene& scene, const World& world) {
+    Weather weather =
+        read_weather(scene.weather.file, {.interval = stamp_of(scene.weather.interval),
+                                          .wind_height = scene.weather.wind_height,
+                                          .air_height = scene.weather.air_height,
+                                          .elevation = world.sea_level_height});
+    infer_cloud(weather, world.site, world.sea_level_height);
+    return scene.air.drives_heat ? driven_by_air(scene, world, weather) : weather;
+}
+
+}  // namespace diurna

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "materials/atmosphere/atmosphere.hpp"
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// The air between surface and eye at an instant: the scene's profile, made to have the weather's
+/// temperature and humidity at the ground, with the weather's rain and cloud.
+Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
+                         Instant instant);
+
+/// Throws InputError unless a table of paths holds the heights of the scene's surfaces and
+/// observers and the lengths of its lines of sight. Scenes without one pass.
+void check_table(const Scene& scene, const World& world, const std::vector<Observer>& observers);
+/// What such a table leaves out, for the report.
+std::vector<std::string> table_notes(const Scene& scene);
+
+/// The weather of a scene. With `[atmosphere] drives_heat = true`, direct, diffuse and longwave
+/// radiation that nobody measured come from atmosphere_at() every `step` instead of the broadband
+/// formulas of thermal/weather/sky_state.hpp, so that solver and camera look through the same air.
+Weather scene_weather(const Scene& scene, const World& world);
+
+}  // namespace diurna

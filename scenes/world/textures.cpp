@@ -1,0 +1,249 @@
+#include "scenes/world/textures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "materials/base/units.hpp"
+#include "materials/matter/varied.hpp"
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/ground/rings.hpp"
+
+namespace diurna {
+
+namespace {
+
+using What = TextureInput::What;
+
+/// The parameter that a texture varies, and what a material can have of it.
+struct Parameter {
+    double own, most;
+};
+Parameter parameter_of(const Material& material, What what) {
+    if (what == What::emissivity) {
+        return {material.thermal.emissivity, 1.0 - planck_mean(material.transmittance)};
+    }
+    return {material.thermal.albedo, 1.0 - material.thermal.solar_transmittance};
+}
+
+/// Least and greatest value on a material, and the one where the texture has none.
+struct Values {
+    double least, most, outside;
+};
+
+Values clutter_values(const TextureInput& texture, const Material& material) {
+    constexpr double furthest = 3.0, widest = 2.0;  // deviations
+    if (texture.what == What::mixture) return {0.0, 1.0, *texture.mean};
+    const Parameter parameter = parameter_of(material, texture.what);
+    const double mean = texture.mean.value_or(parameter.own);
+    const double room = std::min(mean, parameter.most - mean);
+    if (widest * texture.deviation > room + 1e-12) {
+        throw InputError(texture.where,
+                         fmt::format("std = {:g} about {:.3g} on material \"{}\": more than a "
+                                     "fortieth would be cut off at 0 or {:.3g}, expected at most "
+                                     "{:.3g}",
+                                     texture.deviation, mean, material.name, parameter.most,
+                                     std::max(0.0, room / widest)));
+    }
+    return {std::max(0.0, mean - furthest * texture.deviation),
+            std::min(parameter.most, mean + furthest * texture.deviation), mean};
+}
+
+Values image_values(const TextureInput& texture, const Material& material) {
+    if (texture.what == What::mixture) return {0.0, 1.0, 0.0};
+    double least = 1.0, most = 0.0;
+    for (const float v : texture.image.value) {
+        if (std::isnan(v)) continue;
+        least = std::min(least, std::max(0.0, double{v}));
+        most = std::max(most, std::min(1.0, double{v}));
+    }
+    const Parameter parameter = parameter_of(material, texture.what);
+    if (most > parameter.most + 1e-6) {
+        throw InputError(texture.where,
+                         fmt::format("has values to {:.3g} on material \"{}\", expected at most "
+                                     "{:.3g}: it is transparent for the rest",
+                                     most, material.name, parameter.most));
+    }
+    return {std::min(least, parameter.own), std::max(most, parameter.own), parameter.own};
+}
+
+/// Materials of a texture's levels.
+Skin skin_of(const TextureInput& texture, const Material& base, MaterialLibrary& materials) {
+    const Values values =
+        texture.clutter ? clutter_values(texture, base) : image_values(texture, base);
+    Skin skin{.texture = {}, .material = {}, .low = values.least, .outside = values.outside};
+    if (texture.what == What::mixture) {
+        for (const std::string& name : texture.between) {
+            skin.material.push_back(materials.find(name, texture.where));
+        }
+        return skin;
+    }
+    const double one_level = texture.what == What::albedo ? 0.3 : 0.2;  // textured_scene_test.cpp
+    const double range = std::max(values.most - values.least, 1e-9);
+    const int levels = texture.levels > 0
+                           ? texture.levels
+                           : 1 + static_cast<int>(std::ceil(range / one_level - 1e-9));
+    skin.step = range / (levels - 1);
+    for (int k = 0; k < levels; ++k) {
+        const double value = values.least + k * skin.step;
+        Material level =
+            texture.what == What::albedo ? with_albedo(base, value) : with_emissivity(base, value);
+        level.name = fmt::format("{} ({} {:.6g})", base.name,
+                                 texture.what == What::albedo ? "albedo" : "emissivity", value);
+        level.varies = base.kind();
+        skin.material.push_back(materials.add(std::move(level)));
+    }
+    return skin;
+}
+
+/// A picture on the plane of its frame.
+RasterTexture raster_of(const TextureInput& texture, const World& world, bool on_object) {
+    const TextureImage& image = texture.image;
+    RasterTexture::Layout layout{.columns = image.columns,
+                                 .rows = image.rows,
+                                 .value = image.value,
+                                 .nearest = texture.nearest,
+                                 .repeat = texture.repeat};
+    for (Eigen::Vector2d& term : layout.to_texel) term.setZero();
+    if (texture.metres_per_texel > 0.0) {
+        const double c = std::cos(radians(texture.heading_deg)) / texture.metres_per_texel,
+                     s = std::sin(radians(texture.heading_deg)) / texture.metres_per_texel;
+        // East and north of the middle, to columns rightward and rows downward.
+        layout.to_texel[1] = {c, -s};
+        layout.to_texel[2] = {-s, -c};
+        layout.to_texel[0] = Eigen::Vector2d(0.5 * image.columns, 0.5 * image.rows) -
+                             texture.place.x() * layout.to_texel[1] -
+                             texture.place.y() * layout.to_texel[2];
+        return RasterTexture(std::move(layout));
+    }
+    if (on_object) {
+        throw InputError(texture.where,
+                         "lies on an object, which its georeference knows nothing of",
+                         "give metres_per_texel");
+    }
+    double reach = 0.0, worst = 0.0;
+    for (std::size_t f = 0; f < world.ground_facets; ++f) {
+        reach = std::max(reach, double{world.facets.centroid[f].head<2>().cwiseAbs().maxCoeff()});
+    }
+    layout.to_texel = texels_from_site(image, world.site, reach, &worst);
+    if (worst > 0.5) {
+        throw InputError(texture.where, fmt::format("its CRS bends by {:.1f} texels over the scene "
+                                                    "against a parabola, expected half a texel",
+                                                    worst));
+    }
+    return RasterTexture(std::move(layout));
+}
+
+/// Where an object stands and how it is turned.
+TextureFrame frame_of(const World& world, std::size_t object, const ObjectInput& input) {
+    double lowest = 1e30;
+    for (std::size_t f = 0; f < world.facets.size(); ++f) {
+        if (static_cast<std::size_t>(world.facets.object[f]) != object) continue;
+        for (const std::uint32_t corner : world.facets.corner[f]) {
+            lowest = std::min(lowest, double{world.facets.vertex[corner].z()});
+        }
+    }
+    return {.origin = {input.place.x(), input.place.y(), lowest},
+            .heading = radians(input.placing.heading_deg)};
+}
+
+/// The texture of a place on the ground: that of the last polygon there, of those that leave the
+/// material to the rules and so are no objects of their own, else the terrain's.
+std::map<std::string, std::string>::const_iterator use_on_ground(const Scene& scene,
+                                                                 const Eigen::Vector3f& at) {
+    const auto& uses = scene.texture_uses.of_object;
+    const auto& polygons = scene.terrain.polygons;
+    for (auto polygon = polygons.rbegin(); polygon != polygons.rend(); ++polygon) {
+        if (!polygon->material.empty()) continue;
+        const auto use = uses.find(polygon->name);
+        if (use != uses.end() && contains(polygon->ring, at.head<2>().cast<double>())) return use;
+    }
+    return uses.find("ground");
+}
+
+}  // namespace
+
+std::vector<std::string> lay_textures(Scene& scene, World& world) {
+    const TextureUses& uses = scene.texture_uses;
+    if (uses.of_object.empty() && uses.of_material.empty()) return {};
+    const auto texture_named = [&](const std::string& name) {
+        return static_cast<std::size_t>(
+            std::find_if(scene.textures.begin(), scene.textures.end(),
+                         [&](const TextureInput& t) { return t.name == name; }) -
+            scene.textures.begin());
+    };
+    const std::size_t first_object =
+        1 + scene.terrain.polygons.size() + scene.terrain.buildings.size();
+    const std::size_t objects = scene.terrain.objects.size();
+
+    std::vector<Skin> skins;
+    // (texture, material, its frame: 0 the scene's, else the object's) and its skin
+    std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::uint16_t> known;
+    std::map<std::pair<std::size_t, bool>, std::shared_ptr<const Texture>> pictures;
+    const auto skin_for = [&](std::size_t t, MaterialId id, std::size_t object) {
+        const TextureInput& texture = scene.textures[t];
+        const bool own_frame = object >= first_object && object < first_object + objects;
+        const auto [entry, fresh] = known.try_emplace({t, index(id), own_frame ? object : 0},
+                                                      static_cast<std::uint16_t>(skins.size()));
+        if (!fresh) return entry->second;
+        const Material base = scene.materials[id];
+        Skin skin = skin_of(texture, base, scene.materials);
+        if (own_frame) {
+            skin.frame = frame_of(world, object, scene.terrain.objects[object - first_object]);
+        }
+        if (texture.clutter) {
+            const double mean = texture.mean.value_or(skin.outside);
+            skin.texture = std::make_shared<const Texture>(
+                ClutterTexture{mean, texture.deviation, Clutter(*texture.clutter)});
+        } else {
+            auto& picture = pictures[{t, own_frame}];
+            if (!picture) {
+                picture = std::make_shared<const Texture>(raster_of(texture, world, own_frame));
+            }
+            skin.texture = picture;
+        }
+        skins.push_back(std::move(skin));
+        return entry->second;
+    };
+
+    std::vector<std::uint16_t> skin_of_facet(world.facets.size(), no_skin);
+    for (std::size_t f = 0; f < world.facets.size(); ++f) {
+        const auto object = static_cast<std::size_t>(world.facets.object[f]);
+        const MaterialId id = world.facets.material[f];
+        auto use = object == 0 ? use_on_ground(scene, world.facets.centroid[f])
+                               : uses.of_object.find(world.objects[object]);
+        if (use == uses.of_object.end()) {
+            use = uses.of_material.find(scene.materials[id].name);
+            if (use == uses.of_material.end()) continue;
+        }
+        skin_of_facet[f] = skin_for(texture_named(use->second), id, object);
+    }
+    world.patchwork = make_patchwork(world.facets, std::move(skins), skin_of_facet);
+
+    std::vector<std::string> notes;
+    for (std::size_t t = 0; t < scene.textures.size(); ++t) {
+        const TextureInput& texture = scene.textures[t];
+        std::size_t facets = 0, surfaces = 0;
+        for (const auto& [key, s] : known) {
+            if (std::get<0>(key) != t) continue;
+            for (const Patchwork::Patch& patch : world.patchwork.patch) {
+                if (patch.skin != s) continue;
+                ++facets;
+                surfaces += patch.levels;
+            }
+        }
+        std::string note = fmt::format("texture \"{}\": {} facets, solved as {} surfaces",
+                                       texture.name, facets, surfaces);
+        if (texture.clutter) {
+            note += fmt::format("; standard deviation {:g}, correlation length {:g} m",
+                                texture.deviation, texture.clutter->length);
+        }
+        notes.push_back(std::move(note));
+    }
+    return notes;
+}
+
+}  // namespace diurna

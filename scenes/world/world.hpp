@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/ground/triangulate.hpp"
+#include "terrain/relief/height_field.hpp"
+#include "terrain/texture/texture_levels.hpp"
+
+namespace diurna {
+
+/// The scene in space: every triangle with its material, in the frame of its site. Rays, sun and
+/// sky know `facets`; heat and pictures have `surfaces()`, which are more where there are textures.
+struct World {
+    Site site;
+    double sea_level_height = 0.0;  // of the frame's origin above the sea [m]
+    FacetSet facets;
+    std::vector<std::string> objects;   // (ObjectId)
+    std::size_t posts = 0;              // of the elevation raster
+    std::size_t ground_facets = 0;      // the first ones; objects follow
+    std::optional<HeightField> relief;  // the raster, for sun and sky on the ground
+    TinCheck ground_check;              // how far the mesh is from the raster's posts
+    std::size_t filled_facets = 0;      // ground facets on posts void in the file
+    std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
+    Patchwork patchwork;                // what textures make of the facets
+
+    const FacetSet& surfaces() const { return patchwork.empty() ? facets : patchwork.facets; }
+};
+
+/// Triangulates the elevation along the polygons' borders, gives every facet its material and
+/// puts up the buildings. Throws InputError if the elevation cannot be used or something lies
+/// outside it.
+World build_world(const Scene& scene, const Dem& dem);
+
+/// The point of the ground below or above (east, north) in the site's frame, from the raster.
+/// Throws InputError(where, ...) outside the raster or over a void.
+Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
+                             const std::string& where);
+
+}  // namespace diurna

@@ -1,0 +1,114 @@
+#include "terrain/objects/mesh_file.hpp"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <map>
+
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_triangles = 5'000'000;
+
+using Corner = std::array<double, 3>;
+
+/// Puts the meshes of a tree of nodes together.
+class Collector {
+ public:
+    Collector(const aiScene& scene, const std::string& name) : scene_(scene), name_(name) {}
+
+    void add(const aiNode& node, const aiMatrix4x4& above) {
+        const aiMatrix4x4 transform = above * node.mTransformation;
+        for (unsigned m = 0; m < node.mNumMeshes; ++m) {
+            add(*scene_.mMeshes[node.mMeshes[m]], node, transform);
+        }
+        for (unsigned c = 0; c < node.mNumChildren; ++c) add(*node.mChildren[c], transform);
+    }
+    MeshFile result() { return std::move(mesh_); }
+
+ private:
+    void add(const aiMesh& mesh, const aiNode& node, const aiMatrix4x4& transform) {
+        aiString material;
+        scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
+        const auto part = static_cast<std::uint16_t>(mesh_.part.size());
+        const aiString& group = mesh.mName.length > 0 ? mesh.mName : node.mName;
+        mesh_.part.push_back({group.C_Str(), material.C_Str()});
+
+        std::vector<std::uint32_t> number(mesh.mNumVertices);
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
+            const aiVector3D at = transform * mesh.mVertices[v];
+            const Corner corner{at.x, at.y, at.z};
+            if (!Eigen::Vector3d(at.x, at.y, at.z).allFinite()) {
+                throw InputError(
+                    name_, fmt::format("vertex {} of part \"{}\" is not finite", v, group.C_Str()));
+            }
+            const auto [known, fresh] =
+                number_.try_emplace(corner, static_cast<std::uint32_t>(mesh_.vertex.size()));
+            if (fresh) mesh_.vertex.emplace_back(at.x, at.y, at.z);
+            number[v] = known->second;
+        }
+        for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+            const aiFace& face = mesh.mFaces[f];
+            if (face.mNumIndices != 3) continue;  // points and lines
+            const auto a = number[face.mIndices[0]], b = number[face.mIndices[1]],
+                       c = number[face.mIndices[2]];
+            if (a == b || b == c || c == a) continue;
+            mesh_.triangle.push_back({a, b, c});
+            mesh_.part_of.push_back(part);
+        }
+    }
+
+    const aiScene& scene_;
+    const std::string& name_;
+    MeshFile mesh_;
+    std::map<Corner, std::uint32_t> number_;
+};
+
+}  // namespace
+
+MeshFile read_mesh_file(const std::filesystem::path& file) {
+    const std::string name = file.string();
+    std::string kind = file.extension().string();
+    std::transform(kind.begin(), kind.end(), kind.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    constexpr std::array known{".obj", ".ply", ".stl", ".gltf", ".glb"};
+    if (std::find(known.begin(), known.end(), kind) == known.end()) {
+        throw InputError(name, fmt::format("found a file \"{}\", expected one of {}", kind,
+                                           fmt::join(known, " ")));
+    }
+    Assimp::Importer importer;
+    // Only places and faces are wanted: normals and texture places would keep equal corners apart.
+    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
+                                aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
+                                    aiComponent_COLORS | aiComponent_TEXCOORDS |
+                                    aiComponent_ANIMATIONS | aiComponent_TEXTURES |
+                                    aiComponent_LIGHTS | aiComponent_CAMERAS);
+    const aiScene* scene =
+        importer.ReadFile(name, aiProcess_RemoveComponent | aiProcess_Triangulate |
+                                    aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    if (scene == nullptr || scene->mRootNode == nullptr) {
+        throw InputError(name,
+                         fmt::format("not readable as a mesh: {}", importer.GetErrorString()));
+    }
+    std::size_t faces = 0;
+    for (unsigned m = 0; m < scene->mNumMeshes; ++m) faces += scene->mMeshes[m]->mNumFaces;
+    if (faces > most_triangles) {
+        throw InputError(
+            name, fmt::format("holds {} triangles, expected at most {}", faces, most_triangles));
+    }
+    Collector collector(*scene, name);
+    collector.add(*scene->mRootNode, aiMatrix4x4());
+    MeshFile mesh = collector.result();
+    if (mesh.triangle.empty()) throw InputError(name, "holds no triangle");
+    return mesh;
+}
+
+}  // namespace diurna

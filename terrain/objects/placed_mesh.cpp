@@ -1,0 +1,137 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "materials/base/units.hpp"
+#include "terrain/objects/mesh_file.hpp"
+
+namespace diurna {
+
+namespace {
+
+struct Piece {
+    std::array<std::uint32_t, 3> corner;
+    std::uint32_t whole;  // the triangle of the file it lies in
+};
+
+/// Halves every edge longer than a limit. What happens to an edge depends on its two ends alone, so
+/// the triangles on its sides agree.
+class EdgeCutter {
+ public:
+    EdgeCutter(std::vector<Eigen::Vector3d>& vertex, double longest)
+        : vertex_(vertex), longest_(longest) {}
+
+    std::vector<Piece> round(const std::vector<Piece>& pieces) {
+        std::vector<Piece> out;
+        out.reserve(pieces.size() * 2);
+        for (const Piece& piece : pieces) cut(piece, out);
+        return out;
+    }
+
+ private:
+    double length(std::uint32_t a, std::uint32_t b) const {
+        return (vertex_[a] - vertex_[b]).norm();
+    }
+
+    void cut(Piece piece, std::vector<Piece>& out) {
+        auto& corner = piece.corner;
+        const std::array<double, 3> edge{length(corner[0], corner[1]), length(corner[1], corner[2]),
+                                         length(corner[2], corner[0])};
+        std::rotate(corner.begin(),
+                    corner.begin() + (std::max_element(edge.begin(), edge.end()) - edge.begin()),
+                    corner.end());
+        const auto [p, q, r] = corner;  // p-q is the longest
+        if (length(p, q) <= longest_) {
+            out.push_back(piece);
+            return;
+        }
+        const auto keep = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            out.push_back({{a, b, c}, piece.whole});
+        };
+        const std::uint32_t m = middle(p, q);
+        if (length(q, r) > longest_) {
+            const std::uint32_t n = middle(q, r);
+            keep(m, q, n);
+            keep(m, n, r);
+        } else {
+            keep(m, q, r);
+        }
+        if (length(r, p) > longest_) {
+            const std::uint32_t n = middle(r, p);
+            keep(p, m, n);
+            keep(n, m, r);
+        } else {
+            keep(p, m, r);
+        }
+    }
+
+    std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+        const auto [known, fresh] = middle_.try_emplace({std::min(a, b), std::max(a, b)},
+                                                        static_cast<std::uint32_t>(vertex_.size()));
+        if (fresh) {
+            const Eigen::Vector3d at = 0.5 * (vertex_[a] + vertex_[b]);
+            vertex_.push_back(at);
+        }
+        return known->second;
+    }
+
+    std::vector<Eigen::Vector3d>& vertex_;
+    double longest_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middle_;
+};
+
+/// The file's axes turned to east, north, up, with the front looking north.
+Eigen::Vector3d upright(const Eigen::Vector3d& v, UpAxis up) {
+    return up == UpAxis::z ? v : Eigen::Vector3d(-v.x(), v.z(), v.y());
+}
+
+double enclosed_volume(const ObjectMesh& mesh) {
+    double volume = 0.0;
+    const Eigen::Vector3d origin = mesh.vertex.front().cast<double>();
+    for (const auto& [a, b, c] : mesh.triangle) {
+        const auto at = [&](std::uint32_t v) -> Eigen::Vector3d {
+            return mesh.vertex[v].cast<double>() - origin;
+        };
+        volume += at(a).dot(at(b).cross(at(c))) / 6.0;
+    }
+    return volume;
+}
+
+}  // namespace
+
+ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
+                       const std::vector<MaterialId>& material) {
+    std::vector<Eigen::Vector3d> vertex;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : mesh.vertex) {
+        vertex.push_back(upright(v, placing.up) * placing.metres);
+        box.extend(vertex.back());
+    }
+    const Eigen::Vector3d foot(box.center().x(), box.center().y(), box.min().z());
+    // Clockwise from north is against the sense of a turn about the vertical.
+    const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
+    for (Eigen::Vector3d& v : vertex) v = placing.base + turn * (v - foot);
+
+    std::vector<Piece> pieces;
+    for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)
+        pieces.push_back({mesh.triangle[t], t});
+    EdgeCutter cutter(vertex, placing.largest_edge);
+    for (std::size_t before = 0; before != pieces.size();) {
+        before = pieces.size();
+        pieces = cutter.round(pieces);
+    }
+
+    ObjectMesh placed;
+    for (const Eigen::Vector3d& v : vertex) placed.vertex.push_back(v.cast<float>());
+    for (const Piece& piece : pieces) {
+        placed.triangle.push_back(piece.corner);
+        placed.material.push_back(material[mesh.part_of[piece.whole]]);
+    }
+    if (enclosed_volume(placed) < 0.0 && check_mesh(placed.vertex, placed.triangle).closed()) {
+        for (auto& corner : placed.triangle) std::swap(corner[1], corner[2]);
+    }
+    return placed;
+}
+
+}  // namespace diurna

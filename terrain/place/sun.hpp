@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+
+namespace diurna {
+
+/// Topocentric place of the sun's centre.
+struct SunPosition {
+    double azimuth_deg;    // clockwise from true north, 0 to 360
+    double elevation_deg;  // geometric, or refracted where the air was given
+    double distance_au;
+};
+
+/// Sun seen from the site at an instant, without refraction. 0.5″ worst against NREL's SPA
+/// (ERFA: Earth of Epv00, IAU 2000B precession-nutation, aberration, topocentric parallax).
+SunPosition sun_position(const Site& site, Instant instant);
+
+/// The same with refraction for air of the given pressure [hPa] and temperature [°C]
+/// (Sæmundsson-Meeus as in SPA; nothing is added below −0.83°).
+SunPosition sun_position(const Site& site, Instant instant, double pressure_hPa,
+                         double temperature_C);
+
+/// Adds that refraction to a sun without it: for positions interpolated between a few computed
+/// ones.
+SunPosition refracted(SunPosition sun, double pressure_hPa, double temperature_C);
+
+/// Unit vector towards the sun in the site's east-north-up frame.
+Eigen::Vector3d sun_direction(const SunPosition& sun);
+
+inline constexpr double sun_angular_radius_deg = 0.2666;  // at 1 AU
+
+}  // namespace diurna

@@ -1,0 +1,229 @@
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/ascii_grid.hpp"
+#include "terrain/raster/dem_parts.hpp"
+#include "terrain/raster/quiet_gdal.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double lowest = -12e3, highest = 10e3;  // heights on Earth [m], with some room
+constexpr double best_compression = 1100.0;       // DEFLATE cannot do better than 1032 : 1
+
+const char* const allowed_drivers[] = {"GTiff",   "DTED", "SRTMHGT", "USGSDEM",
+                                       "AAIGrid", "ENVI", "netCDF",  nullptr};
+
+/// An absolute path, so that no name is ever taken for one of GDAL's connection strings.
+std::string gdal_name(const std::filesystem::path& file) {
+    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
+    const bool zipped_hgt = path.ends_with(".hgt.zip") || path.ends_with(".HGT.zip");
+    return zipped_hgt ? "/vsizip/" + path + "/" + file.stem().string() : path;
+}
+
+GDALDatasetUniquePtr open(const std::string& name) {
+    return GDALDatasetUniquePtr(
+        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, allowed_drivers));
+}
+
+/// A netCDF file with several variables has no bands of its own: take the one that is named like
+/// an elevation.
+GDALDatasetUniquePtr open_elevation_variable(GDALDataset& file, const std::string& where) {
+    const std::vector<std::string> wanted{
+        "dem",  "elevation", "height",           "altitude",  "z",  "topo",
+        "elev", "Band1",     "surface_altitude", "orography", "HGT"};
+    CSLConstList list = file.GetMetadata("SUBDATASETS");
+    std::string offered;
+    for (int i = 1;
+         const char* name = CSLFetchNameValue(list, fmt::format("SUBDATASET_{}_NAME", i).c_str());
+         ++i) {
+        const std::string full = name;
+        const std::string variable = full.substr(full.find_last_of(":/") + 1);
+        if (std::find(wanted.begin(), wanted.end(), variable) != wanted.end()) return open(full);
+        offered += (offered.empty() ? "" : ", ") + variable;
+    }
+    throw InputError(where, "holds no elevation that can be told by its name",
+                     offered.empty() ? "" : "variables: " + offered);
+}
+
+GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietGdal& gdal) {
+    const std::string where = file.string();
+    std::error_code problem;
+    const auto status = std::filesystem::status(file, problem);
+    if (!std::filesystem::exists(status)) throw InputError(where, "there is no such file");
+    if (!std::filesystem::is_regular_file(status)) {
+        throw InputError(where, "is not a file; expected an elevation raster");
+    }
+    if (std::filesystem::file_size(file, problem) == 0) throw InputError(where, "is empty");
+    auto raster = open(gdal_name(file));
+    if (!raster) {
+        throw InputError(where, "cannot be read as elevation" + gdal.because(),
+                         "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, ENVI, "
+                         "netCDF");
+    }
+    if (raster->GetRasterCount() == 0) raster = open_elevation_variable(*raster, where);
+    if (!raster || raster->GetRasterCount() == 0) {
+        throw InputError(where, "holds no raster band" + gdal.because());
+    }
+    return raster;
+}
+
+void check_size(GDALDataset& raster, const std::filesystem::path& file) {
+    const int columns = raster.GetRasterXSize(), rows = raster.GetRasterYSize();
+    const std::string where = file.string();
+    if (columns < 2 || rows < 2) {
+        throw InputError(
+            where, fmt::format("has {} x {} posts; a surface needs at least 2 x 2", columns, rows));
+    }
+    const double posts = double(columns) * rows;
+    if (posts > most_posts) {
+        throw InputError(where, fmt::format("has {} x {} posts; at most {:.0f} million are read",
+                                            columns, rows, most_posts / 1e6));
+    }
+    const int post_bytes = GDALGetDataTypeSizeBytes(raster.GetRasterBand(1)->GetRasterDataType());
+    std::error_code problem;
+    const double bytes = static_cast<double>(std::filesystem::file_size(file, problem));
+    if (posts * post_bytes > bytes * best_compression) {
+        throw InputError(where, fmt::format("claims {} x {} posts but has only {:.0f} bytes",
+                                            columns, rows, bytes));
+    }
+}
+
+void read_georeference(GDALDataset& raster, Dem& dem) {
+    if (raster.GetGeoTransform(dem.transform.data()) != CE_None) {
+        throw InputError(dem.source, "has no georeference: the place of its posts is not known");
+    }
+    const auto& t = dem.transform;
+    const bool finite = std::all_of(t.begin(), t.end(), [](double x) { return std::isfinite(x); });
+    const double cell = t[1] * t[5] - t[2] * t[4];
+    const double shape = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});
+    if (!finite || std::abs(cell) <= 1e-12 * shape * shape) {
+        throw InputError(dem.source,
+                         fmt::format("its georeference is singular (cell {} x {})", t[1], t[5]));
+    }
+    const bool ascii = std::string_view(raster.GetDriverName()) == "AAIGrid";
+    if (ascii && t[1] < 0.0) {
+        throw InputError(dem.source,
+                         fmt::format("found a cell size of {}; expected more than 0", t[1]));
+    }
+    const OGRSpatialReference* reference = raster.GetSpatialRef();
+    if (!reference || reference->IsEmpty() || reference->IsLocal()) {
+        throw InputError(dem.source, "names no coordinate reference system",
+                         "gdal_translate -a_srs EPSG:... writes one");
+    }
+    char* wkt = nullptr;
+    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+    reference->exportToWkt(&wkt, options);
+    dem.crs_wkt = wkt ? wkt : "";
+    CPLFree(wkt);
+}
+
+/// The corners must be places on Earth: HGT and hand-made headers can say 91° north.
+void check_corners(const Dem& dem) {
+    const double right = dem.columns - 1, bottom = dem.rows - 1;
+    const Eigen::Vector2d corners[] = {{0, 0}, {right, 0}, {0, bottom}, {right, bottom}};
+    const float heights[4] = {};
+    for (const Geodetic& place : geodetic_places(dem, corners, heights)) {
+        if (!std::isfinite(place.longitude_deg) || !(std::abs(place.latitude_deg) <= 90.0) ||
+            std::abs(place.longitude_deg) > 540.0) {
+            throw InputError(dem.source, "its georeference puts it outside the Earth");
+        }
+    }
+}
+
+double metres_per_unit(GDALRasterBand& band, const DemOptions& options) {
+    if (options.unit) return *options.unit;
+    const std::string unit = band.GetUnitType();
+    if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
+    if (unit == "US survey foot" || unit == "ftUS") return 1200.0 / 3937.0;
+    if (unit == "cm" || unit == "centimetre") return 0.01;
+    if (unit == "dm") return 0.1;
+    return 1.0;
+}
+
+void read_heights(GDALDataset& raster, const PostWindow& window, const DemOptions& options,
+                  Dem& dem, const QuietGdal& gdal) {
+    GDALRasterBand& band = *raster.GetRasterBand(1);
+    dem.height.resize(std::size_t(window.columns) * window.rows);
+    if (band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows,
+                      dem.height.data(), window.columns, window.rows, GDT_Float32, 0,
+                      0) != CE_None) {
+        throw InputError(dem.source, "is damaged" + gdal.because());
+    }
+    int declared = 0;
+    const auto nodata = static_cast<float>(band.GetNoDataValue(&declared));
+    const double unit = metres_per_unit(band, options);
+    const double scale = band.GetScale() * unit, offset = band.GetOffset() * unit;
+    for (float& height : dem.height) {
+        const bool is_void = !std::isfinite(height) || (declared && height == nodata) ||
+                             height == -32768.0f || height == -32767.0f || height == 32767.0f ||
+                             height == -9999.0f || scale * height + offset < lowest;
+        if (is_void) {
+            height = std::numeric_limits<float>::quiet_NaN();
+        } else {
+            height = static_cast<float>(scale * height + offset);
+            if (height > highest) {
+                throw InputError(dem.source,
+                                 fmt::format("found a height of {:.0f} m; nothing on Earth is so "
+                                             "high",
+                                             height),
+                                 "say which unit its heights have");
+            }
+        }
+    }
+}
+
+/// Turns a raster over that is stored south first.
+void put_north_first(Dem& dem) {
+    auto& t = dem.transform;
+    if (t[1] * t[5] - t[2] * t[4] < 0.0) return;
+    for (int row = 0; row < dem.rows / 2; ++row) {
+        const auto upper = dem.height.begin() + std::ptrdiff_t(row) * dem.columns;
+        const auto lower = dem.height.begin() + std::ptrdiff_t(dem.rows - 1 - row) * dem.columns;
+        std::swap_ranges(upper, upper + dem.columns, lower);
+    }
+    t[0] += t[2] * dem.rows;
+    t[3] += t[5] * dem.rows;
+    t[2] = -t[2];
+    t[5] = -t[5];
+}
+
+}  // namespace
+
+Dem read_tile(const std::filesystem::path& file, const DemOptions& options, bool whole) {
+    const QuietGdal gdal;
+    const auto raster = open_raster(file, gdal);
+    check_size(*raster, file);
+
+    Dem dem;
+    dem.source = file.string();
+    dem.columns = raster->GetRasterXSize();
+    dem.rows = raster->GetRasterYSize();
+    read_georeference(*raster, dem);
+    check_corners(dem);
+    if (std::string_view(raster->GetDriverName()) == "AAIGrid") {
+        check_ascii_grid(file, std::size_t(dem.columns) * dem.rows);
+    }
+
+    const PostWindow window =
+        whole ? PostWindow{0, 0, dem.columns, dem.rows} : window_of(dem, options);
+    auto& t = dem.transform;
+    t[0] += t[1] * window.column + t[2] * window.row;
+    t[3] += t[4] * window.column + t[5] * window.row;
+    dem.columns = window.columns;
+    dem.rows = window.rows;
+    read_heights(*raster, window, options, dem, gdal);
+    put_north_first(dem);
+    note_datum(dem);
+    note_zone(dem);
+    return dem;
+}
+
+}  // namespace diurna

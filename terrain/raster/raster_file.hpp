@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// One quantity of every post of a raster.
+struct RasterBand {
+    std::string name;
+    std::span<const float> value;  // (row, column) as in the Dem; NaN where there is none
+};
+
+/// Writes quantities of an elevation raster's posts as a GeoTIFF in its place and CRS (32-bit
+/// float, DEFLATE, NaN for no data), whole or not at all. Throws std::runtime_error with the
+/// reason.
+void write_geotiff(const std::filesystem::path& file, const Dem& dem,
+                   const std::vector<RasterBand>& bands);
+
+}  // namespace diurna

@@ -1,0 +1,142 @@
+#include "terrain/texture/clutter.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace diurna {
+
+namespace {
+
+// The kernel's standard deviation in cells: the variance between nodes then differs by 4e-3 from
+// that at nodes, which is taken out where the weights are summed.
+constexpr double smooth_cells = 0.8;
+constexpr int reach = 3;  // cells; beyond them the kernel is below 1e-3
+constexpr std::size_t deviates = 4096;
+
+/// Deviate whose cumulative probability is p, by bisection on erfc.
+double normal_quantile(double p) {
+    double low = -9.0, high = 9.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (0.5 * std::erfc(-middle / std::numbers::sqrt2) < p ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/// Equally likely deviates of mean 0 and variance 1.
+const std::array<float, deviates>& deviate_table() {
+    static const std::array<float, deviates> table = [] {
+        std::array<double, deviates> exact;
+        double square = 0.0;
+        for (std::size_t i = 0; i < deviates; ++i) {
+            exact[i] = normal_quantile((double(i) + 0.5) / double(deviates));
+            square += exact[i] * exact[i];
+        }
+        std::array<float, deviates> scaled;
+        for (std::size_t i = 0; i < deviates; ++i) {
+            scaled[i] = static_cast<float>(exact[i] / std::sqrt(square / double(deviates)));
+        }
+        return scaled;
+    }();
+    return table;
+}
+
+/// 32 bits mixed well ("lowbias32", C. Wellons).
+inline std::uint32_t mixed(std::uint32_t x) {
+    x = (x ^ (x >> 16)) * 0x7FEB352Du;
+    x = (x ^ (x >> 15)) * 0x846CA68Bu;
+    return x ^ (x >> 16);
+}
+
+std::uint64_t spread(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
+    return x ^ (x >> 31);
+}
+
+/// Weights of the six nodes around a place between two of them, of square sum 1.
+std::array<double, 2 * reach> weights(double part) {
+    std::array<double, 2 * reach> w;
+    double square = 0.0;
+    for (int k = 0; k < 2 * reach; ++k) {
+        const double d = part + (reach - 1 - k);
+        w[std::size_t(k)] = std::exp(-0.5 * d * d / (smooth_cells * smooth_cells));
+        square += w[std::size_t(k)] * w[std::size_t(k)];
+    }
+    const double scale = 1.0 / std::sqrt(square);
+    for (double& x : w) x *= scale;
+    return w;
+}
+
+/// White noise on a lattice of unit cells, smoothed.
+double smooth_noise(std::uint64_t seed, double x, double y) {
+    const std::array<float, deviates>& table = deviate_table();
+    const double left = std::floor(x), low = std::floor(y);
+    const auto wx = weights(x - left), wy = weights(y - low);
+    const auto column = static_cast<std::uint32_t>(static_cast<std::int64_t>(left) - reach + 1);
+    const auto row = static_cast<std::uint32_t>(static_cast<std::int64_t>(low) - reach + 1);
+    const auto from_column = static_cast<std::uint32_t>(seed);
+    const auto from_row = static_cast<std::uint32_t>(seed >> 32);
+    double sum = 0.0;
+    for (std::uint32_t j = 0; j < 2 * reach; ++j) {
+        const std::uint32_t line = mixed(row + j + from_row) + from_column;
+        double across = 0.0;
+        for (std::uint32_t i = 0; i < 2 * reach; ++i) {
+            const std::uint32_t hash = mixed((column + i) * 0x9E3779B9u + line);
+            across += wx[i] * double{table[hash >> 20]};
+        }
+        sum += wy[j] * across;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Clutter::Clutter(const ClutterSpec& spec) : length_(spec.length) {
+    const auto add = [&](double length, double variance) {
+        const std::uint64_t seed = spread(spec.seed + 0x9E3779B97F4A7C15u * (octave_.size() + 1));
+        octave_.push_back({length, std::sqrt(variance), seed});
+    };
+    if (spec.covariance == Covariance::gaussian) {
+        add(spec.length, 1.0);
+        return;
+    }
+    constexpr int coarsest = -2, finest = 4;
+    std::array<double, finest - coarsest + 1> weight;
+    double sum = 0.0;
+    for (int i = coarsest; i <= finest; ++i) {
+        const double t = std::pow(4.0, i);
+        double& w = weight[std::size_t(i - coarsest)];
+        w = std::exp(-0.25 / t) / std::sqrt(t);
+        if (i == finest) w *= 2.0;  // what all finer octaves would have
+        sum += w;
+    }
+    for (int i = coarsest; i <= finest; ++i) {
+        add(spec.length * std::pow(2.0, -i), weight[std::size_t(i - coarsest)] / sum);
+    }
+}
+
+double Clutter::at(double x, double y, double spacing) const {
+    double sum = 0.0;
+    for (const Octave& octave : octave_) {
+        // An aperture as wide as a square of that side, of variance a² = side²/12 each way, leaves
+        // 1 / (1 + 4 a²/l²) of the variance.
+        const double ratio = spacing / octave.length;
+        const double kept = 1.0 / std::sqrt(1.0 + ratio * ratio / 3.0);
+        if (kept < 0.1) continue;
+        const double cells = 2.0 * smooth_cells / octave.length;
+        sum += kept * octave.amplitude * smooth_noise(octave.seed, x * cells, y * cells);
+    }
+    return sum;
+}
+
+double Clutter::covariance(double r) const {
+    double sum = 0.0;
+    for (const Octave& octave : octave_) {
+        const double ratio = r / octave.length;
+        sum += octave.amplitude * octave.amplitude * std::exp(-ratio * ratio);
+    }
+    return sum;
+}
+
+}  // namespace diurna

@@ -1,0 +1,112 @@
+#include "terrain/texture/texture_file.hpp"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <memory>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/quiet_gdal.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double most_texels = 1e8;
+const char* const drivers[] = {"GTiff", "PNG", "JPEG", "ENVI", "netCDF", "AAIGrid", nullptr};
+
+}  // namespace
+
+TextureImage read_texture_image(const std::filesystem::path& file, int channel) {
+    const QuietGdal quiet;
+    TextureImage image;
+    image.source = file.string();
+    if (!std::filesystem::is_regular_file(file)) {
+        throw InputError(image.source, "there is no such file");
+    }
+    const std::string name = std::filesystem::absolute(file).lexically_normal().string();
+    const GDALDatasetUniquePtr data(
+        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+    if (!data) {
+        throw InputError(image.source, "cannot be read" + quiet.because(),
+                         "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII");
+    }
+    image.columns = data->GetRasterXSize();
+    image.rows = data->GetRasterYSize();
+    const double texels = double(image.columns) * image.rows;
+    if (data->GetRasterCount() < channel) {
+        throw InputError(image.source, fmt::format("has {} channels, asked for number {}",
+                                                   data->GetRasterCount(), channel));
+    }
+    GDALRasterBand& band = *data->GetRasterBand(channel);
+    const double bytes = texels * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
+    if (texels > most_texels || bytes > 1100.0 * double(std::filesystem::file_size(file)) + 1e6) {
+        throw InputError(image.source,
+                         fmt::format("claims {} x {} texels but has only {} bytes", image.columns,
+                                     image.rows, std::filesystem::file_size(file)));
+    }
+    image.value.resize(std::size_t(image.columns) * std::size_t(image.rows));
+    if (band.RasterIO(GF_Read, 0, 0, image.columns, image.rows, image.value.data(), image.columns,
+                      image.rows, GDT_Float32, 0, 0) != CE_None) {
+        throw InputError(image.source, "cannot be read" + quiet.because());
+    }
+    int has_nodata = 0;
+    const double nodata = band.GetNoDataValue(&has_nodata);
+    for (float& v : image.value) {
+        if (!std::isfinite(v) || (has_nodata && v == static_cast<float>(nodata))) {
+            v = std::numeric_limits<float>::quiet_NaN();
+        }
+    }
+    const char* crs = data->GetProjectionRef();
+    image.georeferenced = data->GetGeoTransform(image.transform.data()) == CE_None &&
+                          crs != nullptr && crs[0] != '\0';
+    if (image.georeferenced) image.crs_wkt = crs;
+    return image;
+}
+
+std::array<Eigen::Vector2d, 6> texels_from_site(const TextureImage& image, const Site& site,
+                                                double reach, double* worst) {
+    const QuietGdal quiet;
+    OGRSpatialReference from, to;
+    from.SetWellKnownGeogCS("WGS84");
+    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    to.importFromWkt(image.crs_wkt.c_str());
+    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> shift(
+        OGRCreateCoordinateTransformation(&from, &to));
+    std::array<double, 6> inverse{}, forward = image.transform;
+    if (!shift || !GDALInvGeoTransform(forward.data(), inverse.data())) {
+        throw InputError(image.source, "its CRS or place cannot be used" + quiet.because());
+    }
+    constexpr int half = 4;  // nine points across
+    Eigen::Matrix<double, Eigen::Dynamic, 6> terms((2 * half + 1) * (2 * half + 1), 6);
+    Eigen::Matrix<double, Eigen::Dynamic, 2> texel(terms.rows(), 2);
+    Eigen::Index k = 0;
+    for (int j = -half; j <= half; ++j) {
+        for (int i = -half; i <= half; ++i, ++k) {
+            const double x = double(i) / half, y = double(j) / half;
+            const Geodetic place = to_geodetic(site, {reach * x, reach * y, 0.0});
+            double a = place.longitude_deg, b = place.latitude_deg;
+            if (!shift->Transform(1, &a, &b) || !std::isfinite(a) || !std::isfinite(b)) {
+                throw InputError(image.source, "its CRS does not reach the site" + quiet.because());
+            }
+            terms.row(k) << 1.0, x, y, x * x, x * y, y * y;
+            texel.row(k) << inverse[0] + inverse[1] * a + inverse[2] * b,
+                inverse[3] + inverse[4] * a + inverse[5] * b;
+        }
+    }
+    const Eigen::Matrix<double, 6, 2> fit = terms.colPivHouseholderQr().solve(texel);
+    if (worst != nullptr) *worst = (terms * fit - texel).rowwise().norm().maxCoeff();
+    const std::array<double, 6> scale = {1.0,           reach,         reach,
+                                         reach * reach, reach * reach, reach * reach};
+    std::array<Eigen::Vector2d, 6> layout;
+    for (std::size_t t = 0; t < 6; ++t) {
+        layout[t] = fit.row(Eigen::Index(t)).transpose() / scale[t];
+    }
+    return layout;
+}
+
+}  // namespace diurna

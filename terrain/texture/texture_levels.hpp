@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "terrain/facets.hpp"
+#include "terrain/texture/texture.hpp"
+#include "terrain/visibility/sky_view.hpp"
+
+namespace diurna {
+
+/// A texture on a material: what its values mean there.
+struct Skin {
+    std::shared_ptr<const Texture> texture;
+    TextureFrame frame{};
+    std::vector<MaterialId> material;  // (level) that the surface is of at low + level · step
+    double low = 0.0, step = 1.0;      // of the texture's value
+    double outside = 0.0;              // the value where the texture has none
+};
+inline constexpr std::uint16_t no_skin = 0xFFFF;
+
+/// Which facets a place belongs to: a share `second_share` to one, the rest to the other.
+struct Blend {
+    FacetId first, second;
+    float second_share = 0.0f;
+};
+
+/// Textured facets as several facets in one place, one for each level of the texture that occurs
+/// there: of its own material, with its own heat balance under the same sun, sky and surroundings.
+/// A place between two levels is a mixture of both: it sends their radiances by shares. For two
+/// materials side by side that is exact; for a parameter (albedo, emissivity) it is the straight
+/// line between two solutions, at each place, whatever the size of the facet: midway 0.05 K off
+/// between albedos 0.3 apart, 0.07 K between emissivities 0.2 apart (8-12 µm on asphalt, noon and
+/// midnight, tests/textured_scene_test.cpp), and with the square of the distance.
+///
+/// The first of a facet's levels stands in its own place, the others are copies behind all facets
+/// that rays know, with areas and exchange factors by their shares of the facet.
+struct Patchwork {
+    std::size_t solid = 0;              // facets that rays know, the first ones of all
+    FacetSet facets;                    // all of them
+    std::vector<std::uint32_t> origin;  // (facet) the solid one in its place
+    std::vector<float> share;           // (facet) of the place
+
+    bool empty() const { return patch.empty(); }  // no textures: nothing else is set
+    /// spacing  [m] to the next place asked for
+    Blend at(FacetId facet, const Eigen::Vector3d& place, double spacing = 0.0) const;
+
+    struct Patch {
+        std::uint16_t skin = no_skin, first_level = 0, levels = 1;
+        std::uint32_t first_copy = 0;
+    };
+    std::vector<Skin> skin;
+    std::vector<Patch> patch;  // (solid facet)
+};
+
+/// skin_of  (facet) index into `skins`, or no_skin
+Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
+                         std::span<const std::uint16_t> skin_of);
+
+/// Values of solid facets for all facets; rows (instant, facet) one after the other.
+std::vector<float> for_copies(const Patchwork& patchwork, std::span<const float> solid);
+
+/// What all facets see: copies as the facet in whose place they are, and every facet each of its
+/// surroundings' levels by its share.
+SkyView for_copies(const Patchwork& patchwork, const SkyView& solid);
+
+}  // namespace diurna

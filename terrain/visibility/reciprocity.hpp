@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+
+#include "terrain/facets.hpp"
+#include "terrain/visibility/sky_view.hpp"
+
+namespace diurna {
+
+struct ReciprocityOptions {
+    /// A pair is left out where neither sees more of the other than this. Its share goes to the
+    /// facet's other partners.
+    double cut_off = 1e-3;
+    double closure = 1e-5;  // rows are to sum to 1 − sky − below within this
+    int passes = 30;
+};
+
+struct ReciprocityReport {
+    std::size_t pairs = 0, left_out = 0;
+    double worst_closure = 0.0;  // before what is missing was given to `below`
+    int passes = 0;
+};
+
+/// Makes sampled view factors reciprocal, A_i F_ij = A_j F_ji to float rounding, with each row's
+/// sum kept: sky + below + Σ row = 1.
+///
+/// Of n_i rays of one facet and n_j of the other, h meet: the likeliest exchange area is
+/// h / (λ_i/A_i + λ_j/A_j), with λ = n if rows were free, and with the λ that close the rows, since
+/// they must (the multipliers of the likelihood's maximum under that constraint; found by fixed
+/// point, λ within a factor of 8 of n). So a large facet met by few rays does not bend the rows of
+/// the small ones that see it well. A row that cannot be filled (a facet whose few partners are
+/// taken by others) leaves its rest to `below`, ground like its own; one that its partners overfill
+/// gives up to 0.02 of its sky. Twice as many entries as were sampled at most: memory is linear in
+/// the facets, rays per facet × share of ground seen × 16 bytes.
+///
+/// Ground under a building would meet the walls from behind, and they do not look back: it would
+/// lose most of its exchange to `below`. Scenes have no ground there (scenes/world/world).
+ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
+                                  const ReciprocityOptions& options = {});
+
+}  // namespace diurna

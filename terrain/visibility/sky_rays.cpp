@@ -1,0 +1,127 @@
+#include "terrain/visibility/sky_rays.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t width = 16;
+
+/// The same for 32 bits (Wellons' lowbias32).
+std::uint32_t mixed32(std::uint32_t x) {
+    x = (x ^ (x >> 16)) * 0x7feb352du;
+    x = (x ^ (x >> 15)) * 0x846ca68bu;
+    return x ^ (x >> 16);
+}
+
+// Steps of Roberts' R2 sequence, which fills the unit square evenly, in units of 2^-32.
+constexpr std::uint32_t r2_x = 3242174889u, r2_y = 2447445414u;
+
+}  // namespace
+
+std::uint64_t mixed(std::uint64_t x) {
+    x += 0x9E3779B97F4A7C15ull;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
+    return x ^ (x >> 31);
+}
+
+std::pair<int, int> nearly_square(int n) {
+    int rows = static_cast<int>(std::sqrt(static_cast<double>(n)));
+    while (n % rows != 0) --rows;
+    return {n / rows, rows};
+}
+
+std::pair<Eigen::Vector3d, Eigen::Vector3d> tangents(const Eigen::Vector3d& n) {
+    const double sign = std::copysign(1.0, n.z());
+    const double a = -1.0 / (sign + n.z()), b = n.x() * n.y() * a;
+    return {{1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()},
+            {b, sign + n.y() * n.y() * a, -n.y()}};
+}
+
+LiftedFacet::LiftedFacet(const FacetSet& facets, std::size_t facet)
+    : normal(facets.normal[facet].cast<double>()) {
+    const auto& index = facets.corner[facet];
+    corner = facets.vertex[index[0]].cast<double>();
+    to_b = facets.vertex[index[1]].cast<double>() - corner;
+    to_c = facets.vertex[index[2]].cast<double>() - corner;
+    const double coarse =
+        corner.cwiseAbs().maxCoeff() + to_b.cwiseAbs().maxCoeff() + to_c.cwiseAbs().maxCoeff();
+    corner += normal * (coarse * 4e-7);
+}
+
+SkyRays::SkyRays(int rays, std::uint64_t seed)
+    : rays_(static_cast<std::size_t>(rays)), seed_(seed) {
+    std::tie(columns_, rows_) = nearly_square(rays);
+    // In blocks of 4 × 4 cells, so that a packet's rays go roughly the same way.
+    for (int y0 = 0; y0 < rows_; y0 += 4) {
+        for (int x0 = 0; x0 < columns_; x0 += 4) {
+            for (int y = y0; y < std::min(rows_, y0 + 4); ++y) {
+                for (int x = x0; x < std::min(columns_, x0 + 4); ++x) {
+                    column_.push_back(static_cast<float>(x));
+                    row_.push_back(static_cast<float>(y));
+                }
+            }
+        }
+    }
+    column_.resize(width * packets(), 0.0f);
+    row_.resize(width * packets(), 0.0f);
+}
+
+void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet,
+                   RayPacket& rays) const {
+    const LiftedFacet from(facets, facet);
+    const auto [along_d, across_d] = tangents(from.normal);
+    const Eigen::Vector3f along = along_d.cast<float>(), across = across_d.cast<float>(),
+                          normal = facets.normal[facet];
+    const std::uint64_t key = mixed(seed_ ^ mixed(facet)), start = mixed(key);
+    const auto jitter = static_cast<std::uint32_t>(key);
+    const auto start_x = static_cast<std::uint32_t>(start);
+    const auto start_y = static_cast<std::uint32_t>(start >> 32);
+    const Eigen::Vector3f corner = from.corner.cast<float>(), to_b = from.to_b.cast<float>(),
+                          to_c = from.to_c.cast<float>();
+    const float* column = &column_[width * packet];
+    const float* row = &row_[width * packet];
+    const float across_cell = 2.0f / static_cast<float>(columns_);
+    const float down_cell = 2.0f / static_cast<float>(rows_);
+    const auto first = static_cast<std::uint32_t>(width * packet);
+    constexpr float quarter = std::numbers::pi_v<float> / 4.0f;
+
+#pragma omp simd
+    for (std::uint32_t i = 0; i < width; ++i) {
+        const std::uint32_t k = first + i;
+        // A point of the facet: the square's far half folds back onto the triangle.
+        const float p = static_cast<float>(static_cast<int>((start_x + r2_x * k) >> 8)) * 0x1p-24f;
+        const float q = static_cast<float>(static_cast<int>((start_y + r2_y * k) >> 8)) * 0x1p-24f;
+        const float to_p = p + q > 1.0f ? 1.0f - p : p, to_q = p + q > 1.0f ? 1.0f - q : q;
+        rays.origin_x[i] = corner.x() + to_p * to_b.x() + to_q * to_c.x();
+        rays.origin_y[i] = corner.y() + to_p * to_b.y() + to_q * to_c.y();
+        rays.origin_z[i] = corner.z() + to_p * to_b.z() + to_q * to_c.z();
+        const std::uint32_t random = mixed32(jitter + 0x9E3779B9u * k);
+        // In the middle of 2^-16 of a cell, so never on its edge.
+        const float u = (static_cast<float>(static_cast<int>(random & 0xFFFFu)) + 0.5f) * 0x1p-16f;
+        const float v = (static_cast<float>(static_cast<int>(random >> 16)) + 0.5f) * 0x1p-16f;
+        const float a = (column[i] + u) * across_cell - 1.0f;
+        const float b = (row[i] + v) * down_cell - 1.0f;
+        // The square to the disc, equal areas to equal areas (Shirley & Chiu 1997). The angle from
+        // the nearer axis is at most 45°, where four terms of sine and cosine are good to 3e-7.
+        const bool flat = std::abs(a) > std::abs(b);
+        const float radius = flat ? a : b, less = flat ? b : a;
+        const float t = quarter * (less / (radius == 0.0f ? 1.0f : radius)), s = t * t;
+        const float sine = t * (1.0f - s * (1.0f / 6 - s * (1.0f / 120 - s * (1.0f / 5040))));
+        const float cosine =
+            1.0f - s * (0.5f - s * (1.0f / 24 - s * (1.0f / 720 - s * (1.0f / 40320))));
+        const float x = radius * (flat ? cosine : sine), y = radius * (flat ? sine : cosine);
+        const float z = std::sqrt(1.0f - radius * radius);
+        rays.direction_x[i] = x * along.x() + y * across.x() + z * normal.x();
+        rays.direction_y[i] = x * along.y() + y * across.y() + z * normal.y();
+        rays.direction_z[i] = x * along.z() + y * across.z() + z * normal.z();
+    }
+}
+
+}  // namespace diurna

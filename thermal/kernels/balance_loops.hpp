@@ -1,0 +1,105 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/fast_exp.hpp"
+#include "thermal/kernels/mode_kernel.hpp"
+#include "thermal/kernels/surface_loops.hpp"
+
+// The surface balance of columns in modes, lanes side by side, compiled once for each width of
+// vectors (surface_avx2.cpp, surface_avx512.cpp); everything here belongs to the unit that includes
+// it.
+//
+// One evaluation is a chain of some 250 cycles of latency but a quarter of that of work. It is cut
+// into loops over all lanes, each so short that the processor's schedulers hold every vector of it
+// at once and work on them side by side.
+
+namespace diurna {
+
+namespace {
+
+constexpr int newton_steps = 10;  // more than a bend takes
+constexpr int halvings = 56;      // of the bracket 1 to 5000 K, to its last bit
+
+/// [K] of the last correction, which has been applied: what is left goes with its square, 1e-9 K
+/// and less for ground; a plate's film rises from the air's temperature with an upright tangent.
+template <bool Plate>
+constexpr double near_enough = Plate ? 1e-8 : 1e-4;
+
+constexpr double murray_a = 17.2693882, murray_b = 35.86, triple_point = 273.16;  // Murray 1967
+constexpr double coldest_vapour = 100.0, hottest_vapour = 450.0;                  // [K] his range
+
+/// A correction that leads across the bend proves nothing of what is left, unless it is tiny.
+template <bool Wet>
+[[gnu::always_inline]] inline double size_of(double correction, double t, double next,
+                                             double bend) {
+    double size = std::abs(correction);
+    if (Wet) size = (t - bend) * (next - bend) < 0.0 ? 1e3 * size : size;
+    // Comparisons with NaN are false: it counts as far away.
+    return size < 1e9 ? size : 1e9;
+}
+
+/// The surface balance of `Count` lanes: what ground_film, plate_film and latent_heat of
+/// thermal/surface/turbulence.hpp say (tests/mode_batch_test), in short loops. Air [lane] where it
+/// changes from lane to lane (`Mixed`), else as it is.
+template <std::size_t Count>
+struct Balance {
+    alignas(64) double flux[Count], slope[Count];
+};
+struct SameAir {
+    AirFilm air;
+    [[gnu::always_inline]] const AirFilm& operator()(std::size_t) const { return air; }
+};
+template <bool Plate, bool Wet, std::size_t Count, class Air>
+[[gnu::always_inline]] inline void evaluate(const Air& air_at, const NaturalFilm* natural,
+                                            double radiation, const double* temperature,
+                                            Balance<Count>& result) {
+    alignas(64) double h[Count], film_slope[Count], pressure[Count], rest[Count], inverse[Count],
+        scale[Count];
+    double *const flux = result.flux, *const slope = result.slope;
+#pragma omp simd
+    for (std::size_t l = 0; l < Count; ++l) {
+        const AirFilm& air = air_at(l);
+        const double t = temperature[l];
+        const Film film = Plate ? plate_film(air, natural[l], t) : ground_film(air, t);
+        const double cube = radiation * t * t * t;
+        flux[l] = -cube * t - film.h * (t - air.air_temperature);
+        slope[l] = -4.0 * cube - film.h - film.rise;
+        h[l] = film.h;
+        film_slope[l] = film.slope;
+    }
+    if (!Wet) return;
+#pragma omp simd
+    for (std::size_t l = 0; l < Count; ++l) {
+        const double t = std::min(std::max(temperature[l], coldest_vapour), hottest_vapour);
+        inverse[l] = 1.0 / (t - murray_b);
+        const ExpParts parts = exp_parts(murray_a * (t - triple_point) * inverse[l]);
+        rest[l] = parts.rest;
+        scale[l] = parts.scale;
+    }
+#pragma omp simd
+    for (std::size_t l = 0; l < Count; ++l) {
+        pressure[l] = 610.78 * scale[l] * exp_series(rest[l]);
+    }
+#pragma omp simd
+    for (std::size_t l = 0; l < Count; ++l) {
+        const AirFilm& air = air_at(l);
+        const double steep =
+            pressure[l] * (murray_a * (triple_point - murray_b)) * inverse[l] * inverse[l];
+        const double above = std::max(0.0, temperature[l] - hottest_vapour);
+        const double excess = pressure[l] + steep * above - air.vapour_pressure;
+        const bool drying = excess > 0.0;
+        const double resistance = drying ? air.resistance : 0.0;
+        const double share = air.latent * (drying ? air.wetness : 1.0);
+        const double in_series = 1.0 / (air.heat_capacity + resistance * h[l]);
+        const double conductance = h[l] * in_series;
+        const double steeper = air.heat_capacity * in_series * in_series * film_slope[l];
+        flux[l] -= share * conductance * excess;
+        slope[l] -= share * (conductance * steep + steeper * excess);
+    }
+}
+
+}  // namespace
+
+}  // namespace diurna

@@ -1,0 +1,9 @@
+#include "thermal/kernels/mode_loops.hpp"
+#include "thermal/kernels/shadow_edge_loops.hpp"
+
+namespace diurna {
+
+const SurfaceKernel surface_avx512{solve};
+const ModeKernel modes_avx512{advance_all, split_some};
+
+}  // namespace diurna

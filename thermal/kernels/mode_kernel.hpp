@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+
+#include "thermal/column/column.hpp"
+#include "thermal/surface/turbulence.hpp"
+
+namespace diurna {
+
+// A step of `lanes` facets in modes as plain arrays: what the loops compiled for each width of
+// vectors take (thermal/kernels/mode_loops.hpp). Nothing here allocates or throws.
+
+/// Facets in modes that go through the span together, in units of `lanes`: those that a shadow's
+/// edge passes in the same step are then enough to fill a vector.
+inline constexpr std::size_t mode_lanes = 8 * lanes;
+
+/// Shared by all facets of a material over a step.
+struct ModeCoefficients {
+    std::size_t modes;
+    const double *rate, *surface;  // (mode)
+    const double *decay, *carry;   // (mode) carry = decay · to + from
+    double response, film, reference, flux_below, emissivity;
+    double step;  // [s]
+};
+
+/// The facets [lane]. `state` [mode][lane] lacks `to · drive` of the step before: it is added with
+/// the next step's own part, which saves a pass over the states.
+struct ModeLanes {
+    double dew_point;                  // [K] of the air: the balance bends there
+    const NaturalFilm* natural;        // of plates; unused for ground
+    const double *heat_before, *heat;  // [W m⁻²] at the step's ends
+    double *state, *temperature, *drive, *slope;
+};
+
+struct ModeOutcome {
+    int iterations = 0;    // of Newton's, the same for all lanes
+    bool halved = false;   // Newton swung, and the bracket was halved to its end
+    double closure = 0.0;  // surface balance less what the modes got, over the sum of its terms
+};
+
+/// A facet whose heat jumps within the step [lane]: where, and by how much.
+struct SplitLanes {
+    std::size_t groups;  // of `split_lanes` lanes
+    double dew_point_before, dew_point;
+    const NaturalFilm* natural;
+    const double *share, *jump;                   // of the step, 0 < share < 1; [W m⁻²]
+    const double *heat_before, *heat;             // the jump included in the latter
+    double *state, *temperature, *drive, *slope;  // state [mode][split_capacity], whole
+    double* to;                                   // scratch, like state
+};
+inline constexpr std::size_t split_lanes = 8, split_capacity = mode_lanes;
+inline constexpr std::size_t most_modes = 64;
+
+struct ModeKernel {
+    ModeOutcome (*advance)(const AirFilm& before, const AirFilm& air, const ModeCoefficients&,
+                           const ModeLanes&);
+    bool (*split)(const AirFilm& before, const AirFilm& air, const ModeCoefficients&,
+                  const SplitLanes&);
+};
+extern const ModeKernel modes_avx2, modes_avx512;
+
+}  // namespace diurna

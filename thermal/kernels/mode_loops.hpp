@@ -1,0 +1,116 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+#include "thermal/kernels/balance_loops.hpp"
+
+// A whole step in modes, all facets at one pace, compiled once for each width of vectors as
+// thermal/kernels/balance_loops.hpp is.
+
+namespace diurna {
+
+namespace {
+
+template <bool Plate, bool Wet>
+ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const ModeCoefficients& c,
+                          const ModeLanes& s) {
+    // Values of its own, which no store through a pointer can change, let the loops become vectors.
+    const AirFilm air = given;
+    const double radiation = c.emissivity * stefan_boltzmann, response = c.response;
+    const double stiffness = 1.0 / response, film = c.film, reference = c.reference;
+    const double b = stiffness - film, flux_below = c.flux_below;
+    const double warmer = air.air_temperature - before.air_temperature;
+    const double bend = s.dew_point;
+    alignas(64) double a[lanes] = {}, pull[lanes], t_now[lanes], flux[lanes];
+    Balance<lanes> at;
+    for (std::size_t m = 0; m < c.modes; ++m) {
+        const double decay = c.decay[m], carry = c.carry[m], surface = c.surface[m];
+        double* const x = s.state + m * lanes;
+#pragma omp simd
+        for (std::size_t l = 0; l < lanes; ++l) {
+            x[l] = decay * x[l] + carry * s.drive[l];
+            a[l] += surface * x[l];
+        }
+    }
+    const double base = b * reference + flux_below;
+#pragma omp simd
+    for (std::size_t l = 0; l < lanes; ++l) {
+        pull[l] = stiffness * a[l] + base + s.heat[l];
+        // Newton starts where the surface would be if it went on as straight as it was, under what
+        // sun and air bring now.
+        const double t = s.temperature[l], slope = s.slope[l];
+        const double brought =
+            s.heat[l] - s.heat_before[l] - (slope + 4.0 * radiation * t * t * t) * warmer;
+        const double steep = slope + film;
+        t_now[l] =
+            reference + (a[l] + response * (s.drive[l] + brought - steep * (t - reference))) /
+                            (1.0 - response * steep);
+    }
+    ModeOutcome outcome{};
+    double largest;
+    do {
+        largest = 0.0;
+        evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, t_now, at);
+#pragma omp simd reduction(max : largest)
+        for (std::size_t l = 0; l < lanes; ++l) {
+            const double t = t_now[l];
+            const double correction = (at.flux[l] + pull[l] - b * t) / (b - at.slope[l]);
+            const double next = t + correction;
+            t_now[l] = next;
+            flux[l] = at.flux[l] + at.slope[l] * correction;
+            s.slope[l] = at.slope[l];
+            const double size = size_of<Wet>(correction, t, next, bend);
+            largest = size > largest ? size : largest;
+        }
+        ++outcome.iterations;
+    } while (largest > near_enough<Plate> && outcome.iterations < newton_steps);
+    outcome.halved = largest > near_enough<Plate>;
+    if (outcome.halved) {
+        alignas(64) double low[lanes], high[lanes];
+        std::fill_n(low, lanes, coldest);
+        std::fill_n(high, lanes, hottest);
+        for (int i = 0; i < halvings; ++i) {
+            for (std::size_t l = 0; l < lanes; ++l) t_now[l] = 0.5 * (low[l] + high[l]);
+            evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, t_now, at);
+            for (std::size_t l = 0; l < lanes; ++l) {
+                const bool colder = at.flux[l] + pull[l] - b * t_now[l] > 0.0;
+                (colder ? low : high)[l] = t_now[l];
+                flux[l] = at.flux[l];
+                s.slope[l] = at.slope[l];
+            }
+        }
+    }
+    double worst = 0.0;
+#pragma omp simd reduction(max : worst)
+    for (std::size_t l = 0; l < lanes; ++l) {
+        const double t = t_now[l], theta = t - reference;
+        const double u = stiffness * (theta - a[l]);
+        const double left = std::abs(flux[l] + s.heat[l] + film * theta + flux_below - u);
+        const double square = t * t;
+        const double terms =
+            std::abs(s.heat[l]) + radiation * square * square + std::abs(flux[l] + s.heat[l]) + 1.0;
+        const double open = left / terms;
+        worst = open > worst ? open : worst;
+        s.temperature[l] = t;
+        s.drive[l] = u;
+    }
+    outcome.closure = worst;
+    return outcome;
+}
+
+ModeOutcome advance_all(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
+                        const ModeLanes& s) {
+    const bool wet = air.wetness > 0.0;
+    if (air.plate) {
+        return wet ? advance_lanes<true, true>(before, air, c, s)
+                   : advance_lanes<true, false>(before, air, c, s);
+    }
+    return wet ? advance_lanes<false, true>(before, air, c, s)
+               : advance_lanes<false, false>(before, air, c, s);
+}
+
+}  // namespace
+
+}  // namespace diurna

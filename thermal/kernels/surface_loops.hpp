@@ -1,0 +1,114 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
+
+// The loops of the surface balance, compiled once for each width of vectors (surface_avx2.cpp,
+// surface_avx512.cpp); everything here belongs to the unit that includes it. The arithmetic of a
+// lane is the same in all of them.
+
+namespace diurna {
+
+namespace {
+
+constexpr double coldest = 1.0, hottest = 5000.0;  // [K] bracket
+constexpr int patience = 3;          // iterations before Newton has to halve its steps
+constexpr int most_iterations = 80;  // bisection alone needs 53 to its last bit
+
+/// [K] of the last correction. Smooth ground squares what is left; where dew begins, and where a
+/// plate is as warm as the air, the balance has a bend.
+template <bool Plate, bool Wet>
+constexpr double settled_at = Plate ? 1e-8
+                              : Wet ? 1e-6
+                                    : 1e-5;
+
+struct FluxAt {
+    double flux, slope;
+};
+template <bool Plate, bool Wet>
+[[gnu::always_inline]] inline FluxAt flux_at_surface(const AirFilm& air, NaturalFilm natural,
+                                                     double radiation, double heat, double t) {
+    const Film film = Plate ? plate_film(air, natural, t) : ground_film(air, t);
+    const double cube = radiation * t * t * t;
+    FluxAt at{heat - cube * t - film.h * (t - air.air_temperature),
+              -4.0 * cube - film.h - film.rise};
+    if (Wet) {
+        const LatentHeat latent = latent_heat(air, film, t);
+        at.flux += latent.flux;
+        at.slope += latent.slope;
+    }
+    return at;
+}
+
+template <bool Plate, bool Wet>
+SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
+    constexpr double settled = settled_at<Plate, Wet>;
+    // Values of its own, which no store through a pointer can change, let the loop become vectors.
+    const AirFilm air = given;
+    const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;
+    const double* const heat = s.heat;
+    const double* const a = s.a;
+    const NaturalFilm* const natural = s.natural;
+    double* const temperature = s.temperature;
+    const std::size_t count = s.count;
+    double low[lanes], high[lanes], last_step[lanes], flux_at[lanes], slope_at[lanes];
+    std::fill_n(low, count, coldest);
+    std::fill_n(high, count, hottest);
+    std::fill_n(last_step, count, hottest);
+    SurfaceCount result;
+    double correction = hottest;
+    while (correction > settled && result.iterations < most_iterations) {
+        correction = 0.0;
+        double strays = 0.0;
+        const double steady_share = result.iterations < patience ? hottest : 0.5;
+#pragma omp simd reduction(max : correction) reduction(+ : strays)
+        for (std::size_t l = 0; l < count; ++l) {
+            const double t = temperature[l];
+            const FluxAt at = flux_at_surface<Plate, Wet>(air, natural[l], radiation, heat[l], t);
+            const double flux = at.flux, slope = at.slope;
+            const double excess = flux + a[l] - b * (t - reference);
+            const double from = excess > 0.0 ? t : low[l];
+            const double to = excess < 0.0 ? t : high[l];
+            const double newton_step = excess / (b - slope);
+            const double wanted = t + newton_step;
+            // Newton may swing about a bend for ever: between two points with the root in between
+            // it has to halve its steps, or the bracket is halved instead.
+            const double most = to - from < hottest / 2.0 ? steady_share * last_step[l] : hottest;
+            double stray = std::abs(newton_step) > most + settled ? 1.0 : 0.0;
+            stray = wanted < from - settled ? 1.0 : stray;
+            stray = wanted > to + settled ? 1.0 : stray;
+            const double middle = 0.5 * (from + to);
+            const double next = stray > 0.0 ? middle : wanted;
+            const double step = std::abs(next - t);
+            low[l] = from;
+            high[l] = to;
+            last_step[l] = step;
+            temperature[l] = next;
+            flux_at[l] = flux + slope * (next - t);
+            slope_at[l] = slope;
+            // A halved bracket says nothing of the root but that it lies inside.
+            const double unsettled = stray > 0.0 ? to - from : step;
+            correction = unsettled > correction ? unsettled : correction;
+            strays += stray;
+        }
+        result.bisections += static_cast<std::size_t>(strays);
+        ++result.iterations;
+    }
+    std::copy_n(flux_at, count, s.flux);
+    std::copy_n(slope_at, count, s.slope);
+    return result;
+}
+
+SurfaceCount solve(const AirFilm& air, const SurfaceLanes& surface) {
+    const bool wet = air.wetness > 0.0;
+    if (air.plate)
+        return wet ? newton<true, true>(air, surface) : newton<true, false>(air, surface);
+    return wet ? newton<false, true>(air, surface) : newton<false, false>(air, surface);
+}
+
+}  // namespace
+
+}  // namespace diurna

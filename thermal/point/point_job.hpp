@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/matter/material.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+#include "thermal/weather/sky_state.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// What went before the span: nothing (the given start), its first day over and over, or itself.
+/// The first day is repeated without the trend of its air and sky from end to end: a front that
+/// came through is that day's weather and no other's.
+enum class SpinUp { none, first_day, periodic };
+
+/// A temperature in the ground.
+struct SoilPoint {
+    double depth;        // [m]
+    double temperature;  // [K]
+};
+
+/// One facet under a series of weather: what column.toml says.
+struct ColumnJob {
+    Site site;
+    double elevation = 0.0;   // [m] above the sea
+    double slope_deg = 0.0;   // 0 to 180
+    double aspect_deg = 180;  // the way it faces, clockwise from north
+    double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself, at its temperature
+    double airspeed = 0.0;    // [m s⁻¹] of a moving surface: its wind, and the air's recovery
+    ThermalSurface surface;
+    Weather weather;
+    ClearSky clear_sky;
+    Instant start{}, end{};
+    SpinUp spin_up = SpinUp::first_day;
+    double step = 1800.0;                       // output cadence [s]
+    double longest_step = 600.0;                // of the integration [s]
+    double tolerance = 0.002;                   // [K] per step, from step doubling
+    double initial_temperature = not_measured;  // [K] uniform, for SpinUp::none
+    /// Ground at the start, for SpinUp::none: straight between ascending depths, constant beyond.
+    std::vector<SoilPoint> initial_profile;
+};
+
+/// One row of the result; fluxes are positive towards the surface [W m⁻²] and sum, with the
+/// internal heat, to the storage of the surface node's half cell.
+struct ColumnRow {
+    Instant instant;
+    double surface_temperature;  // [K]
+    double absorbed_solar, longwave_in, longwave_out, sensible, latent, conducted;
+    double back_temperature;    // [K]
+    double ground_temperature;  // [K] under a canopy; else the surface
+    double leaf_temperature;    // [K] of a canopy
+    double water_mm, frost_mm;  // standing on the surface
+    double melt;  // heat that melts snow or frost, mean since the row before [W m⁻²]
+};
+
+struct ColumnResult {
+    std::vector<ColumnRow> row;  // at start, start + step, ... end
+    bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
+    std::string note;                   // what was modelled for want of measurements
+    int passes = 0;                     // of the spin-up
+    double periodic_residual = 0.0;     // [K]
+    double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, of any step
+    long long steps = 0, rejected = 0;
+    /// Steps that had to be taken otherwise than asked: backward Euler at the shortest step,
+    /// because the equations were not solved or the error stayed too large. Zero in normal use.
+    int limited = 0;
+    std::vector<double> depth, final_profile;  // (node) [m], [K]
+    double final_molten = 0.0;                 // heat of melting held by the column [J m⁻²]
+};
+
+/// Reads a column file (TOML; see the README, "The point tool") and its weather. Throws InputError
+/// with every mistake: file:line:column, what was expected, the nearest key.
+ColumnJob read_column_job(const std::filesystem::path& file);
+
+ColumnResult run_column(const ColumnJob& job);
+
+/// The result as text: `time,surface_temperature_K,...`, comment lines first for what was modelled.
+std::string column_csv(const ColumnResult& result);
+
+}  // namespace diurna

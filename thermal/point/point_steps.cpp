@@ -1,0 +1,204 @@
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/point/point_facet.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double shortest_step = 1e-7;  // [s]
+constexpr double least_flux = 1e-3;     // [W m⁻²] that a balance is measured against
+
+}  // namespace
+
+void PointFacet::take(const State& state) {
+    u = state.u;
+    rest_ = state.rest;
+    standing = state.standing;
+    evaporation_ = state.evaporation;
+    snow_albedo_ = state.snow_albedo;
+}
+
+void PointFacet::count_closure(const Taken& taken, const State& before, const State& after) {
+    double gained = 0.0, moved = 0.0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        const double by = (after.u[i] - before.u[i]) + (after.rest[i] - before.rest[i]);
+        const double gain = column.gain(i, before.u[i], by);
+        gained += gain;
+        moved += std::abs(gain);
+    }
+    const SurfaceTerms at = surface_terms(taken.last, taken.step.surface[1]);
+    const HeatBalance& b = at.balance;
+    const double gross = least_flux + std::abs(b.absorbed_solar) + std::abs(b.longwave_in) +
+                         std::abs(b.longwave_out) + std::abs(b.sensible) + std::abs(b.latent) +
+                         std::abs(b.internal) + std::abs(at.frost_melt);
+    const double scale = taken.step.through + taken.duration * gross + moved;
+    count.worst_closure =
+        std::max(count.worst_closure, std::abs(gained - taken.step.heat_in) / scale);
+}
+
+double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
+                           Eigen::MatrixXd* map) {
+    const double span = seconds_between(from, to);
+    auto knot = std::upper_bound(setup_.knot.begin(), setup_.knot.end(), from);
+    double done = 0.0, melted = 0.0;
+    bool stuck = false;  // the shortest step was not good enough
+    State begin = state(), whole, middle, halves;
+    while (span - done > 1e-9) {
+        // To the next sample of the weather, or half way there.
+        while (knot != setup_.knot.end() && seconds_between(from, *knot) <= done + 1e-9) ++knot;
+        double limit = span - done;
+        if (knot != setup_.knot.end()) {
+            limit = std::min(limit, seconds_between(from, *knot) - done);
+        }
+        double step = std::max(shortest_step, std::min(next_step_, setup_.longest_step));
+        const bool cut = step >= 0.999 * limit;
+        if (cut) {
+            step = limit;
+        } else if (step > 0.5 * limit) {
+            step = 0.5 * limit;
+        }
+        const bool last_resort = stuck;
+
+        whole = begin;
+        halves = begin;
+        const Taken once = half_step(from, done, step, last_resort, whole, nullptr);
+        Taken first, second;
+        double error = 1e9;
+        if (once.step.solved) {
+            first = half_step(from, done, 0.5 * step, last_resort, halves, nullptr);
+            middle = halves;
+            if (first.step.solved) {
+                second =
+                    half_step(from, done + 0.5 * step, 0.5 * step, last_resort, halves, nullptr);
+                if (second.step.solved) {
+                    error = 0.0;
+                    for (std::size_t i = 0; i < u.size(); ++i) {
+                        error = std::max(error, std::abs(column.temperature(i, halves.u[i]) -
+                                                         column.temperature(i, whole.u[i])));
+                    }
+                    error /= 3.0;
+                }
+            }
+        }
+        const double growth = error > 0.0 ? 0.9 * std::cbrt(setup_.tolerance / error) : 4.0;
+        if (error > setup_.tolerance && !last_resort) {
+            ++count.rejected;
+            stuck = step <= shortest_step;
+            next_step_ = step * std::clamp(growth, 0.1, 0.7);
+            continue;
+        }
+        if (last_resort) ++count.limited;
+        stuck = false;
+        if (error < 1e9) {
+            count_closure(first, begin, middle);
+            count_closure(second, middle, halves);
+            if (map) {
+                // Over again with the map, now that the step is known to stand.
+                half_step(from, done, 0.5 * step, last_resort, begin, map);
+                half_step(from, done + 0.5 * step, 0.5 * step, last_resort, begin, map);
+            }
+            melted += first.melted + second.melted + column.drain(halves.u);
+            std::swap(begin, halves);
+        }
+        if (steps) steps->push_back(step);
+        ++count.steps;
+        done += step;
+        const double grown = step * std::clamp(growth, 0.2, 4.0);
+        // A step cut short by a sample says little of how long the next may be.
+        next_step_ = std::max(grown, cut ? std::min(next_step_, 10.0 * grown) : 0.0);
+        next_step_ = std::clamp(next_step_, shortest_step, setup_.longest_step);
+    }
+    take(begin);
+    return melted;
+}
+
+void PointFacet::repeat(Instant from, const std::vector<double>& steps, Eigen::MatrixXd& map) {
+    double done = 0.0;
+    for (const double step : steps) {
+        for (int half = 0; half < 2; ++half) {
+            State next = state();
+            const Taken taken =
+                half_step(from, done + 0.5 * step * half, 0.5 * step, false, next, &map);
+            if (taken.step.solved) take(next);
+        }
+        column.drain(u);
+        done += step;
+    }
+}
+
+void PointFacet::march(Instant from, Instant to, bool restart, Eigen::MatrixXd* map) {
+    constexpr double first = 10.0, growth = 3.0;  // [s]
+    if (restart) next_march_ = first;
+    const double span = seconds_between(from, to);
+    for (double done = 0.0; done < span - 1e-6;) {
+        double step = std::min(next_march_, setup_.longest_step);
+        if (span - done < 1.5 * step) step = span - done;
+        march_step(from, done, step, 0, map);
+        done += step;
+        next_march_ = std::min(growth * step, setup_.longest_step);
+    }
+}
+
+void PointFacet::march_step(Instant from, double at, double step, int depth, Eigen::MatrixXd* map) {
+    constexpr int deepest = 10;
+    const State before = state();
+    State after = before;
+    Eigen::MatrixXd given;
+    if (map) given = *map;
+    const bool gentle = depth == deepest;
+    const Taken taken = half_step(from, at, step, gentle, after, map);
+    ++count.steps;
+    if (gentle) ++count.limited;
+    if (taken.step.solved) {
+        count_closure(taken, before, after);
+        column.drain(after.u);
+        take(after);
+        return;
+    }
+    if (map) *map = given;
+    if (gentle) return;
+    march_step(from, at, 0.5 * step, depth + 1, map);
+    march_step(from, at + 0.5 * step, 0.5 * step, depth + 1, map);
+}
+
+double PointFacet::close_period(const std::vector<double>& start, const Eigen::MatrixXd& map) {
+    const auto n = static_cast<Eigen::Index>(u.size());
+    Eigen::VectorXd change(n);
+    for (Eigen::Index i = 0; i < n; ++i) change[i] = u[std::size_t(i)] - start[std::size_t(i)];
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> period;
+    period.setThreshold(1e-9);  // a column that loses nothing keeps its mean
+    period.compute(Eigen::MatrixXd::Identity(n, n) - map);
+    // Where water freezes the map bends, and a whole step of Newton's may lead astray.
+    const Eigen::VectorXd move = period.solve(change);
+    constexpr double farthest = 20.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double from = start[std::size_t(i)];
+        const double most = column.linear() ? 1e4 : farthest;
+        const double to = from + std::clamp(move[i], -most, most);
+        u[std::size_t(i)] = column.up_to_kink(std::size_t(i), from, to);
+    }
+    std::fill(rest_.begin(), rest_.end(), 0.0);
+    const double far = move.cwiseAbs().maxCoeff();
+    keep_in_bounds();
+    return far;
+}
+
+void PointFacet::go_on_from(const PointFacet& other) {
+    const double age = snow_albedo_;
+    take(other.state());
+    snow_albedo_ = age;
+    next_step_ = other.next_step_;
+}
+
+void PointFacet::keep_in_bounds() {
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        const double t = column.temperature(i, u[i]);
+        if (t < 1.0 || t > 5000.0) u[i] = column.state_of(i, std::clamp(t, 1.0, 5000.0));
+    }
+    column.drain(u);
+}
+
+}  // namespace diurna

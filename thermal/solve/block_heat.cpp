@@ -1,0 +1,44 @@
+#include "thermal/solve/block_heat.hpp"
+
+#include <algorithm>
+
+namespace diurna {
+
+BlockHeat::BlockHeat(const Job& job, const Level& level, const Block& block, std::size_t filled)
+    : job_(job), level_(level), block_(block), kind_(level.kind[block.material]), filled_(filled) {
+    facet_heat(job, block, kind_, 0, before_);
+    const double sky = kind_.column.surface.emissivity * kind_.forcing[0].sky_longwave;
+    for (std::size_t l = 0; l < filled; ++l) at_end[l] = before_[l] + sky;
+}
+
+void BlockHeat::begin_step(std::size_t i) {
+    facet_heat(job_, block_, kind_, i, after_);
+    edges_ = edges_of(level_, block_, i);
+    const double absorptance = edges_.empty() ? 0.0 : absorptance_at(job_, kind_, i);
+    for (const HeatJump& edge : edges_) jump_[edge.lane] = absorptance * edge.heat;
+}
+
+void BlockHeat::begin_substep(int s, double sky_longwave) {
+    const int substeps = kind_.column.substeps;
+    const double sky = kind_.column.surface.emissivity * sky_longwave;
+    const double share = double(s + 1) / substeps;
+    for (std::size_t l = 0; l < filled_; ++l) {
+        at_start[l] = at_end[l];
+        at_end[l] = before_[l] + share * (after_[l] - before_[l] - jump_[l]) + sky;
+    }
+    jumps.clear();
+    for (const HeatJump& edge : edges_) {
+        const double within = edge.share * substeps - s;
+        if (within < 1.0) at_end[edge.lane] += jump_[edge.lane];
+        if (within >= 0.0 && within < 1.0) {
+            jumps.push_back({edge.lane, std::clamp(within, 1e-3, 1.0 - 1e-3), jump_[edge.lane]});
+        }
+    }
+}
+
+void BlockHeat::end_step() {
+    for (const HeatJump& edge : edges_) jump_[edge.lane] = 0.0;
+    std::copy_n(after_, filled_, before_);
+}
+
+}  // namespace diurna

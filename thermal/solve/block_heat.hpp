@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "thermal/solve/pass.hpp"
+
+namespace diurna {
+
+/// What the lanes of a block take in from sun, terrain, inside and sky, step by step and substep by
+/// substep [W m⁻²]: straight between the steps' ends but for jumps of sunlight.
+class BlockHeat {
+ public:
+    /// At the first instant. filled: lanes of the block that are computed, at most mode_lanes.
+    BlockHeat(const Job& job, const Level& level, const Block& block, std::size_t filled);
+
+    /// The step that ends at instant i.
+    void begin_step(std::size_t i);
+    /// Its substep s, which ends under the sky's longwave [W m⁻²]; `at_start` takes over `at_end`.
+    void begin_substep(int s, double sky_longwave);
+    void end_step();
+
+    alignas(64) double at_start[mode_lanes] = {}, at_end[mode_lanes] = {};  // of the substep
+    std::vector<HeatJump> jumps;                                            // within the substep
+
+ private:
+    const Job& job_;
+    const Level& level_;
+    const Block& block_;
+    const Kind& kind_;
+    std::size_t filled_;
+    std::span<const HeatJump> edges_;
+    alignas(64) double before_[mode_lanes], after_[mode_lanes], jump_[mode_lanes] = {};
+};
+
+}  // namespace diurna

@@ -1,0 +1,76 @@
+#include "thermal/solve/facet_exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diurna {
+
+namespace {
+
+/// Σ factor · value over a facet's row.
+double gathered(const Exchange& exchange, std::size_t facet, std::span<const float> value) {
+    double sum = 0.0;
+    for (std::uint32_t k = exchange.row[facet]; k < exchange.row[facet + 1]; ++k) {
+        sum += double(exchange.factor[k]) * value[index(exchange.facet[k])];
+    }
+    return sum;
+}
+
+}  // namespace
+
+FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& materials) {
+    FacetOptics optics;
+    optics.albedo.reserve(facets.size());
+    optics.emissivity.reserve(facets.size());
+    for (const MaterialId id : facets.material) {
+        optics.albedo.push_back(float(materials[id].thermal.albedo));
+        optics.emissivity.push_back(float(materials[id].thermal.emissivity));
+    }
+    return optics;
+}
+
+void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetOptics& optics,
+                       const SkyState& sky, std::span<const float> fraction, bool exchange,
+                       std::span<float> incident) {
+    const std::size_t n = facets.size();
+    const double global = sky.global_horizontal();
+    if (global <= 0.0) {
+        std::fill(incident.begin(), incident.end(), 0.0f);
+        return;
+    }
+    std::vector<float> own(n), reflected(n);
+    for (std::size_t f = 0; f < n; ++f) {
+        const double cosine = facets.normal[f].cast<double>().dot(sky.to_sun);
+        // The fraction counts the facet's own turning away already.
+        const double lit = fraction.empty() ? 1.0 : fraction[f];
+        double light = facet_sunlight(sky, cosine, lit, view.sky_view[f]);
+        if (exchange) light += double(view.below[f]) * optics.albedo[f] * global;
+        own[f] = incident[f] = float(light);
+    }
+    if (!exchange || view.exchange.facet.empty()) return;
+    for (int bounce = 0; bounce < 2; ++bounce) {
+        for (std::size_t f = 0; f < n; ++f) reflected[f] = optics.albedo[f] * incident[f];
+        for (std::size_t f = 0; f < n; ++f) {
+            incident[f] = float(own[f] + gathered(view.exchange, f, reflected));
+        }
+    }
+}
+
+void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,
+                       std::span<float> excess) {
+    const std::size_t instants = excess.size();
+    const auto add = [&](std::size_t from, float factor, bool first) {
+        const float* sent = leaving.data() + from * instants;
+        if (first) {
+            for (std::size_t i = 0; i < instants; ++i) excess[i] = factor * sent[i];
+        } else {
+            for (std::size_t i = 0; i < instants; ++i) excess[i] += factor * sent[i];
+        }
+    };
+    add(facet, view.below[facet], true);
+    for (auto k = view.exchange.row[facet]; k < view.exchange.row[facet + 1]; ++k) {
+        add(index(view.exchange.facet[k]), view.exchange.factor[k], false);
+    }
+}
+
+}  // namespace diurna

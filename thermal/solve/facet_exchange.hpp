@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "materials/base/units.hpp"
+#include "materials/matter/library.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/visibility/sky_view.hpp"
+#include "thermal/weather/sky_state.hpp"
+
+namespace diurna {
+
+/// Broadband optics of every facet.
+struct FacetOptics {
+    std::vector<float> albedo, emissivity;  // (facet)
+};
+FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& materials);
+
+/// Sunlight on every facet at one instant [W m⁻²]: beam and sky (facet_sunlight) and what other
+/// facets reflect, two bounces deep; what is left of the third is below albedo³ of the seen share.
+/// Ground below the scene's edge reflects the horizontal global sun as the facet itself would.
+///
+/// fraction  (facet) share in the sun; empty: nothing casts a shadow
+void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetOptics& optics,
+                       const SkyState& sky, std::span<const float> fraction, bool exchange,
+                       std::span<float> incident);
+
+/// Longwave from other facets beyond what the sky they hide would send, D = L_in − L_sky [W m⁻²]:
+/// neighbours emit ε σ T⁴ and reflect the rest of what reaches them. Zero, whatever the
+/// emissivities, where ground and sky are equally warm. In two halves: what leaves a
+/// facet beyond the sky's radiance,
+///
+/// excess   D as it was
+/// returns  ε (σ T⁴ − L_sky) + (1 − ε) D
+inline float leaving_longwave(float emissivity, double sky_longwave, float temperature,
+                              float excess) {
+    const double black = stefan_boltzmann * power4(double(temperature));
+    return float(emissivity * (black - sky_longwave) + (1.0 - emissivity) * excess);
+}
+/// and what arrives at a facet, at all instants at once: a row of the exchange is read once, and
+/// what its partners send lies together.
+///
+/// leaving  (facet, instant)
+/// excess   (instant) D as it becomes
+void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,
+                       std::span<float> excess);
+
+}  // namespace diurna

@@ -1,0 +1,192 @@
+#include "thermal/solve/longwave_exchange.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "thermal/solve/linearised_span.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr int most_sweeps = 10;
+constexpr std::size_t facets_at_once = 256;
+/// [W m⁻²] of longwave that is followed further: a tenth of a millikelvin, or a thousandth of the
+/// largest change.
+constexpr float least_change = 0.002f, least_share = 1e-3f;
+
+/// What leaves the facets at the instants of a level, and how it changes: (facet, instant).
+struct Field {
+    std::size_t used;  // instants
+    std::vector<float> leaving, change;
+    std::vector<float> most;          // (facet) largest |change|
+    std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` is not zero
+    std::span<float> changes(std::size_t f) { return {change.data() + f * used, used}; }
+};
+
+/// All of the longwave anew. `change` becomes what arrives now less what did before.
+void renew_all(Job& job, const Level& level, Field& field) {
+    const std::size_t used = field.used;
+    for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = 0; k < used; ++k) {
+            const std::size_t i = k * level.stride;
+            const double sky = job.sky[i].longwave_down;
+            const float* const kelvin = job.kelvin.data() + i * job.facets;
+            const float* const excess = job.excess.data() + i * job.facets;
+            for (std::size_t f = begin; f < end; ++f) {
+                field.leaving[f * used + k] =
+                    leaving_longwave(job.optics.emissivity[f], sky, kelvin[f], excess[f]);
+            }
+        }
+    });
+    for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            arriving_longwave(job.input.sky_view, field.leaving, f, field.changes(f));
+            field.most[f] = 0.0f;
+        }
+        for (std::size_t k = 0; k < used; ++k) {
+            float* const excess = job.excess.data() + k * level.stride * job.facets;
+            for (std::size_t f = begin; f < end; ++f) {
+                float& change = field.change[f * used + k];
+                const float next = change;
+                change -= excess[f];
+                excess[f] = next;
+                field.most[f] = std::max(field.most[f], std::abs(change));
+            }
+        }
+    });
+}
+
+/// Warms the blocks where more than `least` has arrived, and tells what more they send. Returns the
+/// largest change of temperature.
+double follow(Job& job, const Level& level, float least, Field& field) {
+    const std::size_t used = field.used;
+    std::vector<double> warmest(job.block.size(), 0.0);
+    for_each_index(
+        job.block.size(),
+        [&](std::size_t b) {
+            Block& block = job.block[b];
+            float most = 0.0f;
+            for (const std::size_t f : block.facet) {
+                most = std::max(most, field.most[f]);
+                field.sends[f] = 0;
+            }
+            if (most < least || !block.period) return;
+            const auto count = Eigen::Index(block.facet.size());
+            const auto n = Eigen::Index(block.start.size() / block.stride);
+            const float emissivity = job.optics.emissivity[block.facet.front()];
+            Eigen::MatrixXf heat(Eigen::Index(used), count);
+            for (Eigen::Index l = 0; l < count; ++l) {
+                const std::span<float> change = field.changes(block.facet[std::size_t(l)]);
+                heat.col(l) = emissivity * Eigen::VectorXf::Map(change.data(), heat.rows());
+            }
+            LinearDay day{.steep = relative_slopes(block),
+                          .state = Eigen::MatrixXd::Zero(n, count),
+                          .warmer = {}};
+            run_linear(job, level, block, heat, day);
+            if (job.options.periodic) {
+                const Eigen::MatrixXd start = close_period(block, day.state);
+                day.warmer += follow_start(block, start);
+                for (Eigen::Index m = 0; m < n; ++m) {
+                    for (Eigen::Index l = 0; l < count; ++l) {
+                        block.start[std::size_t(m) * block.stride + std::size_t(l)] += start(m, l);
+                    }
+                }
+                const Kind& kind = level.kind[block.material];
+                block.nudge += (kind.modes ? Eigen::MatrixXd(kind.modes->probe * start) : start)
+                                   .cwiseAbs()
+                                   .maxCoeff();
+            }
+            warm(job, level, block, day.warmer);
+            warmest[b] = day.warmer.cwiseAbs().maxCoeff();
+            for (std::size_t l = 0; l < block.facet.size(); ++l) {
+                const std::size_t f = block.facet[l];
+                field.sends[f] = 1;
+                for (std::size_t k = 0; k < used; ++k) {
+                    const float t = job.kelvin[k * level.stride * job.facets + f];
+                    field.leaving[f * used + k] =
+                        4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
+                            float(day.warmer(Eigen::Index(k), Eigen::Index(l))) +
+                        (1.0f - emissivity) * field.change[f * used + k];
+                }
+            }
+        },
+        4);
+    return *std::max_element(warmest.begin(), warmest.end());
+}
+
+/// Carries what is sent beyond what was to those that see it: what arrives grows by `change`.
+void pass_on(Job& job, const Level& level, Field& field) {
+    const SkyView& view = job.input.sky_view;
+    const std::size_t used = field.used;
+    for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> grown;
+        for (std::size_t f = begin; f < end; ++f) {
+            field.most[f] = 0.0f;
+            const std::span<float> change = field.changes(f);
+            bool any = false;
+            const auto add = [&](std::size_t from, float factor) {
+                if (!field.sends[from] || factor == 0.0f) return;
+                const float* const sent = field.leaving.data() + from * used;
+                if (!any) std::fill(change.begin(), change.end(), 0.0f);
+                any = true;
+                for (std::size_t k = 0; k < used; ++k) change[k] += factor * sent[k];
+            };
+            add(f, view.below[f]);
+            for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
+                add(index(view.exchange.facet[k]), view.exchange.factor[k]);
+            }
+            if (any) grown.push_back(f);
+        }
+        for (std::size_t k = 0; k < used; ++k) {
+            float* const excess = job.excess.data() + k * level.stride * job.facets;
+            for (const std::size_t f : grown) {
+                const float change = field.change[f * used + k];
+                excess[f] += change;
+                field.most[f] = std::max(field.most[f], std::abs(change));
+            }
+        }
+    });
+}
+
+}  // namespace
+
+bool exchanging(const SolveInput& input) {
+    return !input.sky_view.exchange.facet.empty() ||
+           std::any_of(input.sky_view.below.begin(), input.sky_view.below.end(),
+                       [](float below) { return below > 0.0f; });
+}
+
+ExchangeChange exchange_longwave(Job& job, const Level& level) {
+    const std::size_t used = job.steps() / level.stride + 1;
+    Field field{.used = used,
+                .leaving = std::vector<float>(used * job.facets),
+                .change = std::vector<float>(used * job.facets),
+                .most = std::vector<float>(job.facets),
+                .sends = std::vector<std::uint8_t>(job.facets, 0)};
+    ExchangeChange result;
+    renew_all(job, level, field);
+    const float first = *std::max_element(field.most.begin(), field.most.end());
+    result.heat = double(first);
+    const float least = std::max(least_change, least_share * first);
+    const auto tell_blocks = [&] {
+        for (Block& block : job.block) {
+            float most = 0.0f;
+            for (const std::size_t f : block.facet) most = std::max(most, field.most[f]);
+            block.heat_change += double(most);
+        }
+    };
+    tell_blocks();
+    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+        const double warmer = follow(job, level, least, field);
+        result.warmer = std::max(result.warmer, warmer);
+        if (warmer == 0.0) break;
+        pass_on(job, level, field);
+        tell_blocks();
+    }
+    return result;
+}
+
+}  // namespace diurna

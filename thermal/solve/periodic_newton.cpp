@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/parallel.hpp"
+#include "thermal/solve/linearised_span.hpp"
+#include "thermal/solve/pass.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+
+constexpr double steeper = 1.25;
+
+/// How far each facet's slopes are on the way from the mean ones to the steeper ones.
+Eigen::RowVectorXd way_to_steeper(const Block& block) {
+    constexpr double furthest = 0.6;  // beyond which a straight line is none
+    return (relative_slopes(block).array() - 1.0).max(-furthest).min(furthest) / (steeper - 1.0);
+}
+
+void linearise(const Job& job, const Level& level, Block& block) {
+    const auto n = Eigen::Index(block.start.size() / block.stride);
+    const MatrixXd one = MatrixXd::Identity(n, n);
+    LinearDay day{
+        .steep = Eigen::RowVectorXd::Ones(2 * n), .state = MatrixXd(n, 2 * n), .warmer = {}};
+    day.steep.tail(n).setConstant(steeper);
+    day.state << one, one;
+    run_linear(job, level, block, {}, day);
+    PeriodMap& map = block.period.emplace();
+    map.follow_mean = day.warmer.leftCols(n);
+    map.follow_steeper = day.warmer.rightCols(n);
+    // A column that loses nothing keeps its heat for ever; its mean is then left as it is.
+    map.mean.setThreshold(1e-9);
+    map.mean.compute(one - day.state.leftCols(n));
+    map.steeper.setThreshold(1e-9);
+    map.steeper.compute(one - day.state.rightCols(n));
+}
+
+/// Moves a block's start by (I − M)⁻¹ times its change, and its temperatures with it. The matrix
+/// knows how steep each facet's slopes are on the whole; Broyden's update by the move before adds
+/// the rest.
+void correct_block(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const auto n = Eigen::Index(block.start.size() / block.stride);
+    const auto count = Eigen::Index(block.facet.size());
+    const Eigen::OuterStride<> stride{Eigen::Index(block.stride)};
+    // What the neighbours have moved it by since tells nothing of this matrix.
+    const bool update = !block.move.empty() && block.nudge <= 0.2 * block.largest_move;
+    block.nudge = 0.0;
+    block.move.resize(block.start.size());
+    block.planned.resize(block.start.size());
+    Strided start(block.start.data(), n, count, stride);
+    Strided done(block.move.data(), n, count, stride);
+    Strided planned(block.planned.data(), n, count, stride);
+    const MatrixXd change = Strided(block.change.data(), n, count, stride);
+    const MatrixXd plan = close_period(block, change);
+    MatrixXd move = plan;
+    for (Eigen::Index l = 0; update && l < count; ++l) {
+        // Of the move `done` the matrix explains `explained`.
+        const Eigen::VectorXd explained = planned.col(l) - plan.col(l);
+        const double along = done.col(l).dot(explained);
+        // Not `<`: a facet that has arrived did not move, and 0 < 0 would let 0 / 0 through.
+        if (!(along > 0.3 * done.col(l).squaredNorm())) continue;
+        move.col(l) += (done.col(l) - explained) * (done.col(l).dot(plan.col(l)) / along);
+    }
+    start += move;
+    done = move;
+    planned = plan;
+    block.largest_move =
+        (kind.modes ? MatrixXd(kind.modes->probe * move) : move).cwiseAbs().maxCoeff();
+    warm(job, level, block, follow_start(block, move));
+}
+
+}  // namespace
+
+MatrixXd close_period(const Block& block, const MatrixXd& change) {
+    MatrixXd result = block.period->mean.solve(change);
+    const MatrixXd further = block.period->steeper.solve(change);
+    return result + (further - result) * way_to_steeper(block).asDiagonal();
+}
+
+MatrixXd follow_start(const Block& block, const MatrixXd& move) {
+    const PeriodMap& map = *block.period;
+    return map.follow_mean * move +
+           (map.follow_steeper - map.follow_mean) * (move * way_to_steeper(block).asDiagonal());
+}
+
+void warm(Job& job, const Level& level, const Block& block, const MatrixXd& warmer) {
+    for (Eigen::Index k = 0; k < warmer.rows(); ++k) {
+        float* const row = job.kelvin.data() + std::size_t(k) * level.stride * job.facets;
+        for (std::size_t l = 0; l < block.facet.size(); ++l) {
+            row[block.facet[l]] += float(warmer(k, Eigen::Index(l)));
+        }
+    }
+}
+
+void renew_matrices(const Job& job, Level& level, std::vector<Block>& blocks) {
+    for (Kind& kind : level.kind) {
+        std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
+        std::fill(kind.back_slope.begin(), kind.back_slope.end(), 0.0);
+    }
+    for (const Block& block : blocks) {
+        Kind& kind = level.kind[block.material];
+        for (std::size_t i = 0; i < kind.slope.size(); ++i) {
+            kind.slope[i] += block.slope[i] / double(kind.facets);
+        }
+        for (std::size_t i = 0; i < kind.back_slope.size(); ++i) {
+            kind.back_slope[i] += block.back_slope[i] / double(kind.facets);
+        }
+    }
+    for_each_index(
+        blocks.size(), [&](std::size_t b) { linearise(job, level, blocks[b]); }, 16);
+}
+
+void correct(Job& job, const Level& level) {
+    for_each_index(
+        job.block.size(),
+        [&](std::size_t b) {
+            if (!job.block[b].rests) correct_block(job, level, job.block[b]);
+        },
+        16);
+}
+
+}  // namespace diurna

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <vector>
+
+#include "thermal/point/point_facet.hpp"
+#include "thermal/solve/pass.hpp"
+
+namespace diurna {
+
+/// What a material asks of the solver beyond a linear column under a dry or evenly wet surface.
+enum class PointNeed {
+    never,
+    if_freezing,  // ground whose water may freeze: where a facet falls below 273.15 K
+    always,       // canopy, store of water, snow, regolith, schedules
+};
+PointNeed point_need(const ThermalSurface& surface);
+
+/// The facets of a scene that are solved one by one as points (thermal/point/point_facet.hpp), with
+/// the sun, sky and neighbours of the scene: forcing straight between step instants, jumps at
+/// shadows' edges. Steps of `SolveOptions::step`, second order.
+///
+/// The blocks solve these facets too, as if they were plain: their first guess. A facet costs some
+/// 5 ms a periodic day, five hundred times a plain one, so none is taken that needs no more.
+class ScenePoints {
+ public:
+    explicit ScenePoints(const Job& job) : job_(job) {}
+
+    /// After a pass of the blocks: takes in who needs it, runs all whose surroundings have changed,
+    /// and puts their temperatures in the job's.
+    void pass(Job& job, const Level& level);
+
+    /// Their temperatures once more, where neighbours have moved the job's since.
+    void put(Job& job) const;
+
+    std::size_t size() const { return point_.size(); }
+    /// Worst of all points: of the last run, and (worst_passes) of all runs together.
+    struct Summary {
+        double residual = 0.0;      // [K] |P(T) − T|
+        double largest_move = 0.0;  // [K] that the next start is away
+        double worst_closure = 0.0;
+        int worst_passes = 0, limited = 0;
+        bool fresh = false;  // some were taken in by the last pass
+    };
+    Summary summary() const;
+
+ private:
+    struct Point {
+        std::size_t facet, block, lane;
+        bool begun = false;
+        std::vector<double> u;  // (node), see NonlinearColumn
+        Standing standing;
+        std::vector<float> kelvin, excess;  // (instant) of the last run; what it ran under
+        double residual = 0.0, move = 0.0;
+        int passes = 0;
+        PointFacet::Count count;
+    };
+    void take_in(const Level& level);
+    void run(const Level& level, Point& point) const;
+    bool rests(const Point& point) const;
+
+    const Job& job_;
+    std::vector<Forcing> weather_;  // (instant)
+    std::vector<bool> taken_;       // (facet)
+    std::vector<Point> point_;
+    bool fresh_ = false;
+};
+
+}  // namespace diurna

@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <cmath>
+
+#include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/pass.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+
+}  // namespace
+
+void set_plate_films(Kind& kind, double front, double back, double step) {
+    kind.plate = make_plate_step(kind.column.grid, kind.column.reference, std::max(1.0, front),
+                                 std::max(1.0, back), step / kind.column.substeps);
+}
+
+void run_plates(Job& job, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const PlateStep& step = *kind.plate;
+    const ThermalSurface& surface = kind.column.surface;
+    const int substeps = kind.column.substeps;
+    const std::size_t count = block.facet.size();
+    const Eigen::OuterStride<> stride{Eigen::Index(lanes)};
+    const auto n = Eigen::Index(step.modes()), facets = Eigen::Index(count);
+    PlateBatch batch;
+    batch.resize(step.modes(), count);
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    const Strided start(block.start.data(), n, facets, stride);
+    Strided state(batch.state.data(), n, facets, stride);
+    state.noalias() = step.into * start;
+    block.slope.assign(kind.forcing.size(), 0.0);
+    block.back_slope.assign(kind.forcing.size(), 0.0);
+    block.steepness.assign(block.stride, 0.0);
+    StepRecord record;
+
+    BlockHeat heat(job, level, block, lanes);
+    begin_plates(step, surface, kind.forcing[0].air, heat.at_end, batch);
+    const auto keep = [&](std::size_t i) {
+        float* const row = job.kelvin.data() + i * job.facets;
+        for (std::size_t l = 0; l < count; ++l)
+            row[block.facet[l]] = float(batch.temperature[0][l]);
+    };
+    keep(0);
+    std::size_t at = 0;
+    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
+        heat.begin_step(i);
+        for (int s = 0; s < substeps; ++s) {
+            ++at;
+            heat.begin_substep(s, kind.forcing[at].sky_longwave);
+            advance_plates(step, surface,
+                           {.air_before = kind.forcing[at - 1].air,
+                            .air = kind.forcing[at].air,
+                            .heat_before = heat.at_start,
+                            .heat = heat.at_end,
+                            .jumps = heat.jumps},
+                           batch, record);
+            block.slope[at] = record.slope[0];
+            block.back_slope[at] = record.slope[1];
+            for (std::size_t l = 0; l < count; ++l) {
+                block.steepness[l] += batch.slope[0][l] + batch.slope[1][l];
+            }
+        }
+        heat.end_step();
+        keep(i);
+    }
+    block.slope[0] = block.slope[at];  // of a span that repeats
+    block.back_slope[0] = block.back_slope[at];
+    block.record = record;
+    block.change.assign(block.start.size(), 0.0);
+    Strided change(block.change.data(), n, facets, stride);
+    change.noalias() = step.turn * state;
+    change -= start;
+    block.residual = change.cwiseAbs().maxCoeff();
+    block.heat_change = 0.0;
+}
+
+}  // namespace diurna

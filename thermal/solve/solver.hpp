@@ -1,0 +1,118 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "materials/matter/library.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/sky_view.hpp"
+#include "thermal/column/column.hpp"
+#include "thermal/temperature_field.hpp"
+#include "thermal/weather/sky_state.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// How the columns are stepped. `modes`: a few exponential modes per material, exact in time but
+/// for the surface's curvature, split where a shadow's edge passes
+/// (thermal/steppers/mode_batch.hpp); thin plates likewise with two faces
+/// (thermal/steppers/plate_batch.hpp). `layered`: node by node
+/// (thermal/steppers/layered_batch.hpp), the reference; it follows edges too.
+enum class Method { modes, layered };
+
+struct SolveOptions {
+    Instant start{};
+    double duration = 86400.0;   // [s]
+    double step = 600.0;         // [s]; the last step ends with the span, all are equally long
+    double keep_every = 3600.0;  // [s] between kept instants, rounded to whole steps
+    bool periodic = true;        // the span repeats for ever; else start from its mean balance
+    int max_passes = 12;         // over the span
+    double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
+    Method method = Method::modes;
+    double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
+    GridOptions grid{};         // of layered columns
+    int refinement = 1;         // divides every step, forcing as it was: tells a result's error
+    bool exchange = true;       // light and heat from one facet to another
+    std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
+};
+
+/// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.
+std::vector<Instant> step_instants(const SolveOptions& options);
+
+/// Where a shadow's edge crosses a facet between two instants.
+struct ShadowEdge {
+    std::uint32_t step, facet;  // step i lies between the instants i and i + 1
+    float share;                // of the step, 0 to 1
+};
+
+/// Share of each facet that the sun reaches at each step's instant
+/// (terrain/visibility/sky_view.hpp). Between the instants it runs straight, or jumps at the edge
+/// if there is one (thermal/solve/shadow_edges.hpp finds them).
+struct SunExposure {
+    std::vector<Instant> instant;    // = step_instants(options)
+    std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: nothing casts a shadow
+    std::vector<ShadowEdge> edge{};  // one at most for each step and facet
+};
+
+struct SolveInput {
+    const FacetSet& facets;
+    const SkyView& sky_view;
+    const SunExposure& sun;
+    const MaterialLibrary& materials;
+    const Weather& weather;
+    Site site;
+    double elevation = 0.0;  // [m] above the sea, of the weather
+    ClearSky clear_sky{};
+};
+
+/// How the solve went, for the report. Nothing here is an estimate unless it says so.
+struct SolveReport {
+    bool converged = false;
+    std::size_t facets = 0;
+    int steps = 0;                   // per pass
+    int passes = 0;                  // over the span
+    double periodic_residual = 0.0;  // [K] worst |P(T) − T| over facets and nodes, last pass
+    double estimated_error = 0.0;  // [K] that residual through (I − M)⁻¹, and what neighbours do
+    double exchange_change = 0.0;       // [W m⁻²] worst change of terrain longwave, last pass
+    double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, worst facet and step
+    double newton_iterations = 0.0;     // mean per stage
+    int worst_newton_iterations = 0;
+    std::size_t bisections = 0;         // lanes × iterations that left the bracket
+    std::size_t points = 0;             // facets solved one by one (thermal/solve/point_facets.hpp)
+    int point_passes = 0;               // over the span, the worst of them
+    int limited = 0;                    // their steps that had to be taken otherwise than asked
+    double coldest = 0.0, warmest = 0;  // [K] surface
+    double shortwave_seconds = 0.0, exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
+    double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock
+};
+
+struct SolveResult {
+    TemperatureField temperature;
+    SolveReport report;
+};
+
+/// Temperatures of all facets over the span: layered conduction below, the full surface balance
+/// above, solved together at every stage of every step.
+///
+/// Method::modes (thermal/column/reduced_column.hpp): each material's linear column as a few
+/// exponential modes, stepped exactly for fluxes linear in time. Method::layered, the reference:
+/// SDIRK2 (γ = 1 − 1/√2, second order, L-stable) on the nodes of thermal/column/column.hpp. Forcing
+/// is linear between step instants; materials too thin for the step are stepped more often. The
+/// surface equation is solved by Newton within a bracket to 1e-12 K, by either method together with
+/// the column. A periodic span is found by Newton on the period map, begun on steps of an hour:
+/// each block of facets has its own monodromy matrix, at two steepnesses of its surface, between
+/// which each facet finds its own. What neighbours send in longwave is solved for together with
+/// what it does to temperatures, to first order, after each pass
+/// (thermal/solve/longwave_exchange.hpp). Same bytes for any number of threads. Facets whose
+/// material asks for more than a linear column under a dry or evenly wet surface (freezing ground,
+/// snow, canopy, store of water, schedules) are solved one by one: thermal/solve/point_facets.hpp.
+///
+/// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
+/// tells. Throws InputError if arrays do not match.
+SolveResult solve(const SolveInput& input, const SolveOptions& options);
+
+}  // namespace diurna

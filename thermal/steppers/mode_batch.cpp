@@ -1,0 +1,235 @@
+#include "thermal/steppers/mode_batch.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "thermal/kernels/surface_kernel.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// exp(−z), (1 − exp(−z)) / z and (exp(−z) − 1 + z) / z² for z ≥ 0.
+struct Phi {
+    double decay, first, second;
+};
+Phi phi(double z) {
+    const double gone = -std::expm1(-z);
+    if (z < 1e-2) {
+        return {1.0 - gone, 1.0 - z * (0.5 - z * (1.0 / 6.0 - z * (1.0 / 24.0 - z / 120.0))),
+                0.5 - z * (1.0 / 6.0 - z * (1.0 / 24.0 - z * (1.0 / 120.0 - z / 720.0)))};
+    }
+    return {1.0 - gone, gone / z, (z - gone) / (z * z)};
+}
+
+const ModeKernel& kernel() { return wide_vectors() ? modes_avx512 : modes_avx2; }
+
+/// Where vapour above the surface is as dense as the air's [K]: Murray's formula (1967), as in
+/// thermal/surface/turbulence.hpp, solved for the temperature.
+double dew_point(const AirFilm& air) {
+    constexpr double a = 17.2693882, b = 35.86, triple = 273.16;
+    if (air.wetness <= 0.0) return 0.0;
+    const double l = std::log(std::max(air.vapour_pressure, 1e-3) / 610.78);
+    return (a * triple - l * b) / (a - l);
+}
+
+/// Of a lane's first mode in ModeBatch::state.
+std::size_t place(const ModeStep& step, std::size_t lane) {
+    return lane / lanes * step.modes() * lanes + lane % lanes;
+}
+
+/// The lanes that leave the others' step, each with the state it had before.
+struct Strays {
+    std::size_t count = 0;
+    std::size_t lane[split_capacity];
+    NaturalFilm natural[split_capacity];
+    alignas(64) double share[split_capacity], jump[split_capacity];
+    alignas(64) double heat_before[split_capacity], heat[split_capacity];
+    alignas(64) double temperature[split_capacity], drive[split_capacity], slope[split_capacity];
+    alignas(64) double state[most_modes * split_capacity], to[most_modes * split_capacity];
+
+    void take(const ModeStep& step, const ModeForcing& forcing, const ModeBatch& batch,
+              const HeatJump& edge) {
+        const std::size_t k = count++, l = edge.lane;
+        lane[k] = l;
+        natural[k] = batch.natural[l];
+        share[k] = edge.share;
+        jump[k] = edge.heat;
+        heat_before[k] = forcing.heat_before[l];
+        heat[k] = forcing.heat[l];
+        temperature[k] = batch.temperature[l];
+        drive[k] = batch.drive[l];
+        slope[k] = batch.slope[l];
+        const double* const x = batch.state.data() + place(step, l);
+        for (std::size_t m = 0; m < step.modes(); ++m) {
+            state[m * split_capacity + k] = x[m * lanes] + step.to[m] * batch.drive[l];
+        }
+    }
+    void give(const ModeStep& step, ModeBatch& batch, std::size_t k) const {
+        const std::size_t l = lane[k];
+        batch.temperature[l] = temperature[k];
+        batch.drive[l] = drive[k];
+        batch.slope[l] = slope[k];
+        double* const x = batch.state.data() + place(step, l);
+        for (std::size_t m = 0; m < step.modes(); ++m) {
+            x[m * lanes] = state[m * split_capacity + k] - step.to[m] * drive[k];
+        }
+    }
+};
+
+}  // namespace
+
+ModeCoefficients ModeStep::coefficients(double emissivity) const {
+    return {.modes = modes(),
+            .rate = rate.data(),
+            .surface = surface.data(),
+            .decay = decay.data(),
+            .carry = carry.data(),
+            .response = response,
+            .film = film,
+            .reference = reference,
+            .flux_below = flux_below,
+            .emissivity = emissivity,
+            .step = step};
+}
+
+ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step) {
+    assert(std::size_t(closed.rate.size()) <= most_modes);
+    ModeStep result{.step = step,
+                    .film = closed.film,
+                    .reference = column.reference,
+                    .flux_below = column.flux_below,
+                    .response = 0.0,
+                    .rate = {},
+                    .surface = {},
+                    .decay = {},
+                    .from = {},
+                    .to = {},
+                    .carry = {}};
+    for (Eigen::Index m = 0; m < closed.rate.size(); ++m) {
+        const Phi p = phi(closed.rate[m] * step);
+        const double weight = closed.surface[m] * step;
+        result.rate.push_back(closed.rate[m]);
+        result.surface.push_back(closed.surface[m]);
+        result.decay.push_back(p.decay);
+        result.from.push_back(weight * (p.first - p.second));
+        result.to.push_back(weight * p.second);
+        result.carry.push_back(weight * (p.decay * p.second + p.first - p.second));
+        result.response += closed.surface[m] * weight * p.second;
+    }
+    return result;
+}
+
+void ModeBatch::resize(std::size_t modes, std::size_t facets) {
+    assert(facets > 0 && facets <= mode_lanes);
+    count = facets;
+    state.assign(units() * modes * lanes, 0.0);
+}
+
+void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
+                 ModeBatch& batch) {
+    for (std::size_t l = 0; l < batch.units() * lanes; ++l) {
+        const std::size_t first = l / lanes * lanes;
+        double* const x = batch.state.data() + place(step, l);
+        if (l >= batch.count) {
+            batch.natural[l] = batch.natural[first];
+            const double* const same = batch.state.data() + place(step, first);
+            for (std::size_t m = 0; m < step.modes(); ++m) {
+                x[m * lanes] = same[m * lanes] + step.to[m] * batch.drive[first];
+            }
+        }
+        double theta = 0.0;
+        for (std::size_t m = 0; m < step.modes(); ++m) theta += step.surface[m] * x[m * lanes];
+        const double t = theta + step.reference;
+        const HeatBalance balance =
+            heat_balance(air, batch.natural[l], emissivity, heat[l], 0.0, 0.0, t);
+        batch.temperature[l] = t;
+        batch.slope[l] = -step.film;  // a first guess
+        // The flux from below drives the modes as one into the surface does; it rides along.
+        batch.drive[l] = balance.sum() + step.film * theta + step.flux_below;
+        for (std::size_t m = 0; m < step.modes(); ++m) x[m * lanes] -= step.to[m] * batch.drive[l];
+    }
+}
+
+void end_modes(const ModeStep& step, ModeBatch& batch) {
+    for (std::size_t l = 0; l < batch.units() * lanes; ++l) {
+        double* const x = batch.state.data() + place(step, l);
+        for (std::size_t m = 0; m < step.modes(); ++m) x[m * lanes] += step.to[m] * batch.drive[l];
+    }
+}
+
+void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,
+                   ModeBatch& batch, StepRecord& record) {
+    static thread_local Strays strays;
+    strays.count = 0;
+    for (const HeatJump& edge : forcing.jumps) strays.take(step, forcing, batch, edge);
+    for (const std::size_t l : batch.unsettled) {
+        const bool again = std::any_of(forcing.jumps.begin(), forcing.jumps.end(),
+                                       [&](const HeatJump& edge) { return edge.lane == l; });
+        if (!again) strays.take(step, forcing, batch, {.lane = l, .share = 1e-3, .heat = 0.0});
+    }
+    batch.unsettled.clear();
+
+    const ModeCoefficients coefficients = step.coefficients(emissivity);
+    const double dew = dew_point(forcing.air);
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        const std::size_t first = u * lanes;
+        const ModeOutcome outcome =
+            kernel().advance(forcing.air_before, forcing.air, coefficients,
+                             {.dew_point = dew,
+                              .natural = batch.natural.data() + first,
+                              .heat_before = forcing.heat_before + first,
+                              .heat = forcing.heat + first,
+                              .state = batch.state.data() + first * step.modes(),
+                              .temperature = batch.temperature.data() + first,
+                              .drive = batch.drive.data() + first,
+                              .slope = batch.slope.data() + first});
+        ++record.stages;
+        record.iterations += outcome.iterations;
+        record.worst_iterations = std::max(record.worst_iterations, outcome.iterations);
+        record.bisections += outcome.halved ? std::min(lanes, batch.count - first) : 0;
+        record.worst_closure = std::max(record.worst_closure, outcome.closure);
+    }
+
+    if (const std::size_t count = strays.count; count > 0) {
+        const std::size_t groups = (count + split_lanes - 1) / split_lanes;
+        while (strays.count < groups * split_lanes) {
+            // The last one once more, to fill the vector.
+            const std::size_t last = count - 1, k = strays.count++;
+            strays.natural[k] = strays.natural[last];
+            for (double* column : {strays.share, strays.jump, strays.heat_before, strays.heat,
+                                   strays.temperature, strays.drive, strays.slope}) {
+                column[k] = column[last];
+            }
+            for (std::size_t m = 0; m < step.modes(); ++m) {
+                strays.state[m * split_capacity + k] = strays.state[m * split_capacity + last];
+            }
+        }
+        const bool halved = kernel().split(forcing.air_before, forcing.air, coefficients,
+                                           {.groups = groups,
+                                            .dew_point_before = dew_point(forcing.air_before),
+                                            .dew_point = dew,
+                                            .natural = strays.natural,
+                                            .share = strays.share,
+                                            .jump = strays.jump,
+                                            .heat_before = strays.heat_before,
+                                            .heat = strays.heat,
+                                            .state = strays.state,
+                                            .temperature = strays.temperature,
+                                            .drive = strays.drive,
+                                            .slope = strays.slope,
+                                            .to = strays.to});
+        record.bisections += halved ? count : 0;
+        for (std::size_t k = 0; k < count; ++k) strays.give(step, batch, k);
+        // A surface that follows the film nearly at once takes its whole way in two steps.
+        if (step.response * step.film > 0.5) {
+            for (const HeatJump& edge : forcing.jumps) batch.unsettled.push_back(edge.lane);
+        }
+    }
+    double sum = 0.0;
+    for (std::size_t l = 0; l < batch.count; ++l) sum += batch.slope[l];
+    record.slope[0] = sum;
+}
+
+}  // namespace diurna

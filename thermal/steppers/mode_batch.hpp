@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "thermal/column/reduced_column.hpp"
+#include "thermal/kernels/mode_kernel.hpp"
+#include "thermal/steppers/layered_batch.hpp"
+
+namespace diurna {
+
+/// A step of a closed column, exact for a drive u that is linear in time between the step's ends:
+///
+///     x₁ = decay x₀ + from (u₀ + f) + to (u₁ + f),    θ = Σ surface x,   f the flux from below.
+///
+/// The drive u = q + film θ holds all that the surface takes in but what the film passes; of the
+/// step's error only what the true film differs from this one is left, second order in the step,
+/// and a jump decays however long the step is (L-stable for any true film above none).
+struct ModeStep {
+    double step, film, reference, flux_below;            // [s], [W m⁻² K⁻¹], [K], [W m⁻²]
+    double response;                                     // Σ surface · to [K m² W⁻¹]
+    std::vector<double> rate, surface, decay, from, to;  // (mode)
+    std::vector<double> carry;                           // (mode) decay · to + from
+
+    std::size_t modes() const { return rate.size(); }
+    ModeCoefficients coefficients(double emissivity) const;
+};
+ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed, double step);
+
+/// Up to `mode_lanes` facets of one material in units of `lanes`; those of the last unit that are
+/// not wanted repeat its first.
+struct ModeBatch {
+    std::size_t count = 0;
+    std::vector<double> state;  // [unit][mode][lane of the unit]
+    // [lane]
+    std::array<double, mode_lanes> temperature{};  // of the surface [K]
+    std::array<double, mode_lanes> drive{};        // u + f [W m⁻²]
+    std::array<double, mode_lanes> slope{};        // d(flux)/dT of the surface [W m⁻² K⁻¹]
+    std::array<NaturalFilm, mode_lanes> natural{};
+    std::vector<std::size_t> unsettled;  // lanes to be split once more after a jump
+
+    void resize(std::size_t modes, std::size_t facets);
+    std::size_t units() const { return (count + lanes - 1) / lanes; }
+};
+
+/// Where one lane's heat jumps within a step.
+struct HeatJump {
+    std::size_t lane;
+    double share;  // of the step, 0 to 1
+    double heat;   // [W m⁻²] what it rises by
+};
+
+/// Air and heat [lane], units filled up, (absorbed sun and longwave, internal) at the instants a
+/// step joins.
+struct ModeForcing {
+    const AirFilm &air_before, &air;
+    const double *heat_before, *heat;
+    std::span<const HeatJump> jumps;  // the step is split there, for those lanes
+};
+
+/// Sets temperature and drive from the state.
+void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
+                 ModeBatch& batch);
+
+/// One step. The lanes whose heat jumps, and where the surface is quick those whose heat did so in
+/// the step before, go their own way: to the jump, then in four parts of growing length.
+/// `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what the
+/// surface takes in at the step's end less what the modes got, over the sum of its terms. The modes
+/// themselves keep every joule (tests/reduced_column_test).
+///
+/// Between begin_modes and end_modes the state lacks the last drive's own part.
+void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,
+                   ModeBatch& batch, StepRecord& record);
+void end_modes(const ModeStep& step, ModeBatch& batch);
+
+}  // namespace diurna

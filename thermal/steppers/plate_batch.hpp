@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "thermal/column/plate_column.hpp"
+#include "thermal/steppers/layered_batch.hpp"
+#include "thermal/steppers/mode_batch.hpp"
+
+namespace diurna {
+
+// Thin plates with air behind (ThermalSurface::back), stepped exactly but for their films'
+// curvature: what thermal/steppers/mode_batch.hpp is for ground, with two faces.
+
+/// Lengths of the parts of a step after a jump of its heat, as shares of what is left of it.
+inline constexpr int parts_after_jump = 4;
+inline constexpr double part_after_jump[parts_after_jump + 1]{0.0, 0.04, 0.15, 0.45, 1.0};
+
+/// Air on the straight line from one instant to another (and beyond).
+AirFilm air_between(const AirFilm& before, const AirFilm& after, double share);
+
+/// Up to `lanes` plates of one material side by side.
+struct PlateBatch {
+    std::size_t count = 0;
+    std::vector<double> state;  // [mode][lane]
+    // [face][lane]
+    std::array<std::array<double, lanes>, 2> temperature{};  // [K]
+    std::array<std::array<double, lanes>, 2> drive{};        // u [W m⁻²]
+    std::array<std::array<double, lanes>, 2> slope{};        // d(flux)/dT [W m⁻² K⁻¹]
+    std::array<NaturalFilm, lanes> natural{};                // of the front
+    std::array<int, lanes> unsettled{};  // steps that still go in parts after a jump
+
+    void resize(std::size_t modes, std::size_t plates);
+};
+
+/// Sets temperatures and drives from the state, under the heat [lane] on the front at the start.
+void begin_plates(const PlateStep& step, const ThermalSurface& surface, const AirFilm& air,
+                  const double* heat, PlateBatch& batch);
+
+/// One step; plates whose heat jumps go to the jump and from there in parts of growing length, the
+/// two steps after that likewise: sheet steel takes minutes to follow.
+/// `record.slope` gets the sums over plates of d(flux)/dT at its end, front and back; worst_closure
+/// what the faces take in less what the modes got, over the sum of its terms.
+void advance_plates(const PlateStep& step, const ThermalSurface& surface,
+                    const ModeForcing& forcing, PlateBatch& batch, StepRecord& record);
+
+}  // namespace diurna

@@ -1,0 +1,136 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/air/moist_air.hpp"
+#include "materials/base/cube_root.hpp"
+#include "materials/base/fast_exp.hpp"
+#include "materials/matter/material.hpp"
+
+namespace diurna {
+
+/// Bulk transfer of heat between ground and air after Monin and Obukhov, in Louis's closed form
+/// (1979): the neutral coefficient times a function of the bulk Richardson number alone,
+///
+///     h = ρ cp k² U / (L_m L_h) · F(x),      x = −Ri = g z_u (T_s − T_a) / (T_a U²)
+///     F = 1 + a x / (1 + c √x)               ground warmer than the air
+///     F = 1 / (1 + s y √(1 + 30 y)), y = −x  ground colder; its long tail has one root only
+///
+/// with L_m = ln(z_u / z0), L_h = ln(z_t / z0h). a, c and s belong to the heights and roughness
+/// lengths: s is the exact slope at neutrality, a and c are fitted once to Businger and Dyer's
+/// functions over −10 < z/L < −0.001, to 2-6 % of their iterated solution (tests/turbulence_test).
+struct LouisForm {
+    double log_momentum, log_heat;  // L_m, L_h
+    double wind_height;             // [m]
+    double a, c, s;
+    double worst_fit;  // largest relative error of F over the fitted range
+};
+
+/// wind_height, air_height  [m] above the displaced ground; raised to twice the roughness length
+///                          where they are less
+/// roughness lengths        [m] momentum and heat, positive
+LouisForm louis_form(double roughness_length, double heat_roughness_length, double wind_height,
+                     double air_height);
+
+/// Natural convection of a flat plate, h = C |ΔT|^⅓ (Walton's TARP 1983): the factor
+/// C [W m⁻² K⁻⁴ᐟ³] of a plate warmer and one colder than the air. 1.31 both for a wall.
+///
+/// up_cosine  upward part of the outward normal, −1 to 1
+struct NaturalFilm {
+    double warm, cold;
+};
+NaturalFilm natural_film(double up_cosine);
+
+/// Forced part of TARP's film [W m⁻² K⁻¹]: 2.537 W_f R_f √(P U / A), rough plaster (R_f 1.67), a
+/// plate of 10 m (P/A 0.4 m⁻¹), mean of windward and leeward (W_f 0.75).
+double tarp_forced(double wind_speed);
+/// Forced part of DOE-2's MoWiTT film, windward: 3.26 U^0.89.
+double mowitt_forced(double wind_speed);
+
+/// How one kind of surface exchanges heat and vapour with the air at one instant: what the balance
+/// kernel needs, the same for all facets of a material.
+struct AirFilm {
+    double air_temperature;  // [K]
+    double neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant or forced film
+    double instability;      // [K⁻¹] x per kelvin of surface excess; 0 for plates and constants
+    double a, c, s;          // of LouisForm; 0 for plates and constants
+    double least;            // [W m⁻² K⁻¹] added to ground's film
+    double heat_capacity;    // [J m⁻³ K⁻¹] ρ cp of the air
+    double vapour_pressure;  // [Pa] of the air
+    double latent;           // [J m⁻³ Pa⁻¹] ρ L_v 0.622 / p
+    double resistance;       // [s m⁻¹] of the surface to evaporation
+    double wetness;          // 0: neither evaporation nor dew
+    bool plate;              // TARP or MoWiTT: plate_film, else ground_film
+    bool quadratic;          // MoWiTT
+};
+
+/// wind below 0.3 m s⁻¹ counts as 0.3: drift in calm air
+inline constexpr double least_wind = 0.3;
+
+AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
+                 double wind_speed);
+
+/// Saturation vapour pressure [Pa] as in materials/air/moist_air.hpp and, through `slope`, its
+/// derivative; above 450 K it goes on in a straight line, so that a surface hotter than boiling
+/// stays finite. For loops over lanes: no call, no branch.
+inline double vapour_pressure_of(double temperature, double& slope) {
+    constexpr double a = 17.2693882, b = 35.86, triple = 273.16;  // Murray 1967
+    const double t = std::clamp(temperature, 100.0, 450.0);
+    const double inverse = 1.0 / (t - b);
+    const double pressure = 610.78 * fast_exp(a * (t - triple) * inverse);
+    slope = pressure * (a * (triple - b)) * inverse * inverse;
+    return pressure + slope * std::max(0.0, temperature - 450.0);
+}
+
+/// A film between surface and air [W m⁻² K⁻¹]; (T_s − T_a) dh/dT_s, which stays finite where the
+/// two are equally warm; and dh/dT_s for the latent heat, zero for plates: there a step of Newton's
+/// more costs less.
+struct Film {
+    double h, rise, slope;
+};
+
+/// Ground (Louis) or constant film, F = n / d and dF/dx = g / d². One root and one division for
+/// both branches: of a choice between them the compiler makes two of each, so they are blended.
+inline Film ground_film(const AirFilm& air, double temperature) {
+    const double x = air.instability * (temperature - air.air_temperature);
+    // Warm, r = √x:           d = 1 + c r,       n = d + a x,  g = a (1 + c r / 2).
+    // Cold, r = √(1 + 30 y):  d = r (1 + s y r), n = r,        g = s (1 + 45 y) r.
+    const double warm = static_cast<double>(x > 0.0), cold = 1.0 - warm;
+    const double r = std::sqrt(cold + x * (31.0 * warm - 30.0));
+    const double d = (warm + cold * r) * (1.0 + r * (warm * air.c - cold * air.s * x));
+    const double n = warm * (d + air.a * x) + cold * r;
+    const double g = warm * air.a * (1.0 + 0.5 * air.c * r) + cold * air.s * (1.0 - 45.0 * x) * r;
+    const double inverse = 1.0 / d;
+    const double steepness = air.neutral * g * inverse * inverse;
+    return {air.neutral * n * inverse + air.least, steepness * x, steepness * air.instability};
+}
+
+/// A plate under natural and forced convection: their sum (TARP) or their root sum of squares
+/// (MoWiTT).
+inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperature) {
+    const double excess = temperature - air.air_temperature;
+    const double n = (excess > 0.0 ? natural.warm : natural.cold) * cube_root(std::abs(excess));
+    if (!air.quadratic) return {n + air.neutral, n / 3.0, 0.0};
+    const double h = std::sqrt(n * n + air.neutral * air.neutral);
+    return {h, h > 0.0 ? n * n / (3.0 * h) : 0.0, 0.0};
+}
+
+/// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share against the
+/// surface's resistance in series with the air's, dew against the air's alone.
+struct LatentHeat {
+    double flux, slope;
+};
+inline LatentHeat latent_heat(const AirFilm& air, const Film& film, double temperature) {
+    double slope;
+    const double excess = vapour_pressure_of(temperature, slope) - air.vapour_pressure;
+    const bool drying = excess > 0.0;
+    const double resistance = drying ? air.resistance : 0.0;
+    const double share = air.latent * (drying ? air.wetness : 1.0);
+    const double in_series = 1.0 / (air.heat_capacity + resistance * film.h);
+    const double conductance = film.h * in_series;
+    const double steeper = air.heat_capacity * in_series * in_series * film.slope;
+    return {-share * conductance * excess, -share * (conductance * slope + steeper * excess)};
+}
+
+}  // namespace diurna

@@ -1,9 +1,0 @@
-#include "thermal/mode_loops.hpp"
-#include "thermal/split_loops.hpp"
-
-namespace diurna {
-
-const SurfaceKernel surface_avx2{solve};
-const ModeKernel modes_avx2{advance_all, split_some};
-
-}  // namespace diurna

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "materials/air/moist_air.hpp"
+#include "terrain/place/instant.hpp"
+
+namespace diurna {
+
+inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
+
+/// The weather at one instant. Fluxes are NaN where nobody measured them; they are then modelled
+/// from air and cloud (thermal/weather/sky_state.hpp). A measured value always wins.
+struct Forcing {
+    AirState air;
+    double wind_speed = 1.0;               // [m s⁻¹] at the weather's wind_height
+    double rain_mm_h = 0.0;                // [mm h⁻¹]
+    double cloud_fraction = not_measured;  // 0 to 1; NaN: clear, or inferred from measured sun
+    double shortwave_down = not_measured;  // global, on the horizontal [W m⁻²]
+    double direct_normal = not_measured;   // beam, on a plane facing the sun [W m⁻²]
+    double diffuse = not_measured;         // sky light on the horizontal [W m⁻²]
+    double shortwave_up = not_measured;    // reflected by the ground [W m⁻²]
+    double plane_of_array = not_measured;  // global, on the facet itself [W m⁻²]
+    double longwave_down = not_measured;   // [W m⁻²]
+};
+
+/// What a time stamp says of its row: the mean over the interval that starts or ends there, or the
+/// value at that instant.
+enum class Stamp { start, end, instant };
+
+/// A series of weather, linear between its samples and constant beyond its ends.
+///
+/// A mean over an interval counts as the value at the middle of the interval, so a series of means
+/// keeps its phase. A flux is NaN between two samples unless both are measured.
+struct Weather {
+    std::vector<Instant> instant;  // ascending; never empty
+    std::vector<Forcing> sample;   // as many
+    double wind_height = 10.0;     // [m] above the ground (above zero-plane displacement)
+    double air_height = 2.0;       // [m] of temperature and humidity
+    std::string note;              // what is absent and therefore modelled, one line; or empty
+
+    Forcing at(Instant when) const;
+};
+
+struct WeatherOptions {
+    Stamp interval = Stamp::end;
+    double wind_height = 10.0;  // [m]
+    double air_height = 2.0;    // [m]
+    double elevation = 0.0;     // [m] above the sea: pressure where the file has none
+};
+
+/// Reads a weather CSV (columns: see the README, "The point tool"). `time` and
+/// `air_temperature_K` must be there, everything else may be absent or have empty cells; relative
+/// humidity counts as 0.5 and wind as 1 m/s then. Throws InputError with file:line:column for cells
+/// that are no number or out of range, instants that do not ascend, and unknown columns.
+Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options = {});
+
+/// The same forcing for ever.
+Weather constant_weather(const Forcing& forcing, double wind_height = 10.0,
+                         double air_height = 2.0);
+
+}  // namespace diurna

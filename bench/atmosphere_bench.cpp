@@ -14,8 +14,8 @@
 #include "materials/atmosphere/path_grid.hpp"
 #include "materials/atmosphere/sun_field.hpp"
 #include "materials/modtran/modtran.hpp"
-#include "tests/lowtran_rows.hpp"
-#include "tests/lowtran_sun.hpp"
+#include "tests/support/lowtran_rows.hpp"
+#include "tests/support/lowtran_sun.hpp"
 
 using namespace diurna;
 namespace fs = std::filesystem;

@@ -13,8 +13,8 @@
 
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
-#include "tests/measured_days.hpp"
-#include "tests/thermal_cases.hpp"
+#include "tests/support/measured_days.hpp"
+#include "tests/support/thermal_cases.hpp"
 #include "thermal/point/point_job.hpp"
 
 /// Rows of the validation table about the column and its surface: cases of

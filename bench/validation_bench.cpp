@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/thermal_rows.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
@@ -18,7 +19,6 @@
 #include "terrain/place/sun.hpp"
 #include "terrain/visibility/sky_view.hpp"
 #include "thermal/point/point_job.hpp"
-#include "thermal_rows.hpp"
 
 using namespace diurna;
 

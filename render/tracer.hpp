@@ -36,7 +36,7 @@ struct FrameOptions {
 ///
 /// Against the node-by-node reference (radiance_at_eye): within 2 mK in 3-5, 8-12 and 8-14 µm and,
 /// without air, 1.5-1.8 µm, 2.6 mK in 0.4-0.7 µm; with sunlight that the air scatters, within 0.1 %
-/// of radiance below 2.5 µm (tests/tracer_test.cpp).
+/// of radiance below 2.5 µm (tests/render/tracer_test.cpp).
 ///
 /// By day and below 5 µm the air's scattered sunlight (materials/atmosphere/sun_field.hpp) falls on
 /// surfaces and is seen in the sky, before the far plain beyond the scene's edge and before every

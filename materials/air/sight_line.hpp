@@ -47,7 +47,7 @@ inline constexpr Segmentation beam_segmentation{
 /// air is moved to where the line enters it; a line that never does has no segments.
 ///
 /// With the default segmentation path radiance is converged to 0.2 % in every band
-/// (tests/atmosphere_test.cpp). Straight; refracted_line() bends.
+/// (tests/materials/atmosphere_test.cpp). Straight; refracted_line() bends.
 /// Throws InputError for a zenith outside 0 to 180, a negative range, or a height that is not
 /// within -0.5 to 1e6 km.
 SightLine sight_line(double height_km, double zenith_deg,
@@ -62,7 +62,8 @@ bool meets_ground(double height_km, double zenith_deg);
 double refractivity(const Profile& profile, double height_km);
 
 /// The same lines bent by the profile's refraction: n r sin(zenith) is constant along them
-/// (Bouguer) to 1e-6 (tests/sight_line_test.cpp). Zenith angles are those seen at the start.
+/// (Bouguer) to 1e-6 (tests/materials/sight_line_test.cpp). Zenith angles are those seen at the
+/// start.
 SightLine refracted_line(const Profile& profile, double height_km, double zenith_deg,
                          double range_km = std::numeric_limits<double>::infinity(),
                          const Segmentation& segmentation = {});

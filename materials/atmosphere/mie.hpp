@@ -15,7 +15,8 @@ struct MieEfficiency {
 /// Mie's series for a sphere of index n − ik (k ≥ 0) and size parameter x = 2πr/λ, 1e-3 to 5000.
 ///
 /// Logarithmic derivative by downward recurrence, Wiscombe's number of terms.
-/// Source: Bohren and Huffman 1983, chapter 4; checked against their table (tests/mie_test.cpp).
+/// Source: Bohren and Huffman 1983, chapter 4; checked against their table
+/// (tests/materials/mie_test.cpp).
 MieEfficiency mie(std::complex<double> index, double size_parameter);
 
 /// A mode of a size distribution: dN/d ln r = number · exp(−ln²(r/r₀) / 2 ln²10 σ²) / (√2π σ ln

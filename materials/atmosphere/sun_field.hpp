@@ -32,7 +32,7 @@ struct SunFlux {
 /// under the same zenith angle along a whole line, so lines beyond 100 km under a low sun err.
 ///
 /// Against LOWTRAN7 with Mie phase functions and its own two streams, and by band: README and
-/// tests/scattering_test.cpp. Bins outside those of the nodes cost nothing.
+/// tests/materials/sun_field_test.cpp. Bins outside those of the nodes cost nothing.
 class SunField {
  public:
     SunField(const BandModel& model, const SunLight& sun, std::span<const double> node_um);
@@ -83,7 +83,7 @@ struct GroundFluxes {
 /// 525 cm⁻¹), and beyond 28 µm it is black; below 0.351 µm it has that of its first. Thermal flux
 /// is within 6 % of Dilley and O'Brien's fit for clear skies, subarctic winter (-5.6 %) to tropics;
 /// two-stream diffuse sunlight within 15 % of the sum of SunField::sky over the hemisphere
-/// (tests/scattering_test.cpp). Vacuum: no diffuse light, thermal flux of space.
+/// (tests/materials/sun_field_test.cpp). Vacuum: no diffuse light, thermal flux of space.
 GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
 
 }  // namespace diurna

@@ -25,9 +25,9 @@ struct DiffuseFlux {
 /// sun_cosine     of the beam's zenith angle where it is scattered and reflected, 0 to 1
 /// down_at_top    diffuse flux entering from above (0 at the top of the air)
 ///
-/// With delta-scaled layers fluxes err by some per cent, 10 % for a low sun (tests/two_stream_test:
-/// conservation, symmetry, closed forms). Source: Toon et al. 1989, doi:10.1029/JD094iD13p16287;
-/// adding of layers as Liou 2002, chapter 6.
+/// With delta-scaled layers fluxes err by some per cent, 10 % for a low sun
+/// (tests/materials/two_stream_test: conservation, symmetry, closed forms). Source: Toon et al.
+/// 1989, doi:10.1029/JD094iD13p16287; adding of layers as Liou 2002, chapter 6.
 DiffuseFlux two_stream(std::span<const ScatteringLayer> layers, double sun_cosine, double albedo,
                        double down_at_top = 0.0);
 

@@ -10,7 +10,10 @@ namespace {
 
 std::string joined(const std::vector<Mistake>& mistakes) {
     std::string text;
-    for (const Mistake& mistake : mistakes) text += (text.empty() ? "" : "\n") + mistake.line();
+    for (const Mistake& mistake : mistakes) {
+        if (!text.empty()) text += '\n';
+        text += mistake.line();
+    }
     return text;
 }
 

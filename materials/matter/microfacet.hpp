@@ -42,7 +42,7 @@ struct Microfacets {
 /// single reflection over that of a lossless surface, so that nothing is lost at any roughness
 /// (Turquin 2019).
 ///
-/// Within 1e-3 of adaptive integration for α up to 1 (tests/microfacet_test.cpp).
+/// Within 1e-3 of adaptive integration for α up to 1 (tests/materials/microfacet_test.cpp).
 double microfacet_reflectance(const Microfacets& surface, double cosine,
                               const std::function<double(double)>& reflected);
 

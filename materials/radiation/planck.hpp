@@ -12,7 +12,7 @@ namespace diurna {
 /// temperature    [K]                positive
 /// returns        [W m⁻² sr⁻¹ µm⁻¹]  zero where the exponential overflows (cold and short)
 ///
-/// Relative error below 1e-12 over 0.35 to 20 µm, 180 to 6000 K (tests/planck_test.cpp).
+/// Relative error below 1e-12 over 0.35 to 20 µm, 180 to 6000 K (tests/materials/planck_test.cpp).
 /// Source: CODATA 2018 constants.
 double planck(double wavelength_um, double temperature);
 

@@ -44,7 +44,7 @@ TemperatureGrid temperature_grid(double low, double high);
 
 /// The inverse of a band's radiance over a range of radiances: T by cubic Hermite with exact
 /// derivatives over cells of equal ratio, found from the number's own bits. Within 0.05 mK of
-/// brightness_temperature() where that is 150 K or more (tests/band_table_test.cpp).
+/// brightness_temperature() where that is 150 K or more (tests/render/band_channels_test.cpp).
 class TemperatureScale {
  public:
     /// For radiances [low, high]; others are inverted one by one.

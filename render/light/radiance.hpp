@@ -80,7 +80,7 @@ std::vector<std::vector<double>> scattered_backgrounds_at(
 /// sight_line() in terms of an angle is not.
 ///
 /// segments  0: as chord_segments() says, converged to 2 mK in every band
-///           (tests/radiance_test.cpp)
+///           (tests/render/radiance_test.cpp)
 SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 0);
 int chord_segments(double height_change_km);
 

@@ -10,9 +10,9 @@ namespace diurna {
 
 /// Band radiance [W m⁻² sr⁻¹] of the background over zenith angle: sky above the horizon of the
 /// far plain, plain below it (background_at). Nodes crowd towards the horizon; cubic between them,
-/// within 5 mK of apparent temperature (tests/tracer_test.cpp). Scattered sunlight on top over
-/// zenith and azimuth, nodes every 6° of azimuth, within 0.1 % of radiance in 0.4-1 µm 20° and
-/// more from the sun, 0.2 % at the horizon (tests/tracer_test.cpp).
+/// within 5 mK of apparent temperature (tests/render/tracer_test.cpp). Scattered sunlight on top
+/// over zenith and azimuth, nodes every 6° of azimuth, within 0.1 % of radiance in 0.4-1 µm 20° and
+/// more from the sun, 0.2 % at the horizon (tests/render/tracer_test.cpp).
 class BackgroundTable {
  public:
     BackgroundTable(const RadianceInput& input, const Band& band, double height_km,

@@ -20,7 +20,8 @@ namespace diurna {
 /// (materials/matter/finish.hpp), its mirrored and transmitted light being that of the hops behind
 /// it; the sky its radiance in that direction. Everything in channels (band_table.hpp), as inside
 /// one bin of the atmosphere transmittance is one number, and for all bands at a time
-/// (hop_tables.hpp). Within 5 mK of the sum over nodes, hop_radiance() (tests/hops_test.cpp).
+/// (hop_tables.hpp). Within 5 mK of the sum over nodes, hop_radiance()
+/// (tests/render/hops_test.cpp).
 ///
 /// By terms: a facet's own count as what they are; behind a pane, a net or a plume everything is
 /// `behind`; in a mirror the sky is `sky`, all else `surroundings`. They add up to the whole.

@@ -52,7 +52,7 @@ std::vector<int> samples_wanted(const View& view, std::span<const Appearance> ap
 /// Bias: what covers a share p of a pixel and is missed by all of `from` independent samples, by
 /// chance (1 − p)^from, gets no second chance but for its neighbours' spread: it comes out too
 /// faint by at most 0.02 of its contrast for 16 (at p = 1/17), 0.08 for 4. The error of `from`
-/// samples alone would be three times that (tests/adaptive_test.cpp).
+/// samples alone would be three times that (tests/render/adaptive_test.cpp).
 View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                         std::span<const Appearance> appearances, const AdaptiveOptions& options,
                         const ViewOptions& view = {});

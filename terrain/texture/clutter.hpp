@@ -25,7 +25,7 @@ struct ClutterSpec {
 /// Gaussian. One lattice makes exp(−r²/l²) to 1e-3; exp(−r/l) is the mixture of seven of them in
 /// octaves from 4 l to l/16, e^(−r/l) = ∫ t^(−3/2) e^(−1/4t) e^(−t r²/l²) dt / 2√π by the
 /// trapezoidal rule in ln t: within 0.015 of the law from l/8 on; nearer, where the law has a cusp,
-/// smooth. Measured: tests/clutter_test.cpp.
+/// smooth. Measured: tests/terrain/clutter_test.cpp.
 class Clutter {
  public:
     explicit Clutter(const ClutterSpec& spec);

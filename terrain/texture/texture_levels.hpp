@@ -33,7 +33,7 @@ struct Blend {
 /// materials side by side that is exact; for a parameter (albedo, emissivity) it is the straight
 /// line between two solutions, at each place, whatever the size of the facet: midway 0.05 K off
 /// between albedos 0.3 apart, 0.07 K between emissivities 0.2 apart (8-12 µm on asphalt, noon and
-/// midnight, tests/textured_scene_test.cpp), and with the square of the distance.
+/// midnight, tests/scenes/textured_scene_test.cpp), and with the square of the distance.
 ///
 /// The first of a facet's levels stands in its own place, the others are copies behind all facets
 /// that rays know, with areas and exchange factors by their shares of the facet.

@@ -21,7 +21,7 @@ struct GridOptions {
 /// and holds the capacity of its half cell; nodes lie on every interface, so no link crosses one.
 ///
 /// Second order in the spacing: amplitude and lag of the diurnal wave in a half-space are right to
-/// 0.1 % and 0.2 min with the default options (tests/column_test.cpp).
+/// 0.1 % and 0.2 min with the default options (tests/thermal/column_test.cpp).
 struct ColumnGrid {
     std::vector<double> depth;        // (node) [m]
     std::vector<double> capacity;     // (node) [J m⁻² K⁻¹]

@@ -41,8 +41,8 @@ template <bool Wet>
 }
 
 /// The surface balance of `Count` lanes: what ground_film, plate_film and latent_heat of
-/// thermal/surface/turbulence.hpp say (tests/mode_batch_test), in short loops. Air [lane] where it
-/// changes from lane to lane (`Mixed`), else as it is.
+/// thermal/surface/turbulence.hpp say (tests/thermal/mode_batch_test), in short loops. Air [lane]
+/// where it changes from lane to lane (`Mixed`), else as it is.
 template <std::size_t Count>
 struct Balance {
     alignas(64) double flux[Count], slope[Count];

@@ -68,7 +68,7 @@ void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, d
 /// the step before, go their own way: to the jump, then in four parts of growing length.
 /// `record.slope[0]` gets the sum over lanes of d(flux)/dT at its end; worst_closure what the
 /// surface takes in at the step's end less what the modes got, over the sum of its terms. The modes
-/// themselves keep every joule (tests/reduced_column_test).
+/// themselves keep every joule (tests/thermal/reduced_column_test).
 ///
 /// Between begin_modes and end_modes the state lacks the last drive's own part.
 void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,

@@ -19,7 +19,8 @@ namespace diurna {
 ///
 /// with L_m = ln(z_u / z0), L_h = ln(z_t / z0h). a, c and s belong to the heights and roughness
 /// lengths: s is the exact slope at neutrality, a and c are fitted once to Businger and Dyer's
-/// functions over −10 < z/L < −0.001, to 2-6 % of their iterated solution (tests/turbulence_test).
+/// functions over −10 < z/L < −0.001, to 2-6 % of their iterated solution
+/// (tests/thermal/turbulence_test).
 struct LouisForm {
     double log_momentum, log_heat;  // L_m, L_h
     double wind_height;             // [m]

@@ -1,0 +1,291 @@
+#include "render/light/radiance.hpp"
+
+#include <catch2/catch.hpp>
+#include <numbers>
+#include <numeric>
+
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "terrain/place/site.hpp"
+#include "tests/support/render_scene.hpp"
+
+#include "render/light/lit_facets.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// Two facets that see each other and the sky by given shares.
+struct Pair {
+    FacetSet facets;
+    SkyView sky;
+    MaterialLibrary materials;
+    std::vector<float> temperature, sun;
+
+    Pair(float sky_view, float factor, float below, std::vector<float> temperatures,
+         double reflectance)
+        : materials({testing::material("grey", flat_spectrum(reflectance))}),
+          temperature(std::move(temperatures)) {
+        append_facets(facets,
+                      std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+                      std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}},
+                      std::vector<MaterialId>(2, MaterialId{0}), ObjectId{0});
+        sky.sky_view = {sky_view, sky_view};
+        sky.below = {below, below};
+        if (factor > 0.0f) {
+            sky.exchange = {
+                .row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {factor, factor}};
+        } else {
+            sky.exchange = {.row = {0, 0, 0}, .facet = {}, .factor = {}};
+        }
+    }
+    RadianceInput input(const Atmosphere& atmosphere) const {
+        return {.facets = facets,
+                .sky_view = sky,
+                .materials = materials,
+                .atmosphere = atmosphere,
+                .temperature = temperature,
+                .sun_fraction = sun};
+    }
+};
+
+double total(const std::array<double, term_count>& terms) {
+    return std::accumulate(terms.begin(), terms.end(), 0.0);
+}
+
+const Atmosphere cold_space = Vacuum{.space_temperature = 3.0};
+
+}  // namespace
+
+// A Lambertian plate in the sun without air: L = ρ E cosθ / π, half of it in half shadow.
+TEST_CASE("an irradiated plate shines by Lambert's law", "[render][radiance]") {
+    Pair pair(1.0f, 0.0f, 0.0f, {1.0f, 1.0f}, 0.4);
+    pair.sun = {1.0f, 0.5f};
+    const Band band = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
+    RadianceInput input = pair.input(cold_space);
+    input.to_sun = direction(130.0, 35.0);
+    input.sun_zenith_deg = 55.0;
+    input.sun_distance_au = 1.0;
+    const double irradiance =
+        band_sum_nodes(band, solar_at_nodes(cold_space, 0.0, 55.0, 1.0, band.node_um));
+    CHECK(irradiance == Approx(530.0).epsilon(0.05));  // ASTM E490: 0.4-0.7 µm at 1 AU
+    const double expected = 0.4 * irradiance * std::cos(radians(55.0)) / std::numbers::pi;
+    const auto full = radiance_at_eye(input, band, 100.0, FacetId{0}, 100.0, 0.0);
+    const auto half = radiance_at_eye(input, band, 100.0, FacetId{1}, 100.0, 0.0);
+    CHECK(full[std::size_t(Term::sun)] == Approx(expected).epsilon(1e-6));
+    CHECK(half[std::size_t(Term::sun)] == Approx(0.5 * expected).epsilon(1e-6));
+}
+
+// Ground of reflectance ρ that sees a wall with the factor F, and the wall the ground, in two
+// bounces: ε B(T) + ρ F [ε B(T_wall) + ρ F (ε + ρ F) B(T)], space being black and cold.
+TEST_CASE("ground reflects a hot wall", "[render][radiance]") {
+    const Pair pair(0.7f, 0.3f, 0.0f, {290.0f, 500.0f}, 0.2);
+    const Band band = flat_band("3-5", 3.0, 5.0);
+    const double ground = band_radiance(band, 290.0), wall = band_radiance(band, 500.0);
+    const auto terms = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    CHECK(terms[std::size_t(Term::emitted)] == Approx(0.8 * ground).epsilon(1e-9));
+    CHECK(terms[std::size_t(Term::surroundings)] ==
+          Approx(0.2 * 0.3 * (0.8 * wall + 0.06 * (0.8 + 0.06) * ground)).epsilon(1e-6));
+    CHECK(terms[std::size_t(Term::path)] == 0.0);
+}
+
+// Two plates that see each other with the factor F and cold space otherwise: the radiosities are
+// J1 = (ε B1 + ρ F ε B2) / (1 − ρ² F²) (Modest, Radiative Heat Transfer, ch. 5). Two bounces leave
+// ρ³ F³ of the difference of the black bodies.
+TEST_CASE("two facing plates have the closed form's radiosity", "[render][radiance]") {
+    const double reflectance = GENERATE(0.1, 0.2, 0.3), factor = 0.3,
+                 emissivity = 1.0 - reflectance;
+    const Pair pair(0.7f, 0.3f, 0.0f, {290.0f, 400.0f}, reflectance);
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    const double one = band_radiance(band, 290.0), two = band_radiance(band, 400.0);
+    const double exchange = reflectance * factor;
+    const double exact =
+        (emissivity * one + exchange * emissivity * two) / (1.0 - exchange * exchange);
+    const auto terms = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    CAPTURE(reflectance);
+    if (reflectance < 0.3) CHECK(total(terms) == Approx(exact).epsilon(1e-3));
+    CHECK(std::abs(total(terms) - exact) <= exchange * exchange * exchange * (two - one));
+}
+
+// 2026-11: a row whose factors had all become zero divided 0 by 0 and blackened its facet.
+TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress]") {
+    Pair pair(0.8f, 0.2f, 0.2f, {290.0f, 400.0f}, 0.3);
+    const Pair without(0.8f, 0.0f, 0.2f, {290.0f, 400.0f}, 0.3);
+    pair.sky.exchange.factor = {0.0f, 0.0f};
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    const auto found = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    const auto expected =
+        radiance_at_eye(without.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
+    CHECK(total(found) == Approx(total(expected)).epsilon(1e-12));
+    const std::vector<FacetId> seen = {FacetId{0}, FacetId{1}};
+    CHECK(lit_facets(pair.input(cold_space), seen, {}).factor.empty());
+}
+
+TEST_CASE("ground beyond the scene's edge looks like the surroundings that are there",
+          "[render][radiance]") {
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    const Pair inside(0.5f, 0.5f, 0.0f, {290.0f, 310.0f}, 0.3);
+    const Pair at_edge(0.5f, 0.2f, 0.3f, {290.0f, 310.0f}, 0.3);
+    const Pair alone(0.5f, 0.0f, 0.5f, {290.0f, 310.0f}, 0.3);
+    const auto radiance = [&](const Pair& pair) {
+        return total(radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0));
+    };
+    CHECK(radiance(inside) == Approx(radiance(at_edge)).epsilon(1e-6));
+    const double own = band_radiance(band, 290.0);
+    CHECK(radiance(alone) == Approx(0.7 * own + 0.3 * 0.5 * own).epsilon(1e-6));
+}
+
+// A sky of one temperature without air: ε B(T) + ρ V B(T_sky).
+TEST_CASE("a plate reflects the sky it sees", "[render][radiance]") {
+    const Pair pair(1.0f, 0.0f, 0.0f, {300.0f, 300.0f}, 0.9);
+    const Band band = flat_band("8-12", 8.0, 12.0);
+    const Atmosphere shell = Vacuum{.space_temperature = 220.0};
+    const auto terms = radiance_at_eye(pair.input(shell), band, 50.0, FacetId{0}, 50.0, 0.0);
+    CHECK(
+        total(terms) ==
+        Approx(0.1 * band_radiance(band, 300.0) + 0.9 * band_radiance(band, 220.0)).epsilon(1e-9));
+}
+
+TEST_CASE("glass shows the room behind it below 5 µm and none above", "[render][radiance]") {
+    Pair pair(1.0f, 0.0f, 0.0f, {270.0f, 270.0f}, 0.0);
+    pair.materials = MaterialLibrary({testing::materials(300.0)[MaterialId{testing::glass}]});
+    const auto behind = [&](const Band& band) {
+        return radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0,
+                               0.0)[std::size_t(Term::behind)];
+    };
+    CHECK(behind(flat_band("8-12", 8.0, 12.0)) == 0.0);
+    // τ is 0.75 at 2.7 µm and 0.4 at 3.5 µm, linear between.
+    const Band band = flat_band("3-3.5", 3.0, 3.5);
+    double expected = 0.0;
+    for (std::size_t n = 0; n < band.node_um.size(); ++n) {
+        const double through = 0.75 - (band.node_um[n] - 2.7) / 0.8 * 0.35;
+        expected += band.weight[n] * through * planck(band.node_um[n], 300.0);
+    }
+    CHECK(behind(band) == Approx(expected).epsilon(1e-9));
+}
+
+namespace {
+
+RadianceInput summer_air(const Pair& pair, const Atmosphere& air) {
+    RadianceInput input = pair.input(air);
+    input.ground_height_km = 0.2;
+    return input;
+}
+const Atmosphere summer =
+    BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
+
+}  // namespace
+
+TEST_CASE("the segments of a chord are fine enough for 2 mK", "[render][radiance]") {
+    const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
+    const RadianceInput input = summer_air(pair, summer);
+    const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+                               flat_band("8-12", 8.0, 12.0, bin_edges_um()));
+    const double range = GENERATE(300.0, 3000.0, 30000.0);
+    const double up = GENERATE(20.0, 500.0, 3000.0);
+    if (up > range) return;
+    const auto temperature = [&](int segments) {
+        return brightness_temperature(
+            band, total(radiance_at_eye(input, band, up, FacetId{0}, range, 0.0, segments)));
+    };
+    CAPTURE(band.name, range, up);
+    CHECK(std::abs(temperature(0) - temperature(400)) < 2e-3);
+}
+
+TEST_CASE("a chord is the sight line of that angle", "[render][radiance]") {
+    // 10 km at 2° down from 1 km: the end's height by the law of cosines.
+    const double range = 10.0, zenith = 92.0, from = 1.0;
+    const double r = earth_radius_km + from;
+    const double end =
+        std::sqrt(r * r + range * range + 2.0 * r * range * std::cos(radians(zenith))) -
+        earth_radius_km;
+    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    const auto a = path_at_nodes(summer, chord(from, end, range, 200), band.node_um);
+    const auto b = path_at_nodes(summer, sight_line(from, zenith, range), band.node_um);
+    CHECK(band_mean_nodes(band, a.transmittance) ==
+          Approx(band_mean_nodes(band, b.transmittance)).epsilon(5e-4));
+    CHECK(band_sum_nodes(band, a.radiance) ==
+          Approx(band_sum_nodes(band, b.radiance)).epsilon(2e-3));
+}
+
+TEST_CASE("the mean sky agrees with a fine integral over the hemisphere", "[render][radiance]") {
+    const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
+    const RadianceInput input = summer_air(pair, summer);
+    const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+                               flat_band("8-12", 8.0, 12.0, bin_edges_um()));
+    const double mean = band_sum_nodes(band, light_at(input, 0.4, band.node_um).sky);
+    double fine = 0.0;
+    constexpr int n = 400;  // midpoints in cos²θ
+    for (int i = 0; i < n; ++i) {
+        const double zenith = degrees(std::acos(std::sqrt((i + 0.5) / n)));
+        fine += band_sum_nodes(band, sky_at_nodes(summer, 0.4, zenith, band.node_um)) / n;
+    }
+    CHECK(mean == Approx(fine).epsilon(1e-3));
+}
+
+TEST_CASE("the background goes over from sky to plain at the horizon", "[render][radiance]") {
+    const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
+    const RadianceInput input = summer_air(pair, summer);
+    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    const double horizon = horizon_zenith_deg(input, 0.7);
+    // The dip of the horizon from 500 m: acos(R / (R + h)) = 0.718°.
+    CHECK(horizon == Approx(90.7178).margin(1e-3));
+    const auto temperature = [&](double zenith) {
+        return brightness_temperature(
+            band, band_sum_nodes(band, background_at(input, 0.7, zenith, band.node_um)));
+    };
+    CHECK(std::abs(temperature(horizon - 0.01) - temperature(horizon + 0.01)) < 0.5);
+    // Straight down through 500 m of air: nearly the ground's air temperature, 294.2 K less
+    // 4.5 K/km over the first kilometre.
+    CHECK(temperature(180.0) == Approx(293.3).margin(0.3));
+}
+
+// E = E_direct cosθ + E_diffuse on the horizontal, L = ρ E / π of a Lambertian plane.
+TEST_CASE("a plane under the sky reflects the direct and the scattered sunlight",
+          "[render][radiance][sunlight]") {
+    const double reflectance = GENERATE(1.0, 0.3);
+    Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, reflectance);
+    pair.sun = {1.0f, 0.0f};
+    const Band band = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
+    RadianceInput input = summer_air(pair, summer);
+    input.to_sun = direction(130.0, 40.0);
+    input.sun_zenith_deg = 50.0;
+    const SunFlux flux = SunField(std::get<BandModel>(summer), {.zenith_deg = 50.0}, band.node_um)
+                             .flux(input.ground_height_km);
+    const double direct = band_sum_nodes(band, flux.direct) * std::cos(radians(50.0));
+    const double diffuse = band_sum_nodes(band, flux.down);
+    const double above =
+        std::cos(radians(50.0)) *
+        band_sum_nodes(band, solar_at_nodes(Vacuum{}, 0.0, 50.0, 1.0, band.node_um));
+    CHECK(diffuse > 0.1 * direct);
+    CHECK(direct + diffuse < above);
+    const auto leaving = [&](std::uint32_t facet) {
+        double sum = 0.0;
+        for (const auto& term : leaving_radiance(input, FacetId{facet}, band.node_um)) {
+            sum += band_sum_nodes(band, term);
+        }
+        return sum;
+    };
+    CHECK(leaving(0) == Approx(reflectance * (direct + diffuse) / std::numbers::pi).epsilon(1e-4));
+    CHECK(leaving(1) == Approx(reflectance * diffuse / std::numbers::pi).epsilon(1e-4));
+}
+
+TEST_CASE("sunlight is scattered by day, below 5 µm, and in air alone",
+          "[render][radiance][sunlight]") {
+    Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.3);
+    const Band visible = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
+    const Band thermal = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    RadianceInput night = summer_air(pair, summer);
+    night.sun_zenith_deg = 50.0;
+    CHECK_FALSE(scattered_sun(night, visible.node_um));
+    pair.sun = {1.0f, 1.0f};
+    RadianceInput day = summer_air(pair, summer);
+    day.sun_zenith_deg = 50.0;
+    CHECK(scattered_sun(day, visible.node_um));
+    CHECK_FALSE(scattered_sun(day, thermal.node_um));
+    RadianceInput airless = pair.input(cold_space);
+    airless.sun_zenith_deg = 50.0;
+    CHECK_FALSE(scattered_sun(airless, visible.node_um));
+    day.sun_zenith_deg = 91.0;
+    CHECK_FALSE(scattered_sun(day, visible.node_um));
+}

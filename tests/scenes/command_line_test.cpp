@@ -1,0 +1,186 @@
+#include <sys/wait.h>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "tests/support/small_scene.hpp"
+
+// The program as a user has it: what it prints, its exit codes, what it writes.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+    int code;
+    std::string out;  // stdout and stderr together
+};
+
+Ran diurna(const std::string& arguments) {
+    const std::string command = "'" DIURNA_BINARY "' " + arguments + " 2>&1";
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    Ran ran{0, ""};
+    std::array<char, 4096> block{};
+    while (const std::size_t count = fread(block.data(), 1, block.size(), pipe)) {
+        ran.out.append(block.data(), count);
+    }
+    ran.code = WEXITSTATUS(pclose(pipe));
+    return ran;
+}
+
+std::size_t lines(const std::string& text) {
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+std::map<std::string, std::string> contents(const fs::path& folder) {
+    std::map<std::string, std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        std::ostringstream text;
+        text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+        found[fs::relative(entry.path(), folder).string()] = text.str();
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("the sun of NREL's SPA example", "[command_line]") {
+    // Reda & Andreas 2004, NREL/TP-560-34302, table A5.1: zenith 50.11162, azimuth 194.34024.
+    const Ran ran = diurna(
+        "sun --latitude-deg 39.742476 --longitude-deg -105.1786 --height-m 1830.14 --time "
+        "2003-10-17T12:30:30-07:00 --pressure-hPa 820 --temperature-C 11");
+    REQUIRE(ran.code == 0);
+    double azimuth = 0, elevation = 0;
+    REQUIRE(std::sscanf(ran.out.c_str(), "azimuth_deg,elevation_deg,distance_au\n%lf,%lf", &azimuth,
+                        &elevation) == 2);
+    CHECK(azimuth == Approx(194.34024).margin(5e-4));
+    CHECK(90.0 - elevation == Approx(50.11162).margin(5e-4));
+}
+
+TEST_CASE("the sky and the shadows of a raster's posts", "[command_line]") {
+    const Ran ran = diurna("visibility " DIURNA_SOURCE_DIR
+                           "/scenes/jacksboro/elevation.tif --azimuths 16 --sun-azimuth-deg 90 "
+                           "--sun-elevation-deg 8");
+    REQUIRE(ran.code == 0);
+    int columns = 0, rows = 0;
+    double mean = 0, least = 0, lit = 0;
+    const auto values = ran.out.find('\n');
+    REQUIRE(values != std::string::npos);
+    REQUIRE(std::sscanf(ran.out.c_str() + values, " %d,%d,0,16,%lf,%lf,%lf", &columns, &rows, &mean,
+                        &least, &lit) == 5);
+    CHECK(columns == 403);
+    CHECK(rows == 344);
+    CHECK((mean > 0.9 && mean < 1.0));
+    CHECK((least > 0.4 && least < mean));
+    CHECK((lit > 0.5 && lit < 1.0));
+    CHECK(diurna("visibility none.tif").code == 2);
+    CHECK(diurna("visibility " DIURNA_SOURCE_DIR
+                 "/scenes/jacksboro/elevation.tif --sun-azimuth-deg 90")
+              .code == 2);
+}
+
+TEST_CASE("bad usage gets one line and code 2", "[command_line]") {
+    for (const auto& [arguments, expected] : std::map<std::string, std::string>{
+             {"rnu scene.toml", "did you mean 'run'?"},
+             {"run", "SCENE is required"},
+             {"check nowhere.toml", "nowhere.toml: no such file"},
+             {"sun --latitude-deg 95 --longitude-deg 0 --time 2026-01-01T00:00:00Z",
+              "--latitude-deg: found 95"},
+             {"sun --latitude-deg 5 --longitude-deg 0 --time yesterday", "--time"},
+             {"path --band 8:12 --profile MLSS --to-space", "did you mean 'MLS'?"},
+             {"path --band 12:8 --to-space", "12"},
+             {"path --band 8:12", "expected one of --range-km"},
+             {"path --band 8:12 --zenith-deg 120 --to-space", "ends on the ground"},
+             {"mesh nowhere.tif --tolerance-m 1", "nowhere.tif"},
+             {"column nowhere.toml", "nowhere.toml: no such file"},
+         }) {
+        CAPTURE(arguments);
+        const Ran ran = diurna(arguments);
+        CAPTURE(ran.out);
+        CHECK(ran.code == 2);
+        CHECK(lines(ran.out) == 1);
+        CHECK(ran.out.find(expected) != std::string::npos);
+    }
+}
+
+TEST_CASE("help and version are no mistakes", "[command_line]") {
+    CHECK(diurna("--help").code == 0);
+    CHECK(diurna("run --help").code == 0);
+    CHECK(diurna("--version").out.find("diurna ") == 0);
+    CHECK(diurna("doctor").code == 0);
+}
+
+TEST_CASE("a scene that cannot be used writes nothing", "[command_line]") {
+    const ScratchFolder folder("bad-scene");
+    const fs::path scene = folder.path / "scene.toml", out = folder.path / "out";
+    const fs::path empty = folder.path / "empty.tif";
+    write_text(empty, "");
+    const std::string observer = "height_above_ground_m = 450.0";
+    for (const auto& [text, expected] : std::map<std::string, std::string>{
+             {with(small_scene(), "tolerance_m", "tolerence_m"), "scene.toml:10:1"},
+             {with(small_scene(),
+                   std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/elevation.tif",
+                   empty.string()),
+              "empty.tif"},
+             {with(small_scene(), "place_m = [2000.0, 1100.0]", "place_m = [2e6, 0.0]"),
+              "observer \"east\""},
+             {with(small_scene(), "latitude_deg = 36.32", "latitude_deg = 12.0"), "12.0"},
+             {small_scene().substr(0, small_scene().find("[[observer]]")), "[[observer]]"},
+         }) {
+        write_text(scene, text);
+        const Ran ran = diurna("run " + scene.string() + " --out " + out.string());
+        CAPTURE(expected, ran.out);
+        CHECK(ran.code == 2);
+        CHECK(lines(ran.out) == 1);
+        CHECK(ran.out.find(expected) != std::string::npos);
+        CHECK_FALSE(fs::exists(out));
+    }
+}
+
+TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[command_line]") {
+    const ScratchFolder folder("job");
+    const fs::path scene = folder.path / "scene.toml";
+    write_text(scene, small_scene());
+    const auto run = [&](const std::string& out, const std::string& more) {
+        const Ran ran =
+            diurna("run " + scene.string() + " --out " + (folder.path / out).string() + " " + more);
+        CAPTURE(ran.out);
+        REQUIRE(ran.code == 0);
+        return ran;
+    };
+    run("one", "--threads 1");
+    run("two", "--threads 2");
+    run("four", "--threads 4");
+    auto one = contents(folder.path / "one");
+    auto two = contents(folder.path / "two");
+    auto four = contents(folder.path / "four");
+    // 4 instants x 2 bands, EXR and PNG each; temperatures, annotations, report, manifest.
+    CHECK(one.size() == 16 + 4);
+    for (const std::string timed : {"report.html", "manifest.json"}) {  // they tell seconds
+        REQUIRE(one.count(timed) == 1);
+        one.erase(timed);
+        two.erase(timed);
+        four.erase(timed);
+    }
+    CHECK(one == two);
+    CHECK(one == four);
+
+    // Killed after some frames: what is there stays, what is missing comes back the same.
+    for (const auto& [name, text] : one) {
+        if (name.find("8-12") != std::string::npos) fs::remove(folder.path / "one" / name);
+    }
+    const Ran resumed = run("one", "--resume");
+    CHECK(resumed.out.find("heat balance") == std::string::npos);
+    auto again = contents(folder.path / "one");
+    again.erase("report.html");
+    again.erase("manifest.json");
+    CHECK(again == one);
+    CHECK(run("one", "--resume").out.find("0 frames rendered") != std::string::npos);
+}

@@ -1,0 +1,84 @@
+#include "thermal/temperature_field.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <fstream>
+
+#include "materials/base/error.hpp"
+#include "tests/support/hills.hpp"
+#include "tests/support/small_scene.hpp"
+
+using namespace diurna;
+
+namespace {
+
+TemperatureField ramp(std::size_t facets) {
+    const Instant begin = parse_instant("2026-06-21T05:00:00Z");
+    TemperatureField field{.instant = {}, .facets = facets, .kelvin = {}};
+    for (int i = 0; i < 3; ++i) {
+        field.instant.push_back(later(begin, 3600.0 * i));
+        for (std::size_t f = 0; f < facets; ++f) {
+            field.kelvin.push_back(280.0f + 4.0f * float(i) + 0.25f * float(f % 16));
+        }
+    }
+    return field;
+}
+
+}  // namespace
+
+TEST_CASE("temperatures between kept instants lie on the line, beyond them they stay",
+          "[thermal][temperature_field]") {
+    const TemperatureField field = ramp(4);
+    CHECK(field.interpolate(later(field.instant[0], 900.0))[1] == Approx(281.25));
+    CHECK(field.interpolate(later(field.instant[2], 9e5))[0] == 288.0f);
+    CHECK(field.interpolate(later(field.instant[0], -9e5))[0] == 280.0f);
+    CHECK(field.interpolate(field.instant[1])[3] == 284.75f);
+}
+
+TEST_CASE("a temperature field survives its file, bit by bit", "[thermal][temperature_field]") {
+    const ScratchFolder folder("temperature_field");
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    const TemperatureField field = ramp(facets.size());
+    const auto file = folder.path / "temperatures.nc";
+    save_temperature_field(file, field, facets, Site{36.5, -84.2, 400.0});
+    const TemperatureField read = load_temperature_field(file);
+    CHECK(read.instant == field.instant);
+    CHECK(read.facets == field.facets);
+    CHECK(read.kelvin == field.kelvin);
+    // Nothing but the file itself is left in the folder.
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+}
+
+// 2026-11: a solver's NaN went into a file that only its reader refused.
+TEST_CASE("a temperature that is no number is not written", "[thermal][temperature_field]") {
+    const ScratchFolder folder("temperature_field");
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    TemperatureField field = ramp(facets.size());
+    field.kelvin[facets.size() + 2] = std::nanf("");
+    const auto file = folder.path / "nan.nc";
+    CHECK_THROWS_WITH(save_temperature_field(file, field, facets, {}),
+                      Catch::Contains("the temperature of facet 2 is not finite"));
+    CHECK_FALSE(std::filesystem::exists(file));
+}
+
+TEST_CASE("a file that holds no temperatures is refused in one line",
+          "[thermal][temperature_field][errors]") {
+    const ScratchFolder folder("temperature_field_bad");
+    CHECK_THROWS_AS(load_temperature_field(folder.path / "absent.nc"), InputError);
+    write_text(folder.path / "text.nc", "not a netCDF file");
+    CHECK_THROWS_AS(load_temperature_field(folder.path / "text.nc"), InputError);
+
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    TemperatureField field = ramp(facets.size());
+    field.kelvin[7] = -3.0f;
+    save_temperature_field(folder.path / "cold.nc", field, facets, Site{});
+    CHECK_THROWS_AS(load_temperature_field(folder.path / "cold.nc"), InputError);
+
+    field.kelvin[7] = 290.0f;
+    save_temperature_field(folder.path / "whole.nc", field, facets, Site{});
+    std::filesystem::resize_file(folder.path / "whole.nc",
+                                 std::filesystem::file_size(folder.path / "whole.nc") / 2);
+    CHECK_THROWS_AS(load_temperature_field(folder.path / "whole.nc"), InputError);
+    CHECK_THROWS_AS(save_temperature_field(folder.path / "no" / "folder.nc", field, facets, Site{}),
+                    std::runtime_error);
+}

@@ -17,7 +17,7 @@
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/job.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "thermal/solve/shadow_edges.hpp"
 #include "thermal/solve/solver.hpp"
 
@@ -32,10 +32,10 @@ struct Sample {
     const Prepared& prepared;
     std::vector<std::size_t> from;  // (facet) in the scene
     FacetSet facets{};
-    SkyView view{};
+    FacetViews view{};
     SunExposure sun{};
 
-    Sample(const Prepared& scene, const SkyView& whole, std::size_t wanted) : prepared(scene) {
+    Sample(const Prepared& scene, const FacetViews& whole, std::size_t wanted) : prepared(scene) {
         const FacetSet& all = scene.world.facets;
         for (std::size_t k = 0; k < wanted; ++k) {
             const std::size_t f = k * all.size() / wanted;
@@ -44,10 +44,10 @@ struct Sample {
             facets.normal.push_back(all.normal[f]);
             facets.area.push_back(all.area[f]);
             facets.material.push_back(all.material[f]);
-            view.sky_view.push_back(whole.sky_view[f]);
+            view.sky.push_back(whole.sky[f]);
             view.below.push_back(whole.below[f]);
         }
-        view.exchange.row.assign(wanted + 1, 0);
+        view.others.row.assign(wanted + 1, 0);
         std::vector<std::uint8_t> asked(all.size(), 0);
         std::vector<float> answer(all.size(), 0.0f);
         const auto fraction_at = [&](Instant when, std::span<const std::uint8_t> chosen,
@@ -87,10 +87,10 @@ struct Sample {
             facets.normal.push_back(facets.normal[k % n]);
             facets.area.push_back(facets.area[k % n]);
             facets.material.push_back(facets.material[k % n]);
-            view.sky_view.push_back(view.sky_view[k % n]);
+            view.sky.push_back(view.sky[k % n]);
             view.below.push_back(view.below[k % n]);
         }
-        view.exchange.row.assign(n * times + 1, 0);
+        view.others.row.assign(n * times + 1, 0);
         for (std::size_t i = 0; i < once.instant.size(); ++i) {
             const auto row = once.fraction.begin() + std::ptrdiff_t(i * n);
             for (std::size_t k = 0; k < times; ++k) {
@@ -108,7 +108,7 @@ struct Sample {
         ClearSky clear;
         clear.longwave_by_direction = false;  // as the peers have it
         return solve({.facets = facets,
-                      .sky_view = view,
+                      .views = view,
                       .sun = sun,
                       .materials = prepared.scene.materials,
                       .weather = prepared.weather,
@@ -154,7 +154,7 @@ FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& co
                  .heat = {},
                  .jump = {}};
     const auto light = [&](std::size_t i, double fraction) {
-        return facet_sunlight(sky[i], normal.dot(sky[i].to_sun), fraction, sample.view.sky_view[f]);
+        return facet_sunlight(sky[i], normal.dot(sky[i].to_sun), fraction, sample.view.sky[f]);
     };
     for (std::size_t i = 0; i < sun.instant.size(); ++i) {
         sky.push_back(sky_state(sample.prepared.world.site, sample.prepared.world.sea_level_height,
@@ -180,7 +180,7 @@ FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& co
 int main() {
     const Prepared prepared =
         prepare(read_scene(std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/scene.toml"));
-    const SkyView whole = sky_view(prepared.world.facets, prepared.rays, {.rays = 16});
+    const FacetViews whole = facet_views(prepared.world.facets, prepared.rays, {.rays = 16});
     const Sample sample(prepared, whole, 1024);
     set_thread_count(1);
     const SolveOptions plain = sample.options();

@@ -1,5 +1,5 @@
 // What a mesh's tolerance does to the sun it takes in: beam per facet against the mean over the
-// raster's own triangles under it, by the facet's own normal with rays, and as `ReliefLight`
+// raster's own triangles under it, by the facet's own normal with rays, and as `ReliefVisibility`
 // carries it. rms by area over the ground, share of the beam on a level plane at 900 W/m², for
 // three suns.
 
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
         append_facets(facets, local_vertices(dem, site, mesh.place, mesh.height), mesh.triangle,
                       std::vector<MaterialId>(mesh.triangle.size()), ObjectId{0});
         const RayScene rays(facets);
-        const ReliefLight light(facets, rays, relief, facets.size());
+        const ReliefVisibility light(facets, rays, relief, facets.size());
         std::map<std::string, double> squares;
         double area = 0.0;
         for (const double elevation_deg : {15.0, 35.0, 60.0}) {

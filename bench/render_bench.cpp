@@ -25,8 +25,8 @@
 #include "render/view/adaptive.hpp"
 #include "render/view/pixel_samples.hpp"
 #include "terrain/place/site.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
-#include "terrain/visibility/sky_view.hpp"
 
 using namespace diurna;
 
@@ -206,11 +206,11 @@ int main(int argc, char** argv) {
     const RayScene scene(facets);
     const double build = now() - start;
     start = now();
-    const SkyView sky = sky_view(facets, scene, {.rays = 32});
+    const FacetViews sky = facet_views(facets, scene, {.rays = 32});
     fmt::print(stderr,
                "{} facets, scene {:.2f} s, sky view {:.1f} s, {:.1f} exchange entries each\n",
                facets.size(), build, now() - start,
-               double(sky.exchange.facet.size()) / double(facets.size()));
+               double(sky.others.facet.size()) / double(facets.size()));
 
     const Eigen::Vector3d to_sun = direction(110.0, 35.0);
     std::vector<float> sun(facets.size());
@@ -225,7 +225,7 @@ int main(int argc, char** argv) {
         BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
     const auto input = [&](std::span<const float> temperatures) {
         return RadianceInput{.facets = facets,
-                             .sky_view = sky,
+                             .views = sky,
                              .materials = materials,
                              .atmosphere = air,
                              .temperature = temperatures,

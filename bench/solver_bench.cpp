@@ -42,7 +42,7 @@ int main() {
     const Prepared prepared =
         prepare(read_scene(std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/scene.toml"));
     Progress progress(ProgressStyle::silent);
-    const SkyView view = scene_sky_view(prepared);
+    const FacetViews view = scene_sky_view(prepared);
     const SunExposure sun = scene_sun_exposure(prepared, progress);
     const double before = peak_memory();
     SolveOptions plain = scene_solve_options(prepared.scene);
@@ -50,7 +50,7 @@ int main() {
     const auto run = [&](const SolveOptions& options, const std::string& setting) {
         const double since = cpu_seconds();
         SolveResult result = solve({.facets = prepared.world.surfaces(),
-                                    .sky_view = view,
+                                    .views = view,
                                     .sun = sun,
                                     .materials = prepared.scene.materials,
                                     .weather = prepared.weather,

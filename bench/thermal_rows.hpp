@@ -37,8 +37,8 @@ inline std::filesystem::path shared(const std::string& inside) {
 }
 
 /// A horizontal facet over `layers` that only exchanges by film and radiation.
-inline ColumnJob facet(std::vector<Layer> layers, double film, double emissivity) {
-    ColumnJob job;
+inline PointJob facet(std::vector<Layer> layers, double film, double emissivity) {
+    PointJob job;
     job.surface.albedo = 0.0;
     job.surface.emissivity = emissivity;
     job.surface.convection = ConstantFilm{film};
@@ -59,7 +59,7 @@ inline Series wave(double mean, double amplitude, int order = 1) {
     return [=](double t) { return mean + amplitude * std::cos(2.0 * pi * order * t / day); };
 }
 
-inline void drive(ColumnJob& job, const Series& sun, const Series& air, double longwave,
+inline void drive(PointJob& job, const Series& sun, const Series& air, double longwave,
                   double every = 300.0) {
     job.weather = {};
     for (double t = 0.0; t <= day + 1.0; t += every) {
@@ -73,7 +73,7 @@ inline void drive(ColumnJob& job, const Series& sun, const Series& air, double l
 }
 
 template <class Value>
-std::complex<double> harmonic(const ColumnResult& result, int order, const Value& value) {
+std::complex<double> harmonic(const PointResult& result, int order, const Value& value) {
     std::complex<double> sum = 0.0;
     const std::size_t n = result.row.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
@@ -82,13 +82,13 @@ std::complex<double> harmonic(const ColumnResult& result, int order, const Value
     }
     return sum;
 }
-inline double surface(const ColumnRow& row) { return row.surface_temperature; }
+inline double surface(const PointRow& row) { return row.surface_temperature; }
 
 inline std::string a1() {
-    ColumnJob job = facet({half_space}, 1e4, 0.0);
+    PointJob job = facet({half_space}, 1e4, 0.0);
     job.step = 600.0;
     drive(job, constant(0.0), wave(293.15, 10.0), 0.0, 60.0);
-    const auto flux = harmonic(run_column(job), 1, [](const ColumnRow& r) { return -r.conducted; });
+    const auto flux = harmonic(run_column(job), 1, [](const PointRow& r) { return -r.conducted; });
     return fmt::format("{:.2f} % in flux, {:.0f} s in phase",
                        100.0 * std::abs(std::abs(flux) / 120.6002091 - 1.0),
                        std::abs(std::arg(flux) / (2.0 * pi) * day - 10800.0));
@@ -98,7 +98,7 @@ inline std::string a2() {
     double worst = 0.0;
     for (const auto& [film, amplitude] :
          {std::pair{5.0, 6.253404513}, {15.0, 3.995923739}, {30.0, 2.534198955}}) {
-        ColumnJob job = facet({half_space}, film, 0.0);
+        PointJob job = facet({half_space}, film, 0.0);
         job.step = 600.0;
         drive(job, wave(100.0, 100.0), constant(290.0), 0.0);
         const double found = std::abs(harmonic(run_column(job), 1, surface));
@@ -111,7 +111,7 @@ inline std::string a3() {
     double worst = 0.0;
     for (const auto& [order, amplitude] :
          {std::pair{1, 3.844736725}, {4, 2.53084319}, {24, 1.287797341}}) {
-        ColumnJob job = facet(
+        PointJob job = facet(
             {{0.10, 1.2, 2100.0, 1000.0}, {0.30, 0.8, 1600.0, 1000.0}, {5.0, 1.0, 2000.0, 1000.0}},
             15.0, 0.0);
         job.step = 300.0;
@@ -123,13 +123,13 @@ inline std::string a3() {
 }
 
 /// From a uniform start; the worst over (s, K) of the surface.
-inline double from_start(ColumnJob job, double start, double sun, double air, double longwave,
+inline double from_start(PointJob job, double start, double sun, double air, double longwave,
                          const std::vector<std::pair<double, double>>& expected) {
     job.spin_up = SpinUp::none;
     job.initial_temperature = start;
     job.step = 60.0;
     drive(job, constant(sun), constant(air), longwave);
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     double worst = 0.0;
     for (const auto& [t, kelvin] : expected) {
         worst = std::max(worst, std::abs(surface(result.row[std::size_t(t / 60.0)]) - kelvin));
@@ -154,7 +154,7 @@ inline std::string a4() {
 
 inline std::string a5() {
     // The contact 1 m down, the surface far from it; 2 h.
-    ColumnJob job = facet({{1.0, 1.2, 2100.0, 1000.0}, {1.0, 0.25, 1200.0, 1000.0}}, 0.0, 0.0);
+    PointJob job = facet({{1.0, 1.2, 2100.0, 1000.0}, {1.0, 0.25, 1200.0, 1000.0}}, 0.0, 0.0);
     std::vector<Layer> cut;
     for (const Layer& layer : job.surface.layers) {
         for (int i = 0; i < 400; ++i) {
@@ -169,7 +169,7 @@ inline std::string a5() {
     // The node in the contact holds half a cell of each side: 340 · 2.1 and 290 · 1.2 over 3.3.
     job.initial_profile = {{0.9976, 340.0}, {1.0, 321.8181818}, {1.0024, 290.0}};
     drive(job, constant(0.0), constant(300.0), 0.0);
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     double found = 0.0;
     for (std::size_t i = 0; i < result.depth.size(); ++i) {
         if (std::abs(result.depth[i] - 1.0) < 1e-6) found = result.final_profile[i];
@@ -193,7 +193,7 @@ inline std::string a8() {
           {0.0, 250.0, 5.0, 280.0, 270.132016844},
           {900.0, 400.0, 30.0, 310.0, 331.089448651},
           {100.0, 300.0, 0.0, 290.0, 290.757781764}}) {
-        ColumnJob job = facet({{0.001, 50.0, 7800.0, 500.0}}, film, 0.95);
+        PointJob job = facet({{0.001, 50.0, 7800.0, 500.0}}, film, 0.95);
         drive(job, constant(sun), constant(air), sky);
         worst = std::max(worst, std::abs(surface(run_column(job).row.back()) - root));
     }
@@ -239,12 +239,12 @@ inline std::string b1() {
 }
 
 inline std::string b2() {
-    ColumnJob job = facet({half_space}, 10.0, 0.95);
+    PointJob job = facet({half_space}, 10.0, 0.95);
     job.step = 1800.0;
     drive(
         job, [](double t) { return 750.0 * std::max(0.0, -std::cos(2.0 * pi * t / day)); },
         [](double t) { return 298.15 + 8.0 * std::cos(2.0 * pi * (t - 54000.0) / day); }, 330.0);
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     double worst = 0.0;
     for (const auto& [hour, kelvin] : std::vector<std::pair<double, double>>{
              {1, 294.1009},  {3, 292.5792},    {5, 292.0031},    {6, 292.0728},  {6.5, 293.8714},
@@ -259,15 +259,15 @@ inline std::string b2() {
 }
 
 inline std::string deep() {
-    ColumnJob job = facet({{10.0, 1.2, 1700.0, 1200.0}}, 10.0, 0.95);
+    PointJob job = facet({{10.0, 1.2, 1700.0, 1200.0}}, 10.0, 0.95);
     job.step = 1800.0;
     drive(
         job, [](double t) { return 750.0 * std::max(0.0, -std::cos(2.0 * pi * t / day)); },
         constant(295.0), 330.0);
     job.initial_temperature = 262.0;
-    const ColumnResult cold = run_column(job);
+    const PointResult cold = run_column(job);
     job.initial_temperature = 322.0;
-    const ColumnResult warm = run_column(job);
+    const PointResult warm = run_column(job);
     double apart = 0.0;
     for (std::size_t i = 0; i < cold.row.size(); ++i) {
         apart = std::max(apart, std::abs(surface(cold.row[i]) - surface(warm.row[i])));
@@ -283,9 +283,8 @@ inline std::string measured_days(const char* folder,
     if (!std::filesystem::exists(place)) return "data absent";
     const measured::Series series = read(place);
     const MaterialLibrary library = default_material_library();
-    const ColumnJob job =
-        measured::job_of(series, library[library.find(material)].thermal, cadence);
-    const ColumnResult result = run_column(job);
+    const PointJob job = measured::job_of(series, library[library.find(material)].thermal, cadence);
+    const PointResult result = run_column(job);
     double sum = 0.0, bias = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < series.when.size() && series.when[i] <= job.end; ++i, ++count) {

@@ -17,7 +17,7 @@
 #include "materials/radiation/planck.hpp"
 #include "terrain/ground/ground_mesh.hpp"
 #include "terrain/place/sun.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "thermal/point/point_job.hpp"
 
 using namespace diurna;
@@ -104,10 +104,10 @@ std::string bowl(double q) {
     }
     FacetSet facets;
     append_facets(facets, vertex, triangle, std::vector<MaterialId>(triangle.size()), ObjectId{0});
-    const SkyView view = sky_view(facets, RayScene(facets));
+    const FacetViews view = facet_views(facets, RayScene(facets));
     double sum = 0.0, area = 0.0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        sum += double(facets.area[f]) * view.sky_view[f];
+        sum += double(facets.area[f]) * view.sky[f];
         area += facets.area[f];
     }
     return fmt::format("{:+.4f}", sum / area - 1.0 / (1.0 + 4.0 * q * q));

@@ -2,7 +2,7 @@
 // sixteen times as many rays. Beside them the bare rate of occlusion rays, their limit. By the
 // processor's own clock, all threads together.
 
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 #include <fmt/format.h>
 
@@ -114,15 +114,15 @@ int main(int argc, char** argv) {
     row("occluded16", "16 fixed rays", fixed, 0.0);
     row("occluded16", "16 rays of the sky view", drawn, 0.0);
 
-    const SkyView fine = sky_view(facets, scene, {.rays = 1024, .seed = 7, .exchange = false});
+    const FacetViews fine = facet_views(facets, scene, {.rays = 1024, .seed = 7, .others = false});
     for (const int rays : {16, 64, 256}) {
         for (const bool exchange : {false, true}) {
             if (exchange && rays > 64) continue;
-            SkyView view;
+            FacetViews view;
             const double cpu = seconds(
-                [&] { view = sky_view(facets, scene, {.rays = rays, .exchange = exchange}); });
+                [&] { view = facet_views(facets, scene, {.rays = rays, .others = exchange}); });
             row(exchange ? "sky_view_and_exchange" : "sky_view", fmt::format("{} rays", rays), cpu,
-                rms(view.sky_view, fine.sky_view));
+                rms(view.sky, fine.sky));
             fmt::print(stderr, "{} rays{}: {:.1f} M rays/s, {:.0f} % of the best bare rate\n", rays,
                        exchange ? " and exchange" : "", rays * 1e-6 * double(facets.size()) / cpu,
                        100.0 * std::min(fixed, drawn) / cpu * rays / 16);
@@ -132,10 +132,10 @@ int main(int argc, char** argv) {
     for (const double tolerance : {40.0, 20.0, 10.0, 5.0, 2.0}) {
         const FacetSet some = facets_of(file, tolerance);
         const RayScene some_scene(some);
-        SkyView view;
-        view = sky_view(some, some_scene, {.rays = 64});
+        FacetViews view;
+        view = facet_views(some, some_scene, {.rays = 64});
         make_reciprocal(some, view);
-        const double bytes = double(view.exchange.facet.size() * 8 + view.exchange.row.size() * 4);
+        const double bytes = double(view.others.facet.size() * 8 + view.others.row.size() * 4);
         fmt::print("{},exchange_memory,64 rays at {} m,{},,{:.4g},bytes a facet\n",
                    file.stem().string(), tolerance, some.size(), bytes / double(some.size()));
     }

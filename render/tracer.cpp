@@ -35,8 +35,8 @@ void check_sizes(const View& view, const RadianceInput& input) {
     };
     expect("temperature", input.temperature.size());
     if (!input.sun_fraction.empty()) expect("sun_fraction", input.sun_fraction.size());
-    expect("sky_view", input.sky_view.sky_view.size());
-    if (input.sky_view.exchange.row.size() != n + 1) {
+    expect("sky_view", input.views.sky.size());
+    if (input.views.others.row.size() != n + 1) {
         throw InputError("render", "the exchange rows do not fit the facets");
     }
     if (view.facets > n) {
@@ -231,7 +231,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     for (EyeTable& table : eye_tables) table.refine(grid);
     const std::size_t columns = eye_tables.size();
     static_assert(sizeof(AtEye) == 3 * sizeof(float));
-    Scratch memory(view.facet.size() * columns * 3);
+    ReusedFloats memory(view.facet.size() * columns * 3);
     auto* eye = reinterpret_cast<AtEye*>(memory.data());
     look(view, lit, state, tables, sent, rows, grid, eye_tables, eye);
 

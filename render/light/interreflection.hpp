@@ -86,7 +86,7 @@ class SentLight {
     const LitFacets& lit_;
     const LitState& state_;
     const LightTables& tables_;
-    Scratch sent_;  // (lit, lane)
+    ReusedFloats sent_;  // (lit, lane)
     std::size_t followed_ = 0;
 };
 

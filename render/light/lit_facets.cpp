@@ -14,7 +14,7 @@ namespace diurna {
 namespace {
 
 template <class Body>
-void each_source(const Exchange& exchange, std::size_t f, const Body& body) {
+void each_source(const ViewFactors& exchange, std::size_t f, const Body& body) {
     for (std::uint32_t k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
         body(index(exchange.facet[k]), double{exchange.factor[k]});
     }
@@ -28,7 +28,7 @@ std::vector<std::uint8_t> steps_from_eye(const RadianceInput& input,
     for (std::uint8_t now = 1; now <= 2; ++now) {
         for (std::size_t f = 0; f < step.size(); ++f) {
             if (step[f] != now) continue;
-            each_source(input.sky_view.exchange, f, [&](std::size_t from, double) {
+            each_source(input.views.others, f, [&](std::size_t from, double) {
                 if (step[from] == 0) step[from] = static_cast<std::uint8_t>(now + 1);
             });
         }
@@ -83,7 +83,7 @@ LitFacets::Worth worth_of(const Band& band, const RadianceInput& input, const Li
 LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
                      std::span<const Band> bands) {
     const FacetSet& facets = input.facets;
-    const Exchange& exchange = input.sky_view.exchange;
+    const ViewFactors& exchange = input.views.others;
     const std::vector<std::uint8_t> step = steps_from_eye(input, seen);
 
     LitFacets lit;
@@ -95,7 +95,7 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
         lit.place[f] = static_cast<std::uint32_t>(lit.facet.size());
         lit.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
         lit.material.push_back(facets.material[f]);
-        lit.sky_view.push_back(input.sky_view.sky_view[f]);
+        lit.sky_view.push_back(input.views.sky[f]);
         lit.material_used[index(facets.material[f])] = true;
         if (step[f] <= 2) entries += exchange.row[f + 1] - exchange.row[f];
     }
@@ -111,7 +111,7 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
         if (step[f] <= 2) {
             double total = 0.0;
             each_source(exchange, f, [&](std::size_t, double factor) { total += factor; });
-            const double rest = 1.0 - double{input.sky_view.sky_view[f]};
+            const double rest = 1.0 - double{input.views.sky[f]};
             each_source(exchange, f, [&](std::size_t from, double factor) {
                 if (factor == 0.0) return;  // a row of nothing but zeros is no row
                 lit.source.push_back(lit.place[from]);

@@ -49,7 +49,7 @@ Surface surface_of(const RadianceInput& input, FacetId facet) {
             .temperature = temperature,
             .behind = temperature_behind(material, temperature),
             .sunlight = sunlight_on(input, facet),
-            .sky_view = input.sky_view.sky_view[f],
+            .sky_view = input.views.sky[f],
             .height_km = input.ground_height_km +
                          1e-3 * level_height(input.facets.centroid[f].cast<double>())};
 }
@@ -239,7 +239,7 @@ std::array<std::vector<double>, term_count> leaving_terms(const RadianceInput& i
         return leaving[static_cast<std::size_t>(term)];
     };
     const Surface own = surface_of(input, facet);
-    const Exchange& exchange = input.sky_view.exchange;
+    const ViewFactors& exchange = input.views.others;
     const std::size_t f = index(facet);
     const double rest = 1.0 - own.sky_view;
     double total = 0.0;

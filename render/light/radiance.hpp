@@ -13,14 +13,14 @@
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 namespace diurna {
 
 /// The state of the scene at one instant: all that a picture depends on besides the view.
 struct RadianceInput {
     const FacetSet& facets;
-    const SkyView& sky_view;
+    const FacetViews& views;
     const MaterialLibrary& materials;
     const Atmosphere& atmosphere;
     std::span<const float> temperature;                 // (facet) [K], 1 to 5000

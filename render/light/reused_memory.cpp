@@ -16,18 +16,18 @@ namespace {
 struct Pool {
     static constexpr std::size_t most = 8;
     std::mutex mutex;
-    std::vector<std::pair<std::size_t, Scratch::Memory>> pieces;
+    std::vector<std::pair<std::size_t, ReusedFloats::Memory>> pieces;
 };
-Scratch::Memory allocate(std::size_t size) {
+ReusedFloats::Memory allocate(std::size_t size) {
     constexpr std::size_t page = std::size_t{2} << 20;
     const std::size_t bytes = (std::max<std::size_t>(size, 1) * sizeof(float) + 63) / 64 * 64;
     if (bytes < 4 * page) {
-        return Scratch::Memory(static_cast<float*>(std::aligned_alloc(64, bytes)));
+        return ReusedFloats::Memory(static_cast<float*>(std::aligned_alloc(64, bytes)));
     }
     const std::size_t whole = (bytes + page - 1) / page * page;
     auto* memory = static_cast<float*>(std::aligned_alloc(page, whole));
     if (memory != nullptr) madvise(memory, whole, MADV_HUGEPAGE);  // a wish; small pages do too
-    return Scratch::Memory(memory);
+    return ReusedFloats::Memory(memory);
 }
 
 Pool& pool() {
@@ -37,7 +37,7 @@ Pool& pool() {
 
 }  // namespace
 
-Scratch::Scratch(std::size_t size) : size_(size) {
+ReusedFloats::ReusedFloats(std::size_t size) : size_(size) {
     {
         const std::lock_guard lock(pool().mutex);
         auto& pieces = pool().pieces;
@@ -54,7 +54,7 @@ Scratch::Scratch(std::size_t size) : size_(size) {
     if (!memory_) throw std::bad_alloc();
 }
 
-Scratch::~Scratch() {
+ReusedFloats::~ReusedFloats() {
     const std::lock_guard lock(pool().mutex);
     auto& pieces = pool().pieces;
     if (pieces.size() >= Pool::most) pieces.erase(pieces.begin());

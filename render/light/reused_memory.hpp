@@ -9,12 +9,12 @@ namespace diurna {
 /// Floats without a value yet, from memory that earlier frames have used and given back: what the
 /// system would have to hand out and clear anew costs more than to fill it. Large pieces lie in
 /// large pages, as facets look at their neighbours' light all over it.
-class Scratch {
+class ReusedFloats {
  public:
-    explicit Scratch(std::size_t size);
-    ~Scratch();
-    Scratch(const Scratch&) = delete;
-    Scratch& operator=(const Scratch&) = delete;
+    explicit ReusedFloats(std::size_t size);
+    ~ReusedFloats();
+    ReusedFloats(const ReusedFloats&) = delete;
+    ReusedFloats& operator=(const ReusedFloats&) = delete;
     float* data() { return memory_.get(); }
     const float* data() const { return memory_.get(); }
     float& operator[](std::size_t i) { return memory_.get()[i]; }

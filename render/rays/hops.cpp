@@ -66,13 +66,13 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
     int rows = static_cast<int>(std::sqrt(double(options.samples)));
     while (options.samples % rows != 0) --rows;
     const int columns = options.samples / rows;
-    const bool textured = options.patchwork != nullptr && !options.patchwork->empty();
+    const bool textured = options.texture_levels != nullptr && !options.texture_levels->empty();
     const HopScene place{scene,
                          facets,
                          materials,
                          plumes,
                          observer,
-                         textured ? options.patchwork : nullptr,
+                         textured ? options.texture_levels : nullptr,
                          sample_angle(observer, options.samples)};
     std::vector<std::vector<Hop>> found(hops.pixel.size());
     for_each_index(

@@ -104,9 +104,9 @@ void follow(const HopScene& place, Walker walker, float weight, Chance& chance,
             return;
         }
         Blend blend{hit.facet, hit.facet};
-        if (place.patchwork != nullptr) {
+        if (place.texture_levels != nullptr) {
             const double walked = walker.walked + far;
-            blend = blend_at(*place.patchwork, hit.facet, place.observer,
+            blend = blend_at(*place.texture_levels, hit.facet, place.observer,
                              place.sample_angle * (far > 0.0 ? walked / far : 1.0), walker.origin,
                              walker.direction, far);
         }

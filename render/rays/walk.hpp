@@ -31,8 +31,8 @@ struct HopScene {
     const MaterialLibrary& materials;
     const PlumeScene& plumes;
     const Observer& observer;
-    const Patchwork* patchwork = nullptr;  // null: no textures
-    double sample_angle = 0.0;             // of the observer's samples (view.hpp)
+    const TextureLevels* texture_levels = nullptr;  // null: no textures
+    double sample_angle = 0.0;                      // of the observer's samples (view.hpp)
 };
 
 /// Follows one ray to its ends and adds what it meets to `out`, a hop before those behind it, each

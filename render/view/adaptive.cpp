@@ -58,7 +58,7 @@ int extra(int level) { return 16 * ((1 << level) - 1); }
 
 }  // namespace
 
-std::vector<float> thermal_appearance(const FacetSet& facets, const SkyView& sky_view,
+std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& views,
                                       const MaterialLibrary& materials,
                                       std::span<const float> temperature, const Band& band) {
     std::vector<float> reflectance(materials.size());
@@ -74,7 +74,7 @@ std::vector<float> thermal_appearance(const FacetSet& facets, const SkyView& sky
     constexpr float sky = 250.0f;
     std::vector<float> appearance(facets.size());
     for_each_index(facets.size(), [&](std::size_t f) {
-        const float open = reflectance[index(facets.material[f])] * float(sky_view.sky_view[f]);
+        const float open = reflectance[index(facets.material[f])] * float(views.sky[f]);
         appearance[f] = temperature[f] + open * (sky - temperature[f]);
     });
     return appearance;

@@ -7,7 +7,7 @@
 #include "materials/matter/library.hpp"
 #include "materials/radiation/band.hpp"
 #include "render/view/view.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 namespace diurna {
 
@@ -27,7 +27,7 @@ struct Appearance {
 
 /// Facets as a band sees them, roughly: ε T + (1 − ε) of a sky of 250 K and of surroundings as warm
 /// as the facet, by its sky view. ε is the mean over the band.
-std::vector<float> thermal_appearance(const FacetSet& facets, const SkyView& sky_view,
+std::vector<float> thermal_appearance(const FacetSet& facets, const FacetViews& views,
                                       const MaterialLibrary& materials,
                                       std::span<const float> temperature, const Band& band);
 

@@ -43,14 +43,14 @@ float refined(const RayBundles& rays, std::size_t ray, const FacetSet& facets) {
 /// Samples on textured facets count for the two that each is a mixture of.
 class Blends {
  public:
-    Blends(const Patchwork& patchwork, const Observer& observer, int samples)
-        : patchwork_(patchwork), observer_(observer), angle_(sample_angle(observer, samples)) {}
+    Blends(const TextureLevels& texture_levels, const Observer& observer, int samples)
+        : levels_(texture_levels), observer_(observer), angle_(sample_angle(observer, samples)) {}
 
     Blend at(const RayBundles& rays, std::size_t ray, float range) const {
         const Eigen::Vector3d from(rays.origin_x[ray], rays.origin_y[ray], rays.origin_z[ray]);
         const Eigen::Vector3d to(rays.direction_x[ray], rays.direction_y[ray],
                                  rays.direction_z[ray]);
-        return blend_at(patchwork_, FacetId{rays.facet[ray]}, observer_, angle_, from, to,
+        return blend_at(levels_, FacetId{rays.facet[ray]}, observer_, angle_, from, to,
                         double{range});
     }
 
@@ -78,7 +78,7 @@ class Blends {
     }
 
  private:
-    const Patchwork& patchwork_;
+    const TextureLevels& levels_;
     const Observer& observer_;
     double angle_;
 };
@@ -96,8 +96,8 @@ class TileCaster::State {
           share_(1.0f / static_cast<float>(options.samples)),
           asked_(options.asked),
           view_(view) {
-        if (options.patchwork != nullptr && !options.patchwork->empty()) {
-            blends_.emplace(*options.patchwork, observer, options.samples);
+        if (options.texture_levels != nullptr && !options.texture_levels->empty()) {
+            blends_.emplace(*options.texture_levels, observer, options.samples);
             view.centre_blend.assign(view.pixels(), {no_facet, no_facet});
         }
     }

@@ -125,15 +125,16 @@ double sample_angle(const Observer& observer, int samples) {
     return (eye.towards(column + 1.0, row) - eye.towards(column, row)).norm() / root;
 }
 
-Blend blend_at(const Patchwork& patchwork, FacetId facet, const Observer& observer,
+Blend blend_at(const TextureLevels& texture_levels, FacetId facet, const Observer& observer,
                double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
                double range) {
-    if (patchwork.patch[index(facet)].levels < 2) return {facet, facet};
+    if (texture_levels.of_facet[index(facet)].levels < 2) return {facet, facet};
     const double across =
-        std::abs(patchwork.facets.normal[index(facet)].cast<double>().dot(towards));
+        std::abs(texture_levels.facets.normal[index(facet)].cast<double>().dot(towards));
     const double apart =
         observer.projection == Projection::orthographic ? sample_angle : sample_angle * range;
-    return patchwork.at(facet, from + range * towards, apart / std::sqrt(std::max(0.01, across)));
+    return texture_levels.at(facet, from + range * towards,
+                             apart / std::sqrt(std::max(0.01, across)));
 }
 
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
@@ -146,8 +147,8 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     view.width = observer.width;
     view.height = observer.height;
     view.facets = facets.size();
-    if (options.patchwork != nullptr && !options.patchwork->empty()) {
-        view.facets = options.patchwork->facets.size();
+    if (options.texture_levels != nullptr && !options.texture_levels->empty()) {
+        view.facets = options.texture_levels->facets.size();
     }
     view.observer_height = level_height(observer.position);
     const std::size_t pixels = std::size_t(view.width) * std::size_t(view.height);

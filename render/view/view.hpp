@@ -18,7 +18,7 @@ struct ViewOptions {
     /// Where a sample meets a textured facet it counts for the two it is a mixture of there, in
     /// parts of 2^-16; null: no textures. A sample stands for a square as wide as the distance to
     /// the next sample, on slanting ground by the root of what that stretches it.
-    const Patchwork* patchwork = nullptr;
+    const TextureLevels* texture_levels = nullptr;
     /// (pixel) those that are not zero are cast; empty: all. The others see nothing, and pixels'
     /// centres are not cast.
     std::span<const std::uint8_t> asked = {};
@@ -85,7 +85,7 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
 double sample_angle(const Observer& observer, int samples);
 
 /// What a ray finds that meets a textured facet at a range.
-Blend blend_at(const Patchwork& patchwork, FacetId facet, const Observer& observer,
+Blend blend_at(const TextureLevels& texture_levels, FacetId facet, const Observer& observer,
                double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
                double range);
 

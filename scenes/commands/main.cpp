@@ -71,7 +71,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const Prepared prepared = prepare(a.read());
     Progress progress(a.style());
     progress.stage("sky view");
-    const SkyView view = scene_sky_view(prepared);
+    const FacetViews view = scene_sky_view(prepared);
     const SolveResult result = solve_scene(prepared, view, progress);
     save_temperature_field(out, result.temperature, prepared.world.surfaces(), prepared.world.site);
 }
@@ -88,7 +88,7 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     std::filesystem::create_directories(out / "frames");
     Progress progress(a.style());
     progress.stage("sky view");
-    const SkyView view = scene_sky_view(prepared);
+    const FacetViews view = scene_sky_view(prepared);
     render_frames(prepared, view, field, out, progress);
 }
 

@@ -119,8 +119,8 @@ void visibility_command(const VisibilityArguments& arguments) {
 }
 
 void column_command(const std::filesystem::path& file, const std::filesystem::path& out) {
-    const ColumnJob job = read_column_job(file);
-    const ColumnResult result = run_column(job);
+    const PointJob job = read_column_job(file);
+    const PointResult result = run_column(job);
     const std::string text = column_csv(result);
     if (out.empty()) {
         fmt::print("{}", text);

@@ -19,7 +19,7 @@ std::vector<Instant> some_of(const std::vector<Instant>& frames) {
     return some;
 }
 
-std::vector<float> sunlit_appearance(const Prepared& prepared, const SkyView& sky_view,
+std::vector<float> sunlit_appearance(const Prepared& prepared, const FacetViews& views,
                                      const SunPosition& sun, const Band& band) {
     const World& world = prepared.world;
     const FacetSet& facets = world.surfaces();
@@ -27,7 +27,7 @@ std::vector<float> sunlit_appearance(const Prepared& prepared, const SkyView& sk
     std::vector<float> fraction(world.facets.size());
     sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
                  {.samples = 1, .seed = prepared.scene.seed});
-    if (!world.patchwork.empty()) fraction = for_copies(world.patchwork, fraction);
+    if (!world.texture_levels.empty()) fraction = for_copies(world.texture_levels, fraction);
     const double middle = 0.5 * (band.from_um() + band.to_um());
     std::vector<float> reflectance;
     for (std::size_t m = 0; m < prepared.scene.materials.size(); ++m) {
@@ -38,7 +38,7 @@ std::vector<float> sunlit_appearance(const Prepared& prepared, const SkyView& sk
     std::vector<float> appearance(facets.size());
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const float direct = fraction[f] * std::max(0.0f, facets.normal[f].dot(to_sun));
-        const float open = under_the_sky * static_cast<float>(sky_view.sky_view[f]);
+        const float open = under_the_sky * static_cast<float>(views.sky[f]);
         appearance[f] = white_in_the_sun * reflectance[index(facets.material[f])] * (direct + open);
     }
     return appearance;
@@ -46,7 +46,7 @@ std::vector<float> sunlit_appearance(const Prepared& prepared, const SkyView& sk
 
 }  // namespace
 
-std::vector<Appearance> appearances(const Prepared& prepared, const SkyView& sky_view,
+std::vector<Appearance> appearances(const Prepared& prepared, const FacetViews& views,
                                     const TemperatureField& field, std::span<const Band> bands) {
     std::vector<Appearance> all;
     for (const Instant instant : some_of(prepared.plan.frames)) {
@@ -55,11 +55,11 @@ std::vector<Appearance> appearances(const Prepared& prepared, const SkyView& sky
         for (const Band& band : bands) {
             if (band.to_um() > 3.0) {
                 all.push_back(
-                    {.facet = thermal_appearance(prepared.world.surfaces(), sky_view,
+                    {.facet = thermal_appearance(prepared.world.surfaces(), views,
                                                  prepared.scene.materials, temperature, band),
                      .sky = 250.0f});
             } else if (sun.elevation_deg > 0.0) {
-                all.push_back({.facet = sunlit_appearance(prepared, sky_view, sun, band),
+                all.push_back({.facet = sunlit_appearance(prepared, views, sun, band),
                                .sky = white_in_the_sun * under_the_sky});
             }
         }

@@ -14,7 +14,7 @@ namespace diurna {
 /// chosen, the facets' heat in each thermal band (thermal_appearance), and by day their sunlight in
 /// each band below 3 µm, 100 K for a white facet that faces the sun. Of all frames of the scene,
 /// whichever are still to be rendered, so that a run taken up again looks alike.
-std::vector<Appearance> appearances(const Prepared& prepared, const SkyView& sky_view,
+std::vector<Appearance> appearances(const Prepared& prepared, const FacetViews& views,
                                     const TemperatureField& field, std::span<const Band> bands);
 
 }  // namespace diurna

@@ -133,7 +133,7 @@ Plane void_plane(const View& view, const World& world) {
     return plane;
 }
 
-std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
+std::size_t render_frames(const Prepared& prepared, const FacetViews& views,
                           const TemperatureField& field, const fs::path& out, Progress& progress,
                           std::vector<std::string>* errors) {
     const Scene& scene = prepared.scene;
@@ -151,20 +151,19 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
 
         progress.stage("cast view of " + input.name);
         const ViewOptions sampling{
-            .samples = input.samples, .seed = scene.seed, .patchwork = &world.patchwork};
+            .samples = input.samples, .seed = scene.seed, .texture_levels = &world.texture_levels};
         std::vector<Band> bands;
         for (const std::string& band : input.bands)
             bands.push_back(named_band(scene.bands, band, bin_edges_um()));
-        View view = input.adaptive
-                        ? cast_adaptive_view(prepared.rays, surfaces, observer,
-                                             appearances(prepared, sky_view, field, bands),
-                                             *input.adaptive, sampling)
-                        : cast_view(prepared.rays, surfaces, observer, sampling);
+        View view = input.adaptive ? cast_adaptive_view(prepared.rays, surfaces, observer,
+                                                        appearances(prepared, views, field, bands),
+                                                        *input.adaptive, sampling)
+                                   : cast_view(prepared.rays, surfaces, observer, sampling);
         const Hops hops = follow_rays(view, prepared.rays, surfaces, scene.materials,
                                       PlumeScene(prepared.plumes), observer, sampling);
 
         const RadianceInput still{.facets = surfaces,
-                                  .sky_view = sky_view,
+                                  .views = views,
                                   .materials = scene.materials,
                                   .atmosphere = Vacuum{},
                                   .temperature = {},
@@ -189,12 +188,13 @@ std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
                 fraction.resize(world.facets.size());
                 sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
                              {.samples = scene.sun_samples, .seed = scene.seed});
-                if (!world.patchwork.empty()) fraction = for_copies(world.patchwork, fraction);
+                if (!world.texture_levels.empty())
+                    fraction = for_copies(world.texture_levels, fraction);
             }
             const std::vector<float> temperature = field.interpolate(instant);
             const Atmosphere atmosphere = atmosphere_at(scene, world, prepared.weather, instant);
             const RadianceInput now{.facets = surfaces,
-                                    .sky_view = sky_view,
+                                    .views = views,
                                     .materials = scene.materials,
                                     .atmosphere = atmosphere,
                                     .temperature = temperature,

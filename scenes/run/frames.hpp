@@ -20,7 +20,7 @@ std::vector<std::string> frame_files(const Prepared& prepared);
 ///
 /// errors  if given: a line for every observer and band, what the tables of its worst frame say of
 ///         their error against the direct sum (Frame::notes)
-std::size_t render_frames(const Prepared& prepared, const SkyView& sky_view,
+std::size_t render_frames(const Prepared& prepared, const FacetViews& views,
                           const TemperatureField& field, const std::filesystem::path& out,
                           Progress& progress, std::vector<std::string>* errors = nullptr);
 

@@ -44,7 +44,7 @@ Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
     return observer;
 }
 
-ReliefLight light_of(const Prepared& prepared) {
+ReliefVisibility light_of(const Prepared& prepared) {
     return {prepared.world.facets, prepared.rays, *prepared.world.relief,
             prepared.world.ground_facets};
 }
@@ -81,14 +81,14 @@ Prepared prepare(Scene scene) {
             std::move(observers), std::move(plan),  std::move(plumes), std::move(notes)};
 }
 
-SkyView scene_sky_view(const Prepared& prepared) {
-    SkyView view = light_of(prepared).sky_view({.rays = prepared.scene.sky_rays,
-                                                .first_object = prepared.world.ground_facets,
-                                                .object_rays = prepared.scene.object_sky_rays,
-                                                .seed = prepared.scene.seed});
+FacetViews scene_sky_view(const Prepared& prepared) {
+    FacetViews view = light_of(prepared).facet_views({.rays = prepared.scene.sky_rays,
+                                                      .first_object = prepared.world.ground_facets,
+                                                      .object_rays = prepared.scene.object_sky_rays,
+                                                      .seed = prepared.scene.seed});
     make_reciprocal(prepared.world.facets, view);
-    const Patchwork& patchwork = prepared.world.patchwork;
-    return patchwork.empty() ? view : for_copies(patchwork, view);
+    const TextureLevels& texture_levels = prepared.world.texture_levels;
+    return texture_levels.empty() ? view : for_copies(texture_levels, view);
 }
 
 /// Temperatures are kept at every frame and, for the curves of a day and where they cross, at least
@@ -113,7 +113,7 @@ SolveOptions scene_solve_options(const Scene& scene) {
 SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
     const Scene& scene = prepared.scene;
     const std::size_t facets = prepared.world.facets.size();
-    const ReliefLight light = light_of(prepared);
+    const ReliefVisibility light = light_of(prepared);
     SunExposure exposure{.instant = step_instants(scene_solve_options(scene)), .fraction = {}};
     exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
     for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
@@ -131,29 +131,29 @@ SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
                                 fraction, {.samples = scene.sun_samples, .seed = scene.seed});
                },
                {.tolerance = 20.0});
-    const Patchwork& patchwork = prepared.world.patchwork;
-    if (patchwork.empty()) return exposure;
-    exposure.fraction = for_copies(patchwork, exposure.fraction);
+    const TextureLevels& texture_levels = prepared.world.texture_levels;
+    if (texture_levels.empty()) return exposure;
+    exposure.fraction = for_copies(texture_levels, exposure.fraction);
     std::vector<ShadowEdge> edges;
     for (const ShadowEdge& edge : exposure.edge) {
         edges.push_back(edge);
-        const Patchwork::Patch& patch = patchwork.patch[edge.facet];
-        for (std::uint32_t copy = 0; copy + 1 < patch.levels; ++copy) {
-            edges.push_back({edge.step, patch.first_copy + copy, edge.share});
+        const TextureLevels::OfFacet& of_facet = texture_levels.of_facet[edge.facet];
+        for (std::uint32_t copy = 0; copy + 1 < of_facet.levels; ++copy) {
+            edges.push_back({edge.step, of_facet.first_copy + copy, edge.share});
         }
     }
     exposure.edge = std::move(edges);
     return exposure;
 }
 
-SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress) {
+SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
     progress.stage("shadows");
     const SunExposure exposure = scene_sun_exposure(prepared, progress);
     progress.stage("heat balance");
     SolveOptions options = scene_solve_options(prepared.scene);
     options.progress = [&](double share) { progress.done(share); };
     return solve({.facets = prepared.world.surfaces(),
-                  .sky_view = sky_view,
+                  .views = views,
                   .sun = exposure,
                   .materials = prepared.scene.materials,
                   .weather = prepared.weather,
@@ -179,7 +179,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     write_manifest(options.out, checked, options.settings, key);
 
     progress.stage("sky view");
-    const SkyView view = scene_sky_view(prepared);
+    const FacetViews view = scene_sky_view(prepared);
 
     JobReport report;
     report.plan = prepared.plan;

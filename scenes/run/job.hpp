@@ -9,8 +9,8 @@
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/world/world.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
-#include "terrain/visibility/sky_view.hpp"
 #include "thermal/solve/solver.hpp"
 #include "thermal/weather/weather.hpp"
 
@@ -56,7 +56,7 @@ struct JobReport {
 JobReport run_job(Scene scene, const JobOptions& options);
 
 /// What each facet sees: the ground's sky by the march over the raster, all else by rays.
-SkyView scene_sky_view(const Prepared& prepared);
+FacetViews scene_sky_view(const Prepared& prepared);
 
 /// How the heat balance of a scene is stepped.
 SolveOptions scene_solve_options(const Scene& scene);
@@ -65,6 +65,6 @@ SolveOptions scene_solve_options(const Scene& scene);
 SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress);
 
 /// Shadows and heat balance: temperatures alone.
-SolveResult solve_scene(const Prepared& prepared, const SkyView& sky_view, Progress& progress);
+SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress);
 
 }  // namespace diurna

@@ -221,7 +221,7 @@ std::vector<std::string> lay_textures(Scene& scene, World& world) {
         }
         skin_of_facet[f] = skin_for(texture_named(use->second), id, object);
     }
-    world.patchwork = make_patchwork(world.facets, std::move(skins), skin_of_facet);
+    world.texture_levels = split_by_texture(world.facets, std::move(skins), skin_of_facet);
 
     std::vector<std::string> notes;
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
@@ -229,10 +229,10 @@ std::vector<std::string> lay_textures(Scene& scene, World& world) {
         std::size_t facets = 0, surfaces = 0;
         for (const auto& [key, s] : known) {
             if (std::get<0>(key) != t) continue;
-            for (const Patchwork::Patch& patch : world.patchwork.patch) {
-                if (patch.skin != s) continue;
+            for (const TextureLevels::OfFacet& of_facet : world.texture_levels.of_facet) {
+                if (of_facet.skin != s) continue;
                 ++facets;
-                surfaces += patch.levels;
+                surfaces += of_facet.levels;
             }
         }
         std::string note = fmt::format("texture \"{}\": {} facets, solved as {} surfaces",

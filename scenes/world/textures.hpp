@@ -59,10 +59,10 @@ struct TextureUses {
 TextureUses read_texture_uses(const Section& root, const std::vector<TextureInput>& textures);
 
 /// Gives every textured facet of the world its levels' materials, which are added to the scene's,
-/// and its copies: World::patchwork. What lies on an object goes before what lies on its material.
-/// returns  notes for the report: how many facets, solved how often
-/// Throws InputError for a texture that a material cannot bear: a deviation too wide for its
-/// albedo, a picture that is nowhere.
+/// and its copies: World::texture_levels. What lies on an object goes before what lies on its
+/// material. returns  notes for the report: how many facets, solved how often Throws InputError for
+/// a texture that a material cannot bear: a deviation too wide for its albedo, a picture that is
+/// nowhere.
 std::vector<std::string> lay_textures(Scene& scene, World& world);
 
 }  // namespace diurna

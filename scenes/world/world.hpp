@@ -27,9 +27,11 @@ struct World {
     TinCheck ground_check;              // how far the mesh is from the raster's posts
     std::size_t filled_facets = 0;      // ground facets on posts void in the file
     std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
-    Patchwork patchwork;                // what textures make of the facets
+    TextureLevels texture_levels;       // what textures make of the facets
 
-    const FacetSet& surfaces() const { return patchwork.empty() ? facets : patchwork.facets; }
+    const FacetSet& surfaces() const {
+        return texture_levels.empty() ? facets : texture_levels.facets;
+    }
 };
 
 /// Triangulates the elevation along the polygons' borders, gives every facet its material and

@@ -92,15 +92,15 @@ std::vector<double> shares_on(const Skin& skin, const FacetSet& facets, std::siz
 
 }  // namespace
 
-Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
-                         std::span<const std::uint16_t> skin_of) {
+TextureLevels split_by_texture(const FacetSet& facets, std::vector<Skin> skins,
+                               std::span<const std::uint16_t> skin_of) {
     assert(skin_of.size() == facets.size());
-    Patchwork p;
+    TextureLevels p;
     p.solid = facets.size();
     if (std::all_of(skin_of.begin(), skin_of.end(), [](auto s) { return s == no_skin; })) return p;
     p.facets = facets;
     p.skin = std::move(skins);
-    p.patch.resize(p.solid);
+    p.of_facet.resize(p.solid);
     p.origin.resize(p.solid);
     p.share.assign(p.solid, 1.0f);
     for (std::size_t f = 0; f < p.solid; ++f) p.origin[f] = static_cast<std::uint32_t>(f);
@@ -112,27 +112,27 @@ Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
             if (skin_of[f] == no_skin) return;
             const Skin& skin = p.skin[skin_of[f]];
             const auto levels = levels_on(skin, facets, f);
-            p.patch[f] = {.skin = skin_of[f],
-                          .first_level = static_cast<std::uint16_t>(levels[0]),
-                          .levels = static_cast<std::uint16_t>(levels[1] - levels[0] + 1)};
+            p.of_facet[f] = {.skin = skin_of[f],
+                             .first_level = static_cast<std::uint16_t>(levels[0]),
+                             .levels = static_cast<std::uint16_t>(levels[1] - levels[0] + 1)};
             shares[f] = shares_on(skin, facets, f, levels);
         },
         256);
     for (std::size_t f = 0; f < p.solid; ++f) {
-        Patchwork::Patch& patch = p.patch[f];
-        if (patch.skin == no_skin) continue;
-        const Skin& skin = p.skin[patch.skin];
+        TextureLevels::OfFacet& of_facet = p.of_facet[f];
+        if (of_facet.skin == no_skin) continue;
+        const Skin& skin = p.skin[of_facet.skin];
         const float area = facets.area[f];
-        patch.first_copy = static_cast<std::uint32_t>(p.facets.size());
-        p.facets.material[f] = skin.material[patch.first_level];
+        of_facet.first_copy = static_cast<std::uint32_t>(p.facets.size());
+        p.facets.material[f] = skin.material[of_facet.first_level];
         p.facets.area[f] = static_cast<float>(shares[f][0]) * area;
         p.share[f] = static_cast<float>(shares[f][0]);
-        for (std::size_t k = 1; k < patch.levels; ++k) {
+        for (std::size_t k = 1; k < of_facet.levels; ++k) {
             p.facets.corner.push_back(facets.corner[f]);
             p.facets.centroid.push_back(facets.centroid[f]);
             p.facets.normal.push_back(facets.normal[f]);
             p.facets.area.push_back(static_cast<float>(shares[f][k]) * area);
-            p.facets.material.push_back(skin.material[patch.first_level + k]);
+            p.facets.material.push_back(skin.material[of_facet.first_level + k]);
             p.facets.object.push_back(facets.object[f]);
             p.origin.push_back(static_cast<std::uint32_t>(f));
             p.share.push_back(static_cast<float>(shares[f][k]));
@@ -141,8 +141,8 @@ Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
     return p;
 }
 
-Blend Patchwork::at(FacetId facet, const Eigen::Vector3d& place, double spacing) const {
-    const Patch& here = patch[index(facet)];
+Blend TextureLevels::at(FacetId facet, const Eigen::Vector3d& place, double spacing) const {
+    const OfFacet& here = of_facet[index(facet)];
     if (here.levels < 2) return {facet, facet};
     const double level = std::clamp(
         level_at(skin[here.skin], place, facets.normal[index(facet)], spacing) - here.first_level,
@@ -154,47 +154,47 @@ Blend Patchwork::at(FacetId facet, const Eigen::Vector3d& place, double spacing)
     return {surface(below), surface(below + 1), static_cast<float>(level - double(below))};
 }
 
-std::vector<float> for_copies(const Patchwork& patchwork, std::span<const float> solid) {
+std::vector<float> for_copies(const TextureLevels& texture_levels, std::span<const float> solid) {
     if (solid.empty()) return {};
-    const std::size_t rows = solid.size() / patchwork.solid, n = patchwork.origin.size();
-    assert(rows * patchwork.solid == solid.size());
+    const std::size_t rows = solid.size() / texture_levels.solid, n = texture_levels.origin.size();
+    assert(rows * texture_levels.solid == solid.size());
     std::vector<float> all(rows * n);
     for_each_index(
         rows,
         [&](std::size_t i) {
             for (std::size_t f = 0; f < n; ++f) {
-                all[i * n + f] = solid[i * patchwork.solid + patchwork.origin[f]];
+                all[i * n + f] = solid[i * texture_levels.solid + texture_levels.origin[f]];
             }
         },
         1);
     return all;
 }
 
-SkyView for_copies(const Patchwork& patchwork, const SkyView& solid) {
-    SkyView all{.sky_view = for_copies(patchwork, solid.sky_view),
-                .below = for_copies(patchwork, solid.below),
-                .exchange = {}};
-    const std::size_t n = patchwork.origin.size();
+FacetViews for_copies(const TextureLevels& texture_levels, const FacetViews& solid) {
+    FacetViews all{.sky = for_copies(texture_levels, solid.sky),
+                   .below = for_copies(texture_levels, solid.below),
+                   .others = {}};
+    const std::size_t n = texture_levels.origin.size();
     if (!solid.rays.empty()) {
-        for (const std::uint32_t f : patchwork.origin) all.rays.push_back(solid.rays[f]);
+        for (const std::uint32_t f : texture_levels.origin) all.rays.push_back(solid.rays[f]);
     }
-    const Exchange& from = solid.exchange;
+    const ViewFactors& from = solid.others;
     if (from.row.empty()) return all;
-    Exchange& to = all.exchange;
+    ViewFactors& to = all.others;
     to.row.reserve(n + 1);
     to.row.push_back(0);
     std::vector<std::pair<std::uint32_t, float>> copies;
     for (std::size_t f = 0; f < n; ++f) {
-        const std::size_t o = patchwork.origin[f];
+        const std::size_t o = texture_levels.origin[f];
         copies.clear();
         for (std::uint32_t k = from.row[o]; k < from.row[o + 1]; ++k) {
             const std::size_t source = index(from.facet[k]);
-            const Patchwork::Patch& patch = patchwork.patch[source];
+            const TextureLevels::OfFacet& of_facet = texture_levels.of_facet[source];
             to.facet.push_back(from.facet[k]);
-            to.factor.push_back(from.factor[k] * patchwork.share[source]);
-            for (std::uint32_t c = 0; c + 1 < patch.levels; ++c) {
-                copies.emplace_back(patch.first_copy + c,
-                                    from.factor[k] * patchwork.share[patch.first_copy + c]);
+            to.factor.push_back(from.factor[k] * texture_levels.share[source]);
+            for (std::uint32_t c = 0; c + 1 < of_facet.levels; ++c) {
+                copies.emplace_back(of_facet.first_copy + c,
+                                    from.factor[k] * texture_levels.share[of_facet.first_copy + c]);
             }
         }
         std::sort(copies.begin(), copies.end());

@@ -7,7 +7,7 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/texture/texture.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 namespace diurna {
 
@@ -37,33 +37,33 @@ struct Blend {
 ///
 /// The first of a facet's levels stands in its own place, the others are copies behind all facets
 /// that rays know, with areas and exchange factors by their shares of the facet.
-struct Patchwork {
+struct TextureLevels {
     std::size_t solid = 0;              // facets that rays know, the first ones of all
     FacetSet facets;                    // all of them
     std::vector<std::uint32_t> origin;  // (facet) the solid one in its place
     std::vector<float> share;           // (facet) of the place
 
-    bool empty() const { return patch.empty(); }  // no textures: nothing else is set
+    bool empty() const { return of_facet.empty(); }  // no textures: nothing else is set
     /// spacing  [m] to the next place asked for
     Blend at(FacetId facet, const Eigen::Vector3d& place, double spacing = 0.0) const;
 
-    struct Patch {
+    struct OfFacet {
         std::uint16_t skin = no_skin, first_level = 0, levels = 1;
         std::uint32_t first_copy = 0;
     };
     std::vector<Skin> skin;
-    std::vector<Patch> patch;  // (solid facet)
+    std::vector<OfFacet> of_facet;  // (solid facet)
 };
 
 /// skin_of  (facet) index into `skins`, or no_skin
-Patchwork make_patchwork(const FacetSet& facets, std::vector<Skin> skins,
-                         std::span<const std::uint16_t> skin_of);
+TextureLevels split_by_texture(const FacetSet& facets, std::vector<Skin> skins,
+                               std::span<const std::uint16_t> skin_of);
 
 /// Values of solid facets for all facets; rows (instant, facet) one after the other.
-std::vector<float> for_copies(const Patchwork& patchwork, std::span<const float> solid);
+std::vector<float> for_copies(const TextureLevels& texture_levels, std::span<const float> solid);
 
 /// What all facets see: copies as the facet in whose place they are, and every facet each of its
 /// surroundings' levels by its share.
-SkyView for_copies(const Patchwork& patchwork, const SkyView& solid);
+FacetViews for_copies(const TextureLevels& texture_levels, const FacetViews& solid);
 
 }  // namespace diurna

@@ -23,7 +23,7 @@ struct Rows {
     std::size_t size() const { return first.size() - 1; }
 };
 
-Rows transposed(const Exchange& exchange) {
+Rows transposed(const ViewFactors& exchange) {
     const std::size_t n = exchange.row.size() - 1;
     Rows rows;
     rows.first.assign(n + 1, 0);
@@ -43,9 +43,9 @@ Rows transposed(const Exchange& exchange) {
 }
 
 /// Rays of either facet of a pair that met the other, for all pairs that have met.
-Rows hits_of_pairs(const FacetSet& facets, const SkyView& view, double cut_off,
+Rows hits_of_pairs(const FacetSet& facets, const FacetViews& view, double cut_off,
                    ReciprocityReport& report) {
-    const Exchange& seen = view.exchange;
+    const ViewFactors& seen = view.others;
     const auto rays = [&](std::size_t f) { return view.rays.empty() ? 1.0 : view.rays[f]; };
     const Rows seen_by = transposed(seen);
     Rows pairs;
@@ -82,16 +82,16 @@ Rows hits_of_pairs(const FacetSet& facets, const SkyView& view, double cut_off,
 
 }  // namespace
 
-ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
+ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& view,
                                   const ReciprocityOptions& options) {
-    assert(view.exchange.row.size() == facets.size() + 1);
+    assert(view.others.row.size() == facets.size() + 1);
     ReciprocityReport report;
     const std::size_t n = facets.size();
     const Rows pairs = hits_of_pairs(facets, view, options.cut_off, report);
     std::vector<double> wanted(n), least(n), sum(n);
     std::vector<double> density(n);  // rays per area, as the rows' sums would have them
     for (std::size_t f = 0; f < n; ++f) {
-        const double rest = 1.0 - double{view.sky_view[f]} - view.below[f];
+        const double rest = 1.0 - double{view.sky[f]} - view.below[f];
         wanted[f] = std::max(0.0, rest) * facets.area[f];
         density[f] = (view.rays.empty() ? 1.0 : view.rays[f]) / facets.area[f];
         least[f] = density[f] / widest;
@@ -125,12 +125,12 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
     for (std::size_t f = 0; f < n; ++f) {
         const double excess = (sum[f] - wanted[f]) / facets.area[f];
         if (excess <= 0.0) continue;
-        const double from_sky = std::min({excess, most_from_sky, double{view.sky_view[f]}});
-        view.sky_view[f] -= static_cast<float>(from_sky);
+        const double from_sky = std::min({excess, most_from_sky, double{view.sky[f]}});
+        view.sky[f] -= static_cast<float>(from_sky);
         shrink[f] = (wanted[f] + from_sky * facets.area[f]) / sum[f];
     }
 
-    Exchange& exchange = view.exchange;
+    ViewFactors& exchange = view.others;
     exchange.row = pairs.first;
     exchange.facet.resize(pairs.partner.size());
     exchange.factor.resize(pairs.partner.size());
@@ -146,9 +146,9 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
         sum[f] = row;
     });
     for (std::size_t f = 0; f < n; ++f) {
-        const double whole = sum[f] + view.sky_view[f] + view.below[f];
+        const double whole = sum[f] + view.sky[f] + view.below[f];
         report.worst_closure = std::max(report.worst_closure, std::abs(1.0 - whole));
-        view.below[f] = std::max(0.0f, static_cast<float>(1.0 - sum[f] - view.sky_view[f]));
+        view.below[f] = std::max(0.0f, static_cast<float>(1.0 - sum[f] - view.sky[f]));
     }
     return report;
 }

@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "terrain/facets.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 namespace diurna {
 
@@ -35,7 +35,7 @@ struct ReciprocityReport {
 ///
 /// Ground under a building would meet the walls from behind, and they do not look back: it would
 /// lose most of its exchange to `below`. Scenes have no ground there (scenes/world/world).
-ReciprocityReport make_reciprocal(const FacetSet& facets, SkyView& view,
+ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& view,
                                   const ReciprocityOptions& options = {});
 
 }  // namespace diurna

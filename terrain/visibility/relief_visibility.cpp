@@ -82,8 +82,8 @@ float sky_slice(const SlopeTable& slope, const Eigen::Vector3f& normal, const Ei
 
 }  // namespace
 
-ReliefLight::ReliefLight(const FacetSet& facets, const RayScene& rays, const HeightField& relief,
-                         std::size_t ground_facets)
+ReliefVisibility::ReliefVisibility(const FacetSet& facets, const RayScene& rays,
+                                   const HeightField& relief, std::size_t ground_facets)
     : facets_(facets), rays_(rays), relief_(relief), ground_facets_(ground_facets) {
     assert(ground_facets <= facets.size());
     always_.assign(facets.size(), 0);
@@ -103,7 +103,7 @@ ReliefLight::ReliefLight(const FacetSet& facets, const RayScene& rays, const Hei
 }
 
 /// `corner`: in (column, row).
-void ReliefLight::add_points(std::size_t facet, const std::array<Eigen::Vector2d, 3>& corner) {
+void ReliefVisibility::add_points(std::size_t facet, const std::array<Eigen::Vector2d, 3>& corner) {
     first_point_.push_back(static_cast<std::uint32_t>(point_.size()));
     const Eigen::Vector2d b = corner[1] - corner[0], c = corner[2] - corner[0];
     const double cells = 0.5 * std::abs(b.x() * c.y() - b.y() * c.x());
@@ -134,7 +134,7 @@ void ReliefLight::add_points(std::size_t facet, const std::array<Eigen::Vector2d
 
 /// Every post round a cell that an object's box touches, and one more, goes up to the object's top:
 /// whatever the object may shade, this does too.
-void ReliefLight::raise_objects() {
+void ReliefVisibility::raise_objects() {
     if (ground_facets_ == facets_.size()) return;
     struct Extent {
         Eigen::Vector2d low = Eigen::Vector2d::Constant(1e30);
@@ -185,7 +185,7 @@ void ReliefLight::raise_objects() {
     raised_.emplace(relief_.with_heights(up));
 }
 
-float ReliefLight::at(const Point& p, const std::vector<float>& tangent) const {
+float ReliefVisibility::at(const Point& p, const std::vector<float>& tangent) const {
     const float* first = tangent.data() + p.post;
     const float* second = first + relief_.columns();
     const float upper = first[0] + p.u * (first[1] - first[0]);
@@ -193,7 +193,7 @@ float ReliefLight::at(const Point& p, const std::vector<float>& tangent) const {
     return upper + p.v * (lower - upper);
 }
 
-Eigen::Vector3f ReliefLight::grid_normal(const Point& p) const {
+Eigen::Vector3f ReliefVisibility::grid_normal(const Point& p) const {
     const int row = static_cast<int>(p.post) / relief_.columns();
     const int column = static_cast<int>(p.post) % relief_.columns();
     const float a = relief_.up(row, column), d = relief_.up(row + 1, column + 1);
@@ -206,7 +206,8 @@ Eigen::Vector3f ReliefLight::grid_normal(const Point& p) const {
 }
 
 /// The horizons at all posts round a facet's points.
-ReliefLight::Span ReliefLight::around(std::size_t facet, const std::vector<float>& tangent) const {
+ReliefVisibility::Span ReliefVisibility::around(std::size_t facet,
+                                                const std::vector<float>& tangent) const {
     Span span{1e30f, -1e30f};
     const auto columns = std::size_t(relief_.columns());
     for (std::size_t k = first_point_[facet]; k < first_point_[facet + 1]; ++k) {
@@ -219,7 +220,7 @@ ReliefLight::Span ReliefLight::around(std::size_t facet, const std::vector<float
     return span;
 }
 
-bool ReliefLight::objects_matter(std::size_t facet, const Tangents& tangents) const {
+bool ReliefVisibility::objects_matter(std::size_t facet, const Tangents& tangents) const {
     if (!raised_) return false;
     const auto columns = std::size_t(relief_.columns());
     for (std::size_t k = first_point_[facet]; k < first_point_[facet + 1]; ++k) {
@@ -231,7 +232,7 @@ bool ReliefLight::objects_matter(std::size_t facet, const Tangents& tangents) co
     return false;
 }
 
-ReliefLight::Tangents ReliefLight::tangents_near(const Eigen::Vector3d& direction) const {
+ReliefVisibility::Tangents ReliefVisibility::tangents_near(const Eigen::Vector3d& direction) const {
     Tangents tangents;
     tangents.relief.resize(relief_.size());
     horizon_near(relief_, direction, sun_radius, tangents.relief);
@@ -242,8 +243,9 @@ ReliefLight::Tangents ReliefLight::tangents_near(const Eigen::Vector3d& directio
     return tangents;
 }
 
-std::size_t ReliefLight::sun_fraction(const Eigen::Vector3d& direction, std::span<float> fraction,
-                                      const SunFractionOptions& options) const {
+std::size_t ReliefVisibility::sun_fraction(const Eigen::Vector3d& direction,
+                                           std::span<float> fraction,
+                                           const SunFractionOptions& options) const {
     assert(fraction.size() == facets_.size());
     if (direction.z() <= 0.0) {
         std::fill(fraction.begin(), fraction.end(), 0.0f);
@@ -296,9 +298,9 @@ std::size_t ReliefLight::sun_fraction(const Eigen::Vector3d& direction, std::spa
     return static_cast<std::size_t>(std::count(rays.begin(), rays.end(), std::uint8_t{1}));
 }
 
-SkyView ReliefLight::sky_view(const SkyViewOptions& options) const {
+FacetViews ReliefVisibility::facet_views(const FacetViewOptions& options) const {
     static const SlopeTable slope;
-    SkyView view = diurna::sky_view(facets_, rays_, options);
+    FacetViews view = diurna::facet_views(facets_, rays_, options);
     std::vector<float> seen(ground_facets_, 0.0f), below_objects(ground_facets_, 0.0f);
     Tangents tangents;
     tangents.relief.resize(relief_.size());
@@ -329,16 +331,16 @@ SkyView ReliefLight::sky_view(const SkyViewOptions& options) const {
             if (always_[f]) continue;
             if (raised_ && seen[f] - below_objects[f] > sky_reach * sky_azimuths) continue;
             const float sky = std::clamp(seen[f] / sky_azimuths, 0.0f, 1.0f);
-            const float rest = 1.0f - view.sky_view[f];
-            view.sky_view[f] = sky;
+            const float rest = 1.0f - view.sky[f];
+            view.sky[f] = sky;
             if (rest <= 0.0f) {
                 view.below[f] = 1.0f - sky;
                 continue;
             }
             const float scale = (1.0f - sky) / rest;
             view.below[f] *= scale;
-            for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
-                view.exchange.factor[k] *= scale;
+            for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
+                view.others.factor[k] *= scale;
             }
         }
     });

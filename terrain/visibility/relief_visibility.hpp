@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "terrain/relief/height_field.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 namespace diurna {
 
@@ -21,12 +21,12 @@ namespace diurna {
 /// agree that the sun's whole disc is up, or down, that is so; else rays decide. A facet of more
 /// than two cells has smoothed the relief away: at each of its points the grid's own normal and
 /// horizon count, so that it carries the mean light of the fine relief.
-class ReliefLight {
+class ReliefVisibility {
  public:
     /// `facets`, `rays` and `relief` are kept by reference. The first `ground_facets` lie on the
     /// relief, within its tolerance.
-    ReliefLight(const FacetSet& facets, const RayScene& rays, const HeightField& relief,
-                std::size_t ground_facets);
+    ReliefVisibility(const FacetSet& facets, const RayScene& rays, const HeightField& relief,
+                     std::size_t ground_facets);
 
     /// Like `sun_fraction` of visibility.hpp. For a facet of more than two cells it is the mean
     /// over its points of seen disc × cosine of incidence, over the cosine on the facet itself: its
@@ -38,7 +38,7 @@ class ReliefLight {
 
     /// Like `sky_view` of visibility.hpp: exchange by rays; on the ground the sky's share by the
     /// march (32 azimuths), and the rows scaled to what it leaves.
-    SkyView sky_view(const SkyViewOptions& options = {}) const;
+    FacetViews facet_views(const FacetViewOptions& options = {}) const;
 
  private:
     struct Point {

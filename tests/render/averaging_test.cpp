@@ -3,7 +3,7 @@
 
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;
@@ -28,7 +28,7 @@ double apparent_of_a_pixel(float west, std::optional<float> east, double space, 
     if (east) add(0.0, 30.0, *east);
     const RayScene scene(facets);
     const MaterialLibrary materials({testing::material("black", flat_spectrum(0.0))});
-    const SkyView sky = sky_view(facets, scene);
+    const FacetViews sky = facet_views(facets, scene);
     const Atmosphere air = Vacuum{.space_temperature = space};
     Observer observer;
     observer.horizontal_fov_deg = 1.0;
@@ -36,7 +36,7 @@ double apparent_of_a_pixel(float west, std::optional<float> east, double space, 
     const View view = cast_view(scene, facets, observer, {.samples = 64});
     const Frame frame = render(view, observer, {&band, 1},
                                {.facets = facets,
-                                .sky_view = sky,
+                                .views = sky,
                                 .materials = materials,
                                 .atmosphere = air,
                                 .temperature = temperature});

@@ -12,7 +12,7 @@
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;
@@ -61,13 +61,13 @@ struct World {
     /// Radiance of every pixel.
     std::vector<float> picture(const Observer& eye, const Band& band, int rays, int bounces = 2) {
         const RayScene scene(facets);
-        const SkyView sky = sky_view(facets, scene, {.rays = rays});
+        const FacetViews sky = facet_views(facets, scene, {.rays = rays});
         const MaterialLibrary materials(all);
         const Atmosphere air = Vacuum{.space_temperature = 3.0};
         const View view = cast_view(scene, facets, eye, {.samples = 16});
         return render(view, eye, {&band, 1},
                       {.facets = facets,
-                       .sky_view = sky,
+                       .views = sky,
                        .materials = materials,
                        .atmosphere = air,
                        .temperature = temperature,
@@ -214,11 +214,11 @@ TEST_CASE("a sphere over a plate shines on it by the inverse square", "[render][
     }
     const double plate = band_radiance(lwir, 300.0), sphere = band_radiance(lwir, 400.0);
     const RayScene scene(world.facets);
-    const SkyView sky = sky_view(world.facets, scene, {.rays = 4096});
+    const FacetViews sky = facet_views(world.facets, scene, {.rays = 4096});
     const MaterialLibrary materials(world.all);
     const Atmosphere air = Vacuum{.space_temperature = 3.0};
     const RadianceInput input{.facets = world.facets,
-                              .sky_view = sky,
+                              .views = sky,
                               .materials = materials,
                               .atmosphere = air,
                               .temperature = world.temperature};

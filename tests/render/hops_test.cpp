@@ -13,7 +13,7 @@
 #include "render/rays/shading.hpp"
 #include "render/rays/walk.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/hop_stage.hpp"
 
 using namespace diurna;
@@ -210,7 +210,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     stage.plume(30.0, 3.0, 0.1, 340.0);
     const RayScene scene(stage.facets);
     const MaterialLibrary materials(stage.all);
-    const SkyView sky = sky_view(stage.facets, scene, {.rays = 64});
+    const FacetViews sky = facet_views(stage.facets, scene, {.rays = 64});
     const PlumeScene volumes(stage.plumes);
     const Observer observer = stage.observer(24, 16.0);
     const HopScene place{.scene = scene,
@@ -242,7 +242,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
         }
     }
     const RadianceInput input{.facets = stage.facets,
-                              .sky_view = sky,
+                              .views = sky,
                               .materials = materials,
                               .atmosphere = stage.air,
                               .temperature = stage.temperature,

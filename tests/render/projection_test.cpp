@@ -7,7 +7,7 @@
 #include "render/view/observer.hpp"
 #include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 using namespace diurna;
 
@@ -136,9 +136,9 @@ TEST_CASE("a hemispheric picture's weighted sky is the sky view factor", "[rende
     // The floor's two facets: their mean is the factor of a cube's opposite face, 0.1998.
     double floor = 0.0;
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-        const SkyView reference = sky_view(facets, scene, {.rays = 16384, .seed = seed});
+        const FacetViews reference = facet_views(facets, scene, {.rays = 16384, .seed = seed});
         for (std::size_t f = 0; f < facets.size(); ++f) {
-            if (facets.normal[f].z() > 0.9f) floor += 0.125 * double{reference.sky_view[f]};
+            if (facets.normal[f].z() > 0.9f) floor += 0.125 * double{reference.sky[f]};
         }
     }
     CHECK(floor == Approx(0.1998).margin(3e-3));

@@ -18,7 +18,7 @@ namespace {
 /// Two facets that see each other and the sky by given shares.
 struct Pair {
     FacetSet facets;
-    SkyView sky;
+    FacetViews sky;
     MaterialLibrary materials;
     std::vector<float> temperature, sun;
 
@@ -30,18 +30,18 @@ struct Pair {
                       std::vector<Eigen::Vector3d>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                       std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}},
                       std::vector<MaterialId>(2, MaterialId{0}), ObjectId{0});
-        sky.sky_view = {sky_view, sky_view};
+        sky.sky = {sky_view, sky_view};
         sky.below = {below, below};
         if (factor > 0.0f) {
-            sky.exchange = {
+            sky.others = {
                 .row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {factor, factor}};
         } else {
-            sky.exchange = {.row = {0, 0, 0}, .facet = {}, .factor = {}};
+            sky.others = {.row = {0, 0, 0}, .facet = {}, .factor = {}};
         }
     }
     RadianceInput input(const Atmosphere& atmosphere) const {
         return {.facets = facets,
-                .sky_view = sky,
+                .views = sky,
                 .materials = materials,
                 .atmosphere = atmosphere,
                 .temperature = temperature,
@@ -111,7 +111,7 @@ TEST_CASE("two facing plates have the closed form's radiosity", "[render][radian
 TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress]") {
     Pair pair(0.8f, 0.2f, 0.2f, {290.0f, 400.0f}, 0.3);
     const Pair without(0.8f, 0.0f, 0.2f, {290.0f, 400.0f}, 0.3);
-    pair.sky.exchange.factor = {0.0f, 0.0f};
+    pair.sky.others.factor = {0.0f, 0.0f};
     const Band band = flat_band("8-12", 8.0, 12.0);
     const auto found = radiance_at_eye(pair.input(cold_space), band, 50.0, FacetId{0}, 50.0, 0.0);
     const auto expected =

@@ -36,27 +36,30 @@ Skin between(testing::Kind a, testing::Kind b, Texture texture) {
 /// A scene, textured or not, at temperatures by material.
 struct Scenery {
     const FacetSet& solid;
-    Patchwork patchwork;
+    TextureLevels texture_levels;
     MaterialLibrary materials;
     Atmosphere air;
     RayScene rays{solid};
-    SkyView solid_sky = sky_view(solid, rays);
+    FacetViews solid_sky = facet_views(solid, rays);
 
-    const FacetSet& facets() const { return patchwork.empty() ? solid : patchwork.facets; }
+    const FacetSet& facets() const {
+        return texture_levels.empty() ? solid : texture_levels.facets;
+    }
     Frame look(const Observer& observer, const Band& band, std::array<float, 4> kelvins,
                int samples = 16, double sun_zenith_deg = 180.0) const {
-        const ViewOptions options{.samples = samples, .patchwork = &patchwork};
+        const ViewOptions options{.samples = samples, .texture_levels = &texture_levels};
         View view = cast_view(rays, facets(), observer, options);
         const Hops hops =
             follow_rays(view, rays, facets(), materials, PlumeScene({}), observer, options);
-        const SkyView sky = patchwork.empty() ? solid_sky : for_copies(patchwork, solid_sky);
+        const FacetViews sky =
+            texture_levels.empty() ? solid_sky : for_copies(texture_levels, solid_sky);
         std::vector<float> temperature, lit;
         for (const MaterialId id : facets().material) temperature.push_back(kelvins[index(id)]);
         const double zenith = sun_zenith_deg * std::numbers::pi / 180.0;
         if (sun_zenith_deg < 90.0) lit.assign(facets().size(), 1.0f);
         return render(view, observer, {&band, 1},
                       {.facets = facets(),
-                       .sky_view = sky,
+                       .views = sky,
                        .materials = materials,
                        .atmosphere = air,
                        .temperature = temperature,
@@ -105,8 +108,8 @@ double mean(const std::vector<float>& pixels) {
 
 }  // namespace
 
-// As furnace_test, with every facet a patchwork: hills of soil and paint, a box whose walls are
-// panes to half their area, seen through.
+// As furnace_test, with every facet a texture_levels: hills of soil and paint, a box whose walls
+// are panes to half their area, seen through.
 TEST_CASE("an isothermal enclosure looks black, whatever its textures", "[render][texture]") {
     const double kelvins = 300.0;
     std::vector<Material> all;
@@ -118,10 +121,10 @@ TEST_CASE("an isothermal enclosure looks black, whatever its textures", "[render
     for (const ObjectId object : facets.object) skin.push_back(object == ObjectId{0} ? 0 : 1);
     const Scenery scenery{
         .solid = facets,
-        .patchwork = make_patchwork(facets,
-                                    {between(testing::soil, testing::paint, clutter(30.0)),
-                                     between(testing::metal, testing::glass, clutter(3.0))},
-                                    skin),
+        .texture_levels = split_by_texture(facets,
+                                           {between(testing::soil, testing::paint, clutter(30.0)),
+                                            between(testing::metal, testing::glass, clutter(3.0))},
+                                           skin),
         .materials = MaterialLibrary(all),
         .air = BandModel{.profile = isothermal(afgl_profile("MLS"), kelvins),
                          .aerosol = "rural",
@@ -160,7 +163,7 @@ TEST_CASE("a chessboard seen from afar is the mean radiance of both its material
         skin.push_back(std::abs(x) < 40.0f ? 0 : no_skin);
     }
     const Scenery scenery{.solid = facets,
-                          .patchwork = make_patchwork(
+                          .texture_levels = split_by_texture(
                               facets, {between(testing::soil, testing::paint, board(0.5))}, skin),
                           .materials = testing::materials(300.0),
                           .air = Vacuum{.space_temperature = 3.0}};
@@ -187,12 +190,12 @@ TEST_CASE("a chessboard seen from near shows its texels, whatever the facets",
           "[render][texture]") {
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
     const FacetSet facets = plain(testing::soil);
-    const Scenery scenery{
-        .solid = facets,
-        .patchwork = make_patchwork(facets, {between(testing::soil, testing::paint, board(1.0))},
-                                    std::vector<std::uint16_t>(facets.size(), 0)),
-        .materials = testing::materials(300.0),
-        .air = Vacuum{.space_temperature = 3.0}};
+    const Scenery scenery{.solid = facets,
+                          .texture_levels = split_by_texture(
+                              facets, {between(testing::soil, testing::paint, board(1.0))},
+                              std::vector<std::uint16_t>(facets.size(), 0)),
+                          .materials = testing::materials(300.0),
+                          .air = Vacuum{.space_temperature = 3.0}};
     // 80 pixels of 0.1 m across 8 texels of 1 m: each holds 10 x 10 whole pixels.
     Observer observer = above(50.0, 80);
     observer.projection = Projection::orthographic;
@@ -220,11 +223,11 @@ TEST_CASE("a mixture of a material with itself is that material", "[render][text
     const Atmosphere air = BandModel{.profile = afgl_profile("MLS")};
     const std::array<float, 4> kelvins = {305.0f, 315.0f, 300.0f, 322.0f};
     const Scenery bare{.solid = facets,
-                       .patchwork = Patchwork{},
+                       .texture_levels = TextureLevels{},
                        .materials = testing::materials(295.0),
                        .air = air};
     const Scenery mixed{.solid = facets,
-                        .patchwork = make_patchwork(
+                        .texture_levels = split_by_texture(
                             facets, {between(testing::soil, testing::soil, clutter(5.0))}, skin),
                         .materials = testing::materials(295.0),
                         .air = air};
@@ -246,7 +249,7 @@ TEST_CASE("textured pictures are the same bytes for any number of threads", "[re
     for (const int threads : {1, 2, 4}) {
         set_thread_count(threads);
         const Scenery scenery{.solid = facets,
-                              .patchwork = make_patchwork(
+                              .texture_levels = split_by_texture(
                                   facets, {between(testing::soil, testing::paint, clutter(20.0))},
                                   std::vector<std::uint16_t>(facets.size(), 0)),
                               .materials = testing::materials(300.0),

@@ -11,7 +11,7 @@
 #include "materials/radiation/planck.hpp"
 #include "render/path/path_table.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;
@@ -23,14 +23,14 @@ struct Morning {
     FacetSet facets;
     RayScene scene;
     MaterialLibrary materials = testing::materials(293.0);
-    SkyView sky;
+    FacetViews sky;
     std::vector<float> temperature, sun;
     Eigen::Vector3d to_sun = direction(110.0, 30.0);
     Atmosphere air =
         BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
 
     explicit Morning(FacetSet world = testing::hilly_world())
-        : facets(std::move(world)), scene(facets), sky(sky_view(facets, scene)) {
+        : facets(std::move(world)), scene(facets), sky(facet_views(facets, scene)) {
         std::mt19937 random(7);
         std::uniform_real_distribution<float> chance(-5.0f, 5.0f);
         sun.resize(facets.size());
@@ -44,7 +44,7 @@ struct Morning {
 
     RadianceInput input() const {
         return {.facets = facets,
-                .sky_view = sky,
+                .views = sky,
                 .materials = materials,
                 .atmosphere = air,
                 .temperature = temperature,
@@ -282,7 +282,7 @@ TEST_CASE("a pixel averages radiance, not temperature", "[render][tracer]") {
     for (const auto& centroid : facets.centroid) {
         temperature.push_back(centroid.x() < 0.0f ? 350.0f : 290.0f);
     }
-    const SkyView sky = sky_view(facets, scene);
+    const FacetViews sky = facet_views(facets, scene);
     Observer observer;
     observer.width = observer.height = 1;
     observer.horizontal_fov_deg = 1.0;
@@ -290,7 +290,7 @@ TEST_CASE("a pixel averages radiance, not temperature", "[render][tracer]") {
     const std::vector<Band> bands = {flat_band("3-5", 3.0, 5.0)};
     const Frame frame = render(view, observer, bands,
                                {.facets = facets,
-                                .sky_view = sky,
+                                .views = sky,
                                 .materials = materials,
                                 .atmosphere = Vacuum{},
                                 .temperature = temperature});

@@ -110,7 +110,7 @@ TEST_CASE("there is no ground under a building and its neighbours keep their exc
     CHECK(whole == Approx((high - low).prod()).epsilon(5e-3));  // no gap, nothing twice
 
     const RayScene rays(b.world.facets);
-    SkyView view = sky_view(b.world.facets, rays, {.rays = 64});
+    FacetViews view = facet_views(b.world.facets, rays, {.rays = 64});
     const std::vector<float> before = view.below;
     make_reciprocal(b.world.facets, view);
     double worst = 0.0;

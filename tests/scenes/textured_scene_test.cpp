@@ -220,17 +220,17 @@ TEST_CASE("textures lie on ground, polygons, objects' parts and materials", "[sc
                                                 "\"concrete_wall\"", "\"old_wall\"") +
                                                tables);
     const Prepared p = prepare(read_scene(folder.path / "scene.toml"));
-    const Patchwork& patchwork = p.world.patchwork;
+    const TextureLevels& texture_levels = p.world.texture_levels;
     double yard = 0.0;
     std::size_t bare = 0;
     for (std::size_t f = 0; f < p.world.facets.size(); ++f) {
         const std::string& object =
             p.world.objects[static_cast<std::size_t>(p.world.facets.object[f])];
         const std::string material = p.scene.materials[p.world.facets.material[f]].name;
-        const Patchwork::Patch& patch = patchwork.patch[f];
-        bare += (patch.skin != no_skin) != (object == "ground" || material == "old_wall");
-        if (patch.skin == no_skin) continue;
-        const auto& skin = patchwork.skin[patch.skin];
+        const TextureLevels::OfFacet& of_facet = texture_levels.of_facet[f];
+        bare += (of_facet.skin != no_skin) != (object == "ground" || material == "old_wall");
+        if (of_facet.skin == no_skin) continue;
+        const auto& skin = texture_levels.skin[of_facet.skin];
         const double deviation = std::get<ClutterTexture>(*skin.texture).deviation;
         if (deviation == 0.03) {
             yard += p.world.facets.area[f] * p.world.facets.normal[f].z();

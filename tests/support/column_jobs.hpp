@@ -14,9 +14,9 @@ inline const Instant noon_free = parse_instant("2020-06-01T00:00:00Z");
 inline constexpr double day = 86400.0;
 
 /// A horizontal facet over `layers` that only exchanges by film and, if asked, radiation.
-inline ColumnJob facet_over(std::vector<Layer> layers, Bottom bottom, double film,
-                            double emissivity) {
-    ColumnJob job;
+inline PointJob facet_over(std::vector<Layer> layers, Bottom bottom, double film,
+                           double emissivity) {
+    PointJob job;
     job.surface.albedo = 0.0;
     job.surface.emissivity = emissivity;
     job.surface.convection = ConstantFilm{film};
@@ -30,7 +30,7 @@ inline ColumnJob facet_over(std::vector<Layer> layers, Bottom bottom, double fil
 
 /// Weather sampled every `every` seconds through a day.
 template <class Absorbed, class Air>
-void drive(ColumnJob& job, const Absorbed& absorbed, const Air& air, double longwave,
+void drive(PointJob& job, const Absorbed& absorbed, const Air& air, double longwave,
            double every = 300.0) {
     job.weather = {};
     for (double t = 0.0; t <= seconds_between(job.start, job.end) + 1.0; t += every) {
@@ -44,7 +44,7 @@ void drive(ColumnJob& job, const Absorbed& absorbed, const Air& air, double long
 }
 
 /// First harmonic of the surface temperature, as amplitude · exp(−i lag).
-inline std::complex<double> harmonic(const ColumnResult& result, int order = 1) {
+inline std::complex<double> harmonic(const PointResult& result, int order = 1) {
     std::complex<double> sum = 0.0;
     const std::size_t n = result.row.size() - 1;  // the last row repeats the first
     for (std::size_t i = 0; i < n; ++i) {

@@ -11,7 +11,7 @@
 #include "render/rays/shading.hpp"
 #include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/render_scene.hpp"
 
 namespace diurna {
@@ -85,14 +85,14 @@ struct Stage {
               bool with_reference = false) {
         const RayScene scene(facets);
         const MaterialLibrary materials(all);
-        const SkyView sky = sky_view(facets, scene, {.rays = 64});
+        const FacetViews sky = facet_views(facets, scene, {.rays = 64});
         Seen seen;
         seen.view = cast_view(scene, facets, eye, {.samples = samples});
         const PlumeScene volumes(plumes);
         seen.hops =
             follow_rays(seen.view, scene, facets, materials, volumes, eye, {.samples = samples});
         const RadianceInput input{.facets = facets,
-                                  .sky_view = sky,
+                                  .views = sky,
                                   .materials = materials,
                                   .atmosphere = air,
                                   .temperature = temperature,

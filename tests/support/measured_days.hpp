@@ -26,8 +26,8 @@ struct Series {
 };
 
 /// A facet of a surface through the whole series, its weather given, nothing fitted.
-inline ColumnJob job_of(const Series& series, const ThermalSurface& surface, double cadence) {
-    ColumnJob job;
+inline PointJob job_of(const Series& series, const ThermalSurface& surface, double cadence) {
+    PointJob job;
     job.site = series.site;
     job.elevation = series.site.height;
     job.weather = series.weather;

@@ -21,13 +21,13 @@ FacetSet hollow(int rings, int sectors, double half_angle) {
 }
 
 /// rms over all pairs of factor − A_j/4π, over the rms of the factors.
-double factor_error(const FacetSet& facets, const SkyView& view) {
+double factor_error(const FacetSet& facets, const FacetViews& view) {
     double squares = 0.0, scale = 0.0;
     std::vector<float> row(facets.size());
     for (std::size_t f = 0; f < facets.size(); ++f) {
         std::fill(row.begin(), row.end(), 0.0f);
-        for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
-            row[index(view.exchange.facet[k])] = view.exchange.factor[k];
+        for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
+            row[index(view.others.facet[k])] = view.others.factor[k];
         }
         for (std::size_t g = 0; g < facets.size(); ++g) {
             if (g == f) continue;
@@ -43,25 +43,24 @@ double factor_error(const FacetSet& facets, const SkyView& view) {
 
 TEST_CASE("exchange is made reciprocal and still adds up to one", "[terrain][exchange]") {
     const FacetSet facets = hollow(16, 48, 0.5 * pi);
-    SkyView view = sky_view(facets, RayScene(facets), {.rays = 256});
+    FacetViews view = facet_views(facets, RayScene(facets), {.rays = 256});
     const double before = factor_error(facets, view);
     const ReciprocityReport report = make_reciprocal(facets, view, {.cut_off = 0.0, .passes = 200});
     CHECK(report.worst_closure < 2e-5);
     CHECK(report.left_out == 0);
     double worst = 0.0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        double whole = double{view.sky_view[f]} + view.below[f];
-        for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
-            whole += view.exchange.factor[k];
-            const std::size_t g = index(view.exchange.facet[k]);
-            const auto begin = view.exchange.facet.begin() + view.exchange.row[g];
-            const auto end = view.exchange.facet.begin() + view.exchange.row[g + 1];
+        double whole = double{view.sky[f]} + view.below[f];
+        for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
+            whole += view.others.factor[k];
+            const std::size_t g = index(view.others.facet[k]);
+            const auto begin = view.others.facet.begin() + view.others.row[g];
+            const auto end = view.others.facet.begin() + view.others.row[g + 1];
             const auto back = std::lower_bound(begin, end, FacetId(f));
             REQUIRE((back != end && index(*back) == f));
-            const double there = double{facets.area[f]} * view.exchange.factor[k];
-            const double here =
-                double{facets.area[g]} *
-                view.exchange.factor[std::size_t(back - view.exchange.facet.begin())];
+            const double there = double{facets.area[f]} * view.others.factor[k];
+            const double here = double{facets.area[g]} *
+                                view.others.factor[std::size_t(back - view.others.facet.begin())];
             worst = std::max(worst, std::abs(there - here) / std::max(there, here));
         }
         CHECK(whole == Approx(1.0).epsilon(1e-6));
@@ -75,16 +74,16 @@ TEST_CASE("exchange is made reciprocal and still adds up to one", "[terrain][exc
 
 TEST_CASE("small exchange is left out and the rest takes its place", "[terrain][exchange]") {
     const FacetSet facets = hollow(16, 48, 0.4 * pi);
-    SkyView all = sky_view(facets, RayScene(facets), {.rays = 64});
-    SkyView few = all;
+    FacetViews all = facet_views(facets, RayScene(facets), {.rays = 64});
+    FacetViews few = all;
     make_reciprocal(facets, all, {.cut_off = 0.0});
     const ReciprocityReport report = make_reciprocal(facets, few, {.cut_off = 0.01});
     CHECK(report.left_out > 0);
-    CHECK(few.exchange.facet.size() < all.exchange.facet.size());
+    CHECK(few.others.facet.size() < all.others.facet.size());
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        double whole = double{few.sky_view[f]} + few.below[f];
-        for (auto k = few.exchange.row[f]; k < few.exchange.row[f + 1]; ++k) {
-            whole += few.exchange.factor[k];
+        double whole = double{few.sky[f]} + few.below[f];
+        for (auto k = few.others.row[f]; k < few.others.row[f + 1]; ++k) {
+            whole += few.others.factor[k];
         }
         CHECK(whole == Approx(1.0).epsilon(1e-6));
     }
@@ -94,9 +93,9 @@ TEST_CASE("memory for exchange grows with the facets, not with their pairs",
           "[terrain][exchange]") {
     const auto entries_a_facet = [](int rings, int sectors) {
         const FacetSet facets = hollow(rings, sectors, 0.5 * pi);
-        SkyView view = sky_view(facets, RayScene(facets), {.rays = 64});
+        FacetViews view = facet_views(facets, RayScene(facets), {.rays = 64});
         make_reciprocal(facets, view);
-        return double(view.exchange.facet.size()) / double(facets.size());
+        return double(view.others.facet.size()) / double(facets.size());
     };
     const double coarse = entries_a_facet(12, 40), fine = entries_a_facet(48, 160);
     CAPTURE(coarse, fine);
@@ -107,16 +106,16 @@ TEST_CASE("memory for exchange grows with the facets, not with their pairs",
 TEST_CASE("two plates that see only each other share what both can give", "[terrain][exchange]") {
     // A small and a large one: the small one's view is the larger part of itself.
     FacetSet facets = hollow(1, 3, 0.3);
-    SkyView view = sky_view(facets, RayScene(facets), {.rays = 16});
-    view.exchange = {.row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {0.5f, 0.5f}};
-    for (std::size_t f = 2; f < facets.size(); ++f) view.exchange.row.push_back(2);
-    std::fill(view.sky_view.begin(), view.sky_view.end(), 0.5f);
+    FacetViews view = facet_views(facets, RayScene(facets), {.rays = 16});
+    view.others = {.row = {0, 1, 2}, .facet = {FacetId{1}, FacetId{0}}, .factor = {0.5f, 0.5f}};
+    for (std::size_t f = 2; f < facets.size(); ++f) view.others.row.push_back(2);
+    std::fill(view.sky.begin(), view.sky.end(), 0.5f);
     std::fill(view.below.begin(), view.below.end(), 0.0f);
     facets.area[0] = 1.0f;
     facets.area[1] = 4.0f;
     make_reciprocal(facets, view, {.passes = 200});
-    CHECK(view.exchange.factor[0] == Approx(0.5).epsilon(0.02));
-    CHECK(view.exchange.factor[1] == Approx(0.125).epsilon(0.02));
+    CHECK(view.others.factor[0] == Approx(0.5).epsilon(0.02));
+    CHECK(view.others.factor[1] == Approx(0.125).epsilon(0.02));
     CHECK(view.below[1] == Approx(0.375).epsilon(0.02));
     CHECK(view.below[2] == Approx(0.5));
 }
@@ -138,16 +137,16 @@ TEST_CASE("small facets keep their view beside large ones that few rays tell of"
                        .sunk = 0,
                        .largest_edge = 0.5}),
                   ObjectId{1});
-    SkyView view =
-        sky_view(facets, RayScene(facets), {.rays = 64, .first_object = 2, .object_rays = 256});
+    FacetViews view =
+        facet_views(facets, RayScene(facets), {.rays = 64, .first_object = 2, .object_rays = 256});
     make_reciprocal(facets, view);
     double sum = 0.0, squares = 0.0;
     int walls = 0;
     for (std::size_t f = 2; f < facets.size(); ++f) {
         if (std::abs(facets.normal[f].z()) > 0.1f) continue;
         double ground = 0.0;
-        for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
-            if (index(view.exchange.facet[k]) < 2) ground += view.exchange.factor[k];
+        for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
+            if (index(view.others.facet[k]) < 2) ground += view.others.factor[k];
         }
         sum += ground;
         squares += ground * ground;
@@ -164,9 +163,9 @@ TEST_CASE("any number of threads, the same exchange", "[terrain][exchange][invar
     std::vector<std::vector<float>> factors;
     for (const int threads : {1, 3}) {
         set_thread_count(threads);
-        SkyView view = sky_view(facets, RayScene(facets), {.rays = 64});
+        FacetViews view = facet_views(facets, RayScene(facets), {.rays = 64});
         make_reciprocal(facets, view);
-        factors.push_back(view.exchange.factor);
+        factors.push_back(view.others.factor);
     }
     set_thread_count(0);
     CHECK(factors[0] == factors[1]);

@@ -24,7 +24,7 @@ struct Ground {
     std::size_t ground_facets;
     RayScene rays;
 
-    ReliefLight light() const { return {facets, rays, relief, ground_facets}; }
+    ReliefVisibility light() const { return {facets, rays, relief, ground_facets}; }
 };
 
 Ground jacksboro(double tolerance, bool with_box) {
@@ -71,7 +71,7 @@ Difference difference(const Ground& ground, const std::function<double(std::size
 TEST_CASE("march and rays light the ground alike, beside a tall building too",
           "[terrain][relief_light][sun]") {
     const Ground ground = jacksboro(2.0, true);
-    const ReliefLight light = ground.light();
+    const ReliefVisibility light = ground.light();
     const std::size_t n = ground.facets.size();
     std::vector<float> marched(n), cast(n), fine(n);
     for (const double elevation_deg : {6.0, 35.0}) {
@@ -97,20 +97,20 @@ TEST_CASE("march and rays light the ground alike, beside a tall building too",
 TEST_CASE("the march sees the same sky as many rays, with less noise",
           "[terrain][relief_light][sky]") {
     const Ground ground = jacksboro(12.0, true);
-    const SkyView marched = ground.light().sky_view({.rays = 16});
-    const SkyView cast = sky_view(ground.facets, ground.rays, {.rays = 64});
-    const SkyView fine = sky_view(ground.facets, ground.rays, {.rays = 256, .seed = 5});
-    const Difference by_march = difference(
-        ground, [&](std::size_t f) { return double{marched.sky_view[f]} - fine.sky_view[f]; });
-    const Difference by_rays = difference(
-        ground, [&](std::size_t f) { return double{cast.sky_view[f]} - fine.sky_view[f]; });
+    const FacetViews marched = ground.light().facet_views({.rays = 16});
+    const FacetViews cast = facet_views(ground.facets, ground.rays, {.rays = 64});
+    const FacetViews fine = facet_views(ground.facets, ground.rays, {.rays = 256, .seed = 5});
+    const Difference by_march =
+        difference(ground, [&](std::size_t f) { return double{marched.sky[f]} - fine.sky[f]; });
+    const Difference by_rays =
+        difference(ground, [&](std::size_t f) { return double{cast.sky[f]} - fine.sky[f]; });
     CAPTURE(by_march.mean, by_march.rms, by_rays.rms);
     CHECK(std::abs(by_march.mean) < 2e-3);
     CHECK(by_march.rms < 0.8 * by_rays.rms);
     for (std::size_t f = 0; f < ground.facets.size(); ++f) {
-        double whole = double{marched.sky_view[f]} + marched.below[f];
-        for (auto k = marched.exchange.row[f]; k < marched.exchange.row[f + 1]; ++k) {
-            whole += marched.exchange.factor[k];
+        double whole = double{marched.sky[f]} + marched.below[f];
+        for (auto k = marched.others.row[f]; k < marched.others.row[f + 1]; ++k) {
+            whole += marched.others.factor[k];
         }
         REQUIRE(whole == Approx(1.0).epsilon(2e-6));
     }
@@ -148,10 +148,10 @@ TEST_CASE("any number of threads, the same light", "[terrain][relief_light][inva
     std::vector<std::vector<float>> lit, seen;
     for (const int threads : {1, 3}) {
         set_thread_count(threads);
-        const ReliefLight light = ground.light();
+        const ReliefVisibility light = ground.light();
         lit.emplace_back(ground.facets.size());
         light.sun_fraction(direction(111.0, 9.0), lit.back());
-        seen.push_back(light.sky_view({.rays = 16}).sky_view);
+        seen.push_back(light.facet_views({.rays = 16}).sky);
     }
     set_thread_count(0);
     CHECK(lit[0] == lit[1]);

@@ -5,9 +5,9 @@
 #include <random>
 
 #include "terrain/objects/object_mesh.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/sky_rays.hpp"
-#include "terrain/visibility/sky_view.hpp"
 
 // The bound may be loose but never wrong: no ray above it meets anything.
 
@@ -159,12 +159,12 @@ TEST_CASE("sky view is the same with exchange and without", "[terrain][visibilit
     FacetSet facets;
     sheet(60, 5.0, hills).append_to(facets);
     const RayScene scene(facets);
-    const SkyView both = sky_view(facets, scene, {.rays = 48});
-    const SkyView sky = sky_view(facets, scene, {.rays = 48, .exchange = false});
-    CHECK(both.sky_view == sky.sky_view);
+    const FacetViews both = facet_views(facets, scene, {.rays = 48});
+    const FacetViews sky = facet_views(facets, scene, {.rays = 48, .others = false});
+    CHECK(both.sky == sky.sky);
     CHECK(both.below == sky.below);
-    CHECK(sky.exchange.facet.empty());
-    CHECK(sky.exchange.row == std::vector<std::uint32_t>(facets.size() + 1, 0));
+    CHECK(sky.others.facet.empty());
+    CHECK(sky.others.row == std::vector<std::uint32_t>(facets.size() + 1, 0));
     // And the same as if every ray were traced.
     const SkyRays sampler(48, 1);
     for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -178,7 +178,7 @@ TEST_CASE("sky view is the same with exchange and without", "[terrain][visibilit
                 if (!blocked[k]) ++(rays.direction_z[k] >= 0.0f ? open : below);
             }
         }
-        REQUIRE(both.sky_view[f] == Approx(open / 48.0).margin(1e-6));
+        REQUIRE(both.sky[f] == Approx(open / 48.0).margin(1e-6));
         REQUIRE(both.below[f] == Approx(below / 48.0).margin(1e-6));
     }
 }

@@ -55,10 +55,10 @@ FacetSet square(double side, int cells) {
     return facets;
 }
 
-Patchwork mixed(const FacetSet& facets, Texture texture) {
+TextureLevels mixed(const FacetSet& facets, Texture texture) {
     Skin skin{.texture = std::make_shared<const Texture>(std::move(texture)),
               .material = {MaterialId{0}, MaterialId{1}}};
-    return make_patchwork(facets, {skin}, std::vector<std::uint16_t>(facets.size(), 0));
+    return split_by_texture(facets, {skin}, std::vector<std::uint16_t>(facets.size(), 0));
 }
 
 }  // namespace
@@ -119,12 +119,13 @@ TEST_CASE("a texture's plane follows its object and stands upright on walls",
     CHECK((texture_place(turned, {10, 17, 0}, up) - Eigen::Vector2d(3, 0)).norm() < 1e-12);
 }
 
-TEST_CASE("facets are solved once for each level that occurs on them", "[terrain][patchwork]") {
+TEST_CASE("facets are solved once for each level that occurs on them",
+          "[terrain][texture_levels]") {
     auto layout = upright(8, 8, checkerboard(8));
     layout.nearest = true;
     SECTION("a texel and more a facet: one of the two, no copies") {
         const FacetSet facets = square(8.0, 8);
-        const Patchwork p = mixed(facets, RasterTexture(layout));
+        const TextureLevels p = mixed(facets, RasterTexture(layout));
         CHECK(p.facets.size() == facets.size());
         for (std::size_t f = 0; f < facets.size(); ++f) {
             const auto x = int(facets.centroid[f].x()), y = int(facets.centroid[f].y());
@@ -133,7 +134,7 @@ TEST_CASE("facets are solved once for each level that occurs on them", "[terrain
     }
     SECTION("facets that hold many texels: both, by their shares") {
         const FacetSet facets = square(8.0, 1);
-        const Patchwork p = mixed(facets, RasterTexture(layout));
+        const TextureLevels p = mixed(facets, RasterTexture(layout));
         REQUIRE(p.facets.size() == 4);
         for (std::size_t f = 0; f < 4; ++f) {
             // The board's diagonal is of one colour: a triangle is 0.5 and half a diagonal of it.
@@ -151,35 +152,35 @@ TEST_CASE("facets are solved once for each level that occurs on them", "[terrain
 }
 
 TEST_CASE("copies see what their place sees, and are seen by their shares",
-          "[terrain][patchwork]") {
+          "[terrain][texture_levels]") {
     const FacetSet facets = square(12.0, 3);
-    const Patchwork p =
+    const TextureLevels p =
         mixed(facets, ClutterTexture{0.5, 0.15, Clutter({.length = 1.0, .seed = 4})});
     REQUIRE(p.facets.size() == 2 * facets.size());
-    SkyView solid;
-    solid.exchange.row = {0};
+    FacetViews solid;
+    solid.others.row = {0};
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        solid.sky_view.push_back(0.4f + 0.01f * float(f));
+        solid.sky.push_back(0.4f + 0.01f * float(f));
         solid.below.push_back(0.1f);
-        float rest = 0.9f - solid.sky_view[f];
+        float rest = 0.9f - solid.sky[f];
         for (std::size_t g = 0; g < facets.size(); g += 5) {
             if (g == f) continue;
-            solid.exchange.facet.push_back(FacetId{std::uint32_t(g)});
-            solid.exchange.factor.push_back(0.5f * rest);
+            solid.others.facet.push_back(FacetId{std::uint32_t(g)});
+            solid.others.factor.push_back(0.5f * rest);
             rest *= 0.5f;
         }
-        solid.exchange.row.push_back(std::uint32_t(solid.exchange.facet.size()));
+        solid.others.row.push_back(std::uint32_t(solid.others.facet.size()));
     }
-    const SkyView all = for_copies(p, solid);
-    REQUIRE(all.exchange.row.size() == p.facets.size() + 1);
-    const auto sum = [](const Exchange& e, std::size_t f) {
+    const FacetViews all = for_copies(p, solid);
+    REQUIRE(all.others.row.size() == p.facets.size() + 1);
+    const auto sum = [](const ViewFactors& e, std::size_t f) {
         return std::accumulate(e.factor.begin() + e.row[f], e.factor.begin() + e.row[f + 1], 0.0);
     };
     for (std::size_t f = 0; f < p.facets.size(); ++f) {
-        CHECK(all.sky_view[f] == solid.sky_view[p.origin[f]]);
-        CHECK(sum(all.exchange, f) == Approx(sum(solid.exchange, p.origin[f])).epsilon(1e-6));
-        for (std::uint32_t k = all.exchange.row[f] + 1; k < all.exchange.row[f + 1]; ++k) {
-            CHECK(all.exchange.facet[k - 1] < all.exchange.facet[k]);
+        CHECK(all.sky[f] == solid.sky[p.origin[f]]);
+        CHECK(sum(all.others, f) == Approx(sum(solid.others, p.origin[f])).epsilon(1e-6));
+        for (std::uint32_t k = all.others.row[f] + 1; k < all.others.row[f + 1]; ++k) {
+            CHECK(all.others.facet[k - 1] < all.others.facet[k]);
         }
     }
     for (std::size_t f = 0; f < facets.size(); ++f) {

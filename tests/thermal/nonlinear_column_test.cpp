@@ -15,9 +15,9 @@ namespace {
 const Instant start_instant = parse_instant("2020-06-01T00:00:00Z");
 
 /// A facet under constant air and sun, started uniform.
-ColumnJob constant_job(std::vector<Layer> layers, double absorbed, double emissivity, double film,
-                       double air, double initial, double span, double step) {
-    ColumnJob job;
+PointJob constant_job(std::vector<Layer> layers, double absorbed, double emissivity, double film,
+                      double air, double initial, double span, double step) {
+    PointJob job;
     job.surface.albedo = 0.0;
     job.surface.emissivity = emissivity;
     job.surface.convection = ConstantFilm{film};
@@ -78,12 +78,12 @@ TEST_CASE("a half-space that radiates follows Volterra's equation at steps of 1 
                      high = std::max(c.initial, equilibrium);
         for (const double step : {1.0, 60.0, 600.0, 3600.0}) {
             const double span = step < 10.0 ? 600.0 : 86400.0;
-            ColumnJob job =
+            PointJob job =
                 constant_job({deep}, c.flux, c.emissivity, 0.0, 300.0, c.initial, span, step);
             job.longest_step = step;
-            const ColumnResult result = run_column(job);
+            const PointResult result = run_column(job);
             double beyond = 0.0, worst = 0.0;
-            for (const ColumnRow& row : result.row) {
+            for (const PointRow& row : result.row) {
                 beyond = std::max(
                     {beyond, row.surface_temperature - high, low - row.surface_temperature});
             }
@@ -123,10 +123,10 @@ TEST_CASE("the moon's equator follows the converged curve B1", "[thermal][nonlin
 TEST_CASE("snow stays at melting until its meltwater has run off", "[thermal][nonlinear][snow]") {
     Layer snow{0.5, 0.2, 300.0, 2090.0};
     snow.law = Melting{.held = 0.0};
-    ColumnJob job = constant_job({snow}, 400.0, 0.0, 10.0, 273.15, 273.15, 86400.0, 3600.0);
-    const ColumnResult result = run_column(job);
+    PointJob job = constant_job({snow}, 400.0, 0.0, 10.0, 273.15, 273.15, 86400.0, 3600.0);
+    const PointResult result = run_column(job);
     double melted = 0.0;
-    for (const ColumnRow& row : result.row) {
+    for (const PointRow& row : result.row) {
         CHECK(row.surface_temperature <= 273.15 + 1e-9);
         melted += row.melt * 3600.0;
     }

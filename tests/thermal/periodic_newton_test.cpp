@@ -9,12 +9,12 @@ using namespace diurna;
 // for it: a hangar's roof once turned to NaN that way while its neighbours went on.
 TEST_CASE("a facet that has arrived stays while others of its block go on", "[thermal][periodic]") {
     const FacetSet facets;
-    const SkyView view;
+    const FacetViews view;
     const SunExposure sun;
     const MaterialLibrary materials;
     const Weather weather;
     const SolveInput input{.facets = facets,
-                           .sky_view = view,
+                           .views = view,
                            .sun = sun,
                            .materials = materials,
                            .weather = weather,

@@ -47,21 +47,21 @@ TEST_CASE("the periodic day of columns up to 10 m is found in six passes, to 0.0
     CAPTURE(depth);
     const Weather weather = summer();
     const Material material = deep_ground(depth);
-    ColumnJob job;
+    PointJob job;
     job.surface = material.thermal;
     job.weather = weather;
     job.start = start;
     job.end = later(start, 86400.0);
     job.step = 3600.0;
     job.spin_up = SpinUp::periodic;
-    const ColumnResult point = run_column(job);
+    const PointResult point = run_column(job);
     CHECK(point.passes <= 6);
     CHECK(point.periodic_residual <= 1e-4);
     // The true error: the answer does not know where it began. Steps are chosen anew, to 0.002 K.
     for (const double guess : {262.0, 322.0}) {
-        ColumnJob other = job;
+        PointJob other = job;
         other.initial_temperature = guess;
-        const ColumnResult again = run_column(other);
+        const PointResult again = run_column(other);
         CHECK(again.passes <= 6);
         for (std::size_t i = 0; i < point.row.size(); ++i) {
             CHECK(again.row[i].surface_temperature ==
@@ -74,14 +74,14 @@ TEST_CASE("the periodic day of columns up to 10 m is found in six passes, to 0.0
     const std::vector<std::array<std::uint32_t, 3>> triangle{{0, 1, 2}};
     const std::vector<MaterialId> ids{MaterialId{0}};
     append_facets(facets, vertex, triangle, ids, ObjectId{0});
-    SkyView view;
-    view.sky_view = {1.0f};
+    FacetViews view;
+    view.sky = {1.0f};
     view.below = {0.0f};
-    view.exchange.row = {0, 0};
+    view.others.row = {0, 0};
     const MaterialLibrary materials({material});
     const SunExposure sun;
     const SolveResult scene = solve({.facets = facets,
-                                     .sky_view = view,
+                                     .views = view,
                                      .sun = sun,
                                      .materials = materials,
                                      .weather = weather,

@@ -90,14 +90,14 @@ FacetSet level_facets() {
 
 SolveResult solve_level(const Weather& weather, const SolveOptions& options) {
     const FacetSet facets = level_facets();
-    SkyView view;
-    view.sky_view.assign(grounds, 1.0f);
+    FacetViews view;
+    view.sky.assign(grounds, 1.0f);
     view.below.assign(grounds, 0.0f);
-    view.exchange.row.assign(grounds + 1, 0);
+    view.others.row.assign(grounds + 1, 0);
     const SunExposure sun;
     const MaterialLibrary materials = library();
     return solve({.facets = facets,
-                  .sky_view = view,
+                  .views = view,
                   .sun = sun,
                   .materials = materials,
                   .weather = weather,
@@ -119,7 +119,7 @@ TEST_CASE("snow, leaves, standing water, freezing ground and schedules reach the
     CHECK(result.report.worst_energy_closure < 1e-9);
     const MaterialLibrary materials = library();
     for (int g = 0; g < grounds; ++g) {
-        ColumnJob job;
+        PointJob job;
         job.site = valley;
         job.elevation = 1500.0;
         job.surface = materials[MaterialId{static_cast<std::uint16_t>(g)}].thermal;
@@ -128,7 +128,7 @@ TEST_CASE("snow, leaves, standing water, freezing ground and schedules reach the
         job.end = later(march_first, 86400.0);
         job.step = 3600.0;
         job.spin_up = SpinUp::periodic;
-        const ColumnResult point = run_column(job);
+        const PointResult point = run_column(job);
         double worst = 0.0, sum = 0.0;
         for (std::size_t h = 0; h <= 24; ++h) {
             const double e =
@@ -148,14 +148,14 @@ TEST_CASE("on hills with shadows every point closes its day and its energy",
     for (std::uint16_t g = 0; g < grounds; ++g) materials.push_back(MaterialId{g});
     const FacetSet facets = hills(12, materials);
     const RayScene rays(facets);
-    const SkyView view = sky_view(facets, rays);
+    const FacetViews view = facet_views(facets, rays);
     const MaterialLibrary all = library();
     const Weather cold = day(274.0), warm = day(293.0);
     const auto run = [&](const Weather& weather, SolveOptions options) {
         options.start = march_first;
         const SunExposure sun = shadows(facets, rays, valley, options);
         return solve({.facets = facets,
-                      .sky_view = view,
+                      .views = view,
                       .sun = sun,
                       .materials = all,
                       .weather = weather,

@@ -26,7 +26,7 @@ TEST_CASE("a desert day with constant film follows the converged reference B2",
           "[thermal][column_tool][b2]") {
     // reference/thermal/analytic_cases.md, A16: CVODE extrapolated in space. Half of what is left
     // comes from its σ of 5.67e-8 and from the sun as chords of 5 minutes.
-    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 10.0, 0.95);
+    PointJob job = facet_over({deep}, FixedFlux{0.0}, 10.0, 0.95);
     job.step = 1800.0;
     drive(
         job,
@@ -35,7 +35,7 @@ TEST_CASE("a desert day with constant film follows the converged reference B2",
             return 298.15 + 8.0 * std::cos(2.0 * std::numbers::pi * (t - 54000.0) / day);
         },
         330.0);
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     const std::vector<std::pair<double, double>> reference{
         {1, 294.1009},  {3, 292.5792},    {5, 292.0031},    {6, 292.0728},  {6.5, 293.8714},
         {7, 296.6394},  {8, 303.1838},    {9, 309.9751},    {10, 316.1945}, {11, 321.2634},
@@ -60,7 +60,7 @@ TEST_CASE("a half-space answers a periodic flux with Carslaw and Jaeger's amplit
     const auto c = GENERATE(Case{5, 6.253404513, 7734.44768}, Case{15, 3.995923739, 4781.58307},
                             Case{30, 2.534198955, 2995.34995});
     CAPTURE(c.film);
-    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, c.film, 0.0);
+    PointJob job = facet_over({deep}, FixedFlux{0.0}, c.film, 0.0);
     job.step = 600.0;
     drive(
         job, [](double t) { return 100.0 + 100.0 * std::cos(2.0 * std::numbers::pi * t / day); },
@@ -80,7 +80,7 @@ TEST_CASE("a layered road answers each harmonic as its thermal quadrupoles say",
                             Case{4, 2.53084319, 29.4006958}, Case{8, 1.996416333, 32.6131213},
                             Case{24, 1.287797341, 37.1560183});
     CAPTURE(c.order);
-    ColumnJob job = facet_over(
+    PointJob job = facet_over(
         {{0.10, 1.2, 2100.0, 1000.0}, {0.30, 0.8, 1600.0, 1000.0}, {5.0, 1.0, 2000.0, 1000.0}},
         FixedFlux{0.0}, 15.0, 0.0);
     job.step = 300.0;
@@ -98,13 +98,13 @@ TEST_CASE("a layered road answers each harmonic as its thermal quadrupoles say",
 TEST_CASE("a periodic surface temperature draws the half-space's flux",
           "[thermal][column_tool][a1]") {
     // Film so strong that the surface is the air: amplitude 10 K draws 120.6 W/m², 3 h early.
-    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 1e4, 0.0);
+    PointJob job = facet_over({deep}, FixedFlux{0.0}, 1e4, 0.0);
     job.step = 600.0;
     drive(
         job, [](double) { return 0.0; },
         [](double t) { return 293.15 + 10.0 * std::cos(2.0 * std::numbers::pi * t / day); }, 0.0,
         60.0);
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     std::complex<double> sum = 0.0;
     const std::size_t n = result.row.size() - 1;
     for (std::size_t i = 0; i < n; ++i) {
@@ -143,13 +143,13 @@ TEST_CASE("steps of flux and air warm a half-space and a slab as in Carslaw and 
                     {{0.1, 1.2, 2100.0, 1000.0}},
                     {{60, 2.202370623}, {600, 6.96450742}, {3600, 17.08089675}}};
     for (const Case& c : {flux, film, slab}) {
-        ColumnJob job = facet_over(c.layers, FixedFlux{0.0}, c.film, 0.0);
+        PointJob job = facet_over(c.layers, FixedFlux{0.0}, c.film, 0.0);
         job.spin_up = SpinUp::none;
         job.initial_temperature = 300.0;
         job.step = 60.0;
         drive(
             job, [&](double) { return c.flux; }, [&](double) { return c.air; }, 0.0);
-        const ColumnResult result = run_column(job);
+        const PointResult result = run_column(job);
         for (const auto& [t, warming] : c.warming) {
             CAPTURE(c.film, c.layers.size(), t);
             const double found = result.row[std::size_t(t / 60.0)].surface_temperature - 300.0;
@@ -162,7 +162,7 @@ TEST_CASE("a thin plate with air behind loses heat on both sides",
           "[thermal][column_tool][plate]") {
     // Steady: 500 W/m² absorbed, two films of 10, both sides radiating at 0.9; the steel's own drop
     // is 0.01 K. 2 h (T − 300) + ε σ (2 T⁴ − L/σ − 300⁴) = 500, by bisection: the test's own root.
-    ColumnJob job = facet_over({{0.001, 50.0, 7800.0, 500.0}}, FixedFlux{0.0}, 10.0, 0.9);
+    PointJob job = facet_over({{0.001, 50.0, 7800.0, 500.0}}, FixedFlux{0.0}, 10.0, 0.9);
     job.surface.back = ExposedBack{.emissivity = 0.9, .albedo = 0.9};
     drive(
         job, [](double) { return 500.0; }, [](double) { return 300.0; }, 350.0);
@@ -173,8 +173,8 @@ TEST_CASE("a thin plate with air behind loses heat on both sides",
                             0.9 * (stefan_boltzmann * (2.0 * power4(t) - power4(300.0)) - 350.0);
         (loss < 500.0 ? low : high) = t;
     }
-    const ColumnResult result = run_column(job);
-    const ColumnRow& row = result.row.back();
+    const PointResult result = run_column(job);
+    const PointRow& row = result.row.back();
     CHECK(result.has_back);
     CHECK(row.surface_temperature == Approx(low).margin(0.01));
     CHECK(row.surface_temperature - row.back_temperature ==
@@ -187,7 +187,7 @@ TEST_CASE("a thin plate with air behind loses heat on both sides",
 TEST_CASE("a thin wall follows its room's and its heater's schedule",
           "[thermal][column_tool][interior]") {
     // No mass to speak of: h_out (T − T_a) = (T_room − T) / (1/8 + 0.05/0.1) + q.
-    ColumnJob job = facet_over({{0.05, 0.1, 10.0, 100.0}}, FixedFlux{0.0}, 12.0, 0.0);
+    PointJob job = facet_over({{0.05, 0.1, 10.0, 100.0}}, FixedFlux{0.0}, 12.0, 0.0);
     job.site.longitude_deg = 30.0;  // local mean solar time is two hours ahead
     job.step = 1800.0;
     job.surface.bottom =
@@ -195,7 +195,7 @@ TEST_CASE("a thin wall follows its room's and its heater's schedule",
     job.surface.internal_schedule = {{0.0, 0.0}, {12.0, 60.0}, {24.0, 0.0}};
     drive(
         job, [](double) { return 0.0; }, [](double) { return 280.0; }, 0.0);
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     for (std::size_t i = 0; i < 48; ++i) {
         const double hour = std::fmod(0.5 * double(i) + 2.0, 24.0);
         const double later_hour = hour < 6.0 ? hour + 24.0 : hour;
@@ -212,7 +212,7 @@ TEST_CASE("a thin wall follows its room's and its heater's schedule",
 TEST_CASE("a pane takes in what it neither reflects nor lets through",
           "[thermal][column_tool][glass]") {
     // 6 mm of glass, both sides in air: 2 h (T − T_a) + ε σ (2 T⁴ − T_a⁴) − ε L = (1 − ρ − τ) S.
-    ColumnJob job = facet_over({{0.006, 1.0, 2528.0, 880.0}}, FixedFlux{0.0}, 9.0, 0.84);
+    PointJob job = facet_over({{0.006, 1.0, 2528.0, 880.0}}, FixedFlux{0.0}, 9.0, 0.84);
     job.surface.albedo = 0.08;
     job.surface.solar_transmittance = 0.77;
     job.surface.back = ExposedBack{.emissivity = 0.84, .albedo = 0.08};
@@ -225,14 +225,14 @@ TEST_CASE("a pane takes in what it neither reflects nor lets through",
                             0.84 * (stefan_boltzmann * (2.0 * power4(t) - power4(295.0)) - 380.0);
         (lost < 0.15 * 800.0 ? low : high) = t;
     }
-    const ColumnRow row = run_column(job).row.back();
+    const PointRow row = run_column(job).row.back();
     CHECK(row.absorbed_solar == Approx(120.0).epsilon(1e-6));
     CHECK(0.5 * (row.surface_temperature + row.back_temperature) == Approx(low).margin(0.02));
 }
 
 TEST_CASE("a lake's mixed layer swings as a slab of closed form", "[thermal][column_tool][water]") {
     // Stirred water of 2 m over a bed without flux: |T| = |q / (h + k g tanh(g L))|, g = √(iωC/k).
-    ColumnJob job = facet_over({{2.0, 500.0, 998.0, 4182.0}}, FixedFlux{0.0}, 15.0, 0.0);
+    PointJob job = facet_over({{2.0, 500.0, 998.0, 4182.0}}, FixedFlux{0.0}, 15.0, 0.0);
     job.step = 900.0;
     drive(
         job, [](double t) { return 300.0 + 300.0 * std::cos(2.0 * std::numbers::pi * t / day); },
@@ -270,7 +270,7 @@ start = 2020-06-01T00:00:00Z
 end = 2020-06-02T00:00:00Z
 )";
     std::ofstream(file) << good;
-    const ColumnResult result = run_column(read_column_job(file));
+    const PointResult result = run_column(read_column_job(file));
     CHECK(result.row.size() == 49);
     const std::string csv = column_csv(result);
     CHECK(csv.find("modelled") != std::string::npos);

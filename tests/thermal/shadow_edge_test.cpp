@@ -98,10 +98,10 @@ TEST_CASE("10-minute steps follow shadows as 1 s steps of the layered column do"
             ground, std::vector<Eigen::Vector3d>{{east, 0, 0}, {east + 10, 0, 0}, {east, 10, 0}},
             std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}}, {&used[f], 1}, ObjectId{0});
     }
-    SkyView open{.sky_view = std::vector<float>(facets, 1.0f),
-                 .below = std::vector<float>(facets, 0.0f),
-                 .exchange = {}};
-    open.exchange.row.assign(facets + 1, 0);
+    FacetViews open{.sky = std::vector<float>(facets, 1.0f),
+                    .below = std::vector<float>(facets, 0.0f),
+                    .others = {}};
+    open.others.row.assign(facets + 1, 0);
     Weather weather;
     for (int h = 0; h <= 24; ++h) {
         const double wave = std::cos(2.0 * M_PI * (h - 15) / 24.0);
@@ -115,7 +115,7 @@ TEST_CASE("10-minute steps follow shadows as 1 s steps of the layered column do"
         SunExposure sun = sampled(options);
         if (edges) find_edges(sun, fraction_at, {.tolerance = 1.0});
         return solve({.facets = ground,
-                      .sky_view = open,
+                      .views = open,
                       .sun = sun,
                       .materials = materials,
                       .weather = weather,

@@ -66,19 +66,19 @@ Weather summer() {
 struct World {
     FacetSet facets;
     RayScene rays;
-    SkyView view;
+    FacetViews view;
     MaterialLibrary materials = mixed();
     Weather weather = summer();
 
     explicit World(int n)
         : facets(hills(n, {MaterialId{0}, MaterialId{1}, MaterialId{2}, MaterialId{3}})),
           rays(facets),
-          view(sky_view(facets, rays)) {}
+          view(facet_views(facets, rays)) {}
 
     SolveResult run(const SolveOptions& options) const {
         const SunExposure sun = shadows(facets, rays, tennessee, options);
         return solve({.facets = facets,
-                      .sky_view = view,
+                      .views = view,
                       .sun = sun,
                       .materials = materials,
                       .weather = weather,
@@ -138,9 +138,8 @@ TEST_CASE("spinning up for sixty days leads to what Newton on the period finds",
     append_facets(flat, std::vector<Eigen::Vector3d>{{0, 0, 0}, {10, 0, 0}, {0, 10, 0}},
                   std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}},
                   std::vector<MaterialId>{MaterialId{2}}, ObjectId{0});
-    const SkyView open{.sky_view = {1.0f},
-                       .below = {0.0f},
-                       .exchange = {.row = {0, 0}, .facet = {}, .factor = {}}};
+    const FacetViews open{
+        .sky = {1.0f}, .below = {0.0f}, .others = {.row = {0, 0}, .facet = {}, .factor = {}}};
     for (auto* weather : {&sixty}) {
         for (Forcing& f : weather->sample) f.shortwave_down = 0.0;
     }
@@ -149,7 +148,7 @@ TEST_CASE("spinning up for sixty days leads to what Newton on the period finds",
     const SunExposure no_shadow;
     const auto run = [&](const Weather& weather, SolveOptions options) {
         return solve({.facets = flat,
-                      .sky_view = open,
+                      .views = open,
                       .sun = no_shadow,
                       .materials = world.materials,
                       .weather = weather,
@@ -237,11 +236,11 @@ TEST_CASE("halving the step quarters what is left of its error", "[thermal][solv
 
 TEST_CASE("a solve refuses arrays that do not belong together", "[thermal][solver][errors]") {
     const World world(4);
-    SkyView other = world.view;
-    other.sky_view.pop_back();
+    FacetViews other = world.view;
+    other.sky.pop_back();
     const SunExposure sun;
     CHECK_THROWS_AS(solve({.facets = world.facets,
-                           .sky_view = other,
+                           .views = other,
                            .sun = sun,
                            .materials = world.materials,
                            .weather = world.weather,
@@ -249,7 +248,7 @@ TEST_CASE("a solve refuses arrays that do not belong together", "[thermal][solve
                           {.start = june}),
                     InputError);
     CHECK_THROWS_AS(solve({.facets = world.facets,
-                           .sky_view = world.view,
+                           .views = world.view,
                            .sun = sun,
                            .materials = world.materials,
                            .weather = world.weather,
@@ -269,10 +268,10 @@ TEST_CASE("a wall is warmed by the brighter sky near the horizon, level ground i
     const std::vector<std::array<std::uint32_t, 3>> triangle{{0, 1, 2}, {3, 4, 5}};
     const std::vector<MaterialId> material{MaterialId{0}, MaterialId{0}};
     append_facets(facets, vertex, triangle, material, ObjectId{0});
-    SkyView view;
-    view.sky_view = {1.0f, 0.5f};
+    FacetViews view;
+    view.sky = {1.0f, 0.5f};
     view.below = {0.0f, 0.5f};
-    view.exchange.row = {0, 0, 0};
+    view.others.row = {0, 0, 0};
     const MaterialLibrary materials({ground("plate", 0.0, 1.0, ConstantFilm{0.0},
                                             {{0.01, 10.0, 1000.0, 1000.0}}, FixedFlux{0.0})});
     Forcing forcing;
@@ -282,7 +281,7 @@ TEST_CASE("a wall is warmed by the brighter sky near the horizon, level ground i
     const auto settled = [&](bool by_direction) {
         const SunExposure sun;
         const SolveResult result = solve({.facets = facets,
-                                          .sky_view = view,
+                                          .views = view,
                                           .sun = sun,
                                           .materials = materials,
                                           .weather = constant_weather(forcing),
@@ -311,12 +310,12 @@ TEST_CASE("thin plates that see each other settle within six passes, by the erro
     append_facets(
         facets, vertex, std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}},
         std::vector<MaterialId>{MaterialId{0}, MaterialId{1}, MaterialId{1}}, ObjectId{0});
-    const SkyView view{.sky_view = {0.4f, 0.3f, 0.3f},
-                       .below = {0.0f, 0.0f, 0.0f},
-                       .exchange = {.row = {0, 2, 4, 6},
-                                    .facet = {FacetId{1}, FacetId{2}, FacetId{0}, FacetId{2},
-                                              FacetId{0}, FacetId{1}},
-                                    .factor = {0.3f, 0.3f, 0.3f, 0.4f, 0.3f, 0.4f}}};
+    const FacetViews view{.sky = {0.4f, 0.3f, 0.3f},
+                          .below = {0.0f, 0.0f, 0.0f},
+                          .others = {.row = {0, 2, 4, 6},
+                                     .facet = {FacetId{1}, FacetId{2}, FacetId{0}, FacetId{2},
+                                               FacetId{0}, FacetId{1}},
+                                     .factor = {0.3f, 0.3f, 0.3f, 0.4f, 0.3f, 0.4f}}};
     Material sheet =
         ground("sheet", 0.3, 0.9, Tarp{}, {{0.0015, 45.0, 7800.0, 500.0}}, FixedFlux{0.0});
     sheet.thermal.back = ExposedBack{.emissivity = 0.9, .albedo = 0.3};
@@ -324,7 +323,7 @@ TEST_CASE("thin plates that see each other settle within six passes, by the erro
     const Weather weather = summer();
     const auto run = [&](double tolerance, int passes) {
         return solve({.facets = facets,
-                      .sky_view = view,
+                      .views = view,
                       .sun = {},
                       .materials = materials,
                       .weather = weather,

@@ -12,7 +12,7 @@ using namespace column_jobs;
 
 TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
           "[thermal][column_tool][store]") {
-    ColumnJob job = facet_over({deep}, FixedFlux{0.0}, 12.0, 0.95);
+    PointJob job = facet_over({deep}, FixedFlux{0.0}, 12.0, 0.95);
     job.spin_up = SpinUp::none;
     job.initial_temperature = 295.0;
     job.step = 120.0;
@@ -26,11 +26,11 @@ TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
     job.weather.sample[4].rain_mm_h =
         3.0;  // around 2 h, straight down to nothing half an hour off:
     job.weather.sample[5].rain_mm_h = 0.0;  // 1.5 mm in all
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     REQUIRE(result.has_store);
     double rain = 0.0, evaporated = 0.0, most = 0.0;
     for (std::size_t i = 1; i < result.row.size(); ++i) {
-        const ColumnRow &a = result.row[i - 1], &b = result.row[i];
+        const PointRow &a = result.row[i - 1], &b = result.row[i];
         rain += 0.5 * job.step / 3600.0 *
                 (job.weather.at(a.instant).rain_mm_h + job.weather.at(b.instant).rain_mm_h);
         // Latent heat is all the store's: the surface itself is dry.
@@ -44,7 +44,7 @@ TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
     CHECK(most > 1.2);
     CHECK(result.row.back().water_mm < 0.01);  // the evening's dew
     // Wet ground is darker by the wet share: half full, half way from 0.2 to 0.1.
-    for (const ColumnRow& row : result.row) {
+    for (const PointRow& row : result.row) {
         const double sun = job.weather.at(row.instant).shortwave_down;
         const double wet = std::min(1.0, row.water_mm / 2.0);
         CHECK(row.absorbed_solar == Approx((0.8 + 0.1 * wet) * sun).margin(0.5));
@@ -53,13 +53,13 @@ TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
     // What is more than it holds runs off.
     job.weather.sample[4].rain_mm_h = 30.0;
     double highest = 0.0;
-    for (const ColumnRow& row : run_column(job).row) highest = std::max(highest, row.water_mm);
+    for (const PointRow& row : run_column(job).row) highest = std::max(highest, row.water_mm);
     CHECK(highest == Approx(2.0).epsilon(1e-6));
 }
 
 TEST_CASE("moist air lays frost on a cold roof, the morning takes it off",
           "[thermal][column_tool][frost]") {
-    ColumnJob job = facet_over({{0.01, 1.0, 2000.0, 1000.0}}, FixedFlux{0.0}, 8.0, 0.95);
+    PointJob job = facet_over({{0.01, 1.0, 2000.0, 1000.0}}, FixedFlux{0.0}, 8.0, 0.95);
     job.spin_up = SpinUp::none;
     job.initial_temperature = 271.0;
     job.step = 300.0;
@@ -70,12 +70,12 @@ TEST_CASE("moist air lays frost on a cold roof, the morning takes it off",
     for (Forcing& f : job.weather.sample) {
         f.air.vapour_pressure = 0.95 * saturation_vapour_pressure(272.0);
     }
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     double laid = 0.0;
     for (std::size_t i = 1; i <= 144; ++i) {
         laid += 0.5 * job.step * (result.row[i - 1].latent + result.row[i].latent) / 2.8345e6;
     }
-    const ColumnRow& noon = result.row[144];
+    const PointRow& noon = result.row[144];
     CHECK(noon.surface_temperature < 271.0);
     CHECK(noon.frost_mm > 0.1);
     CHECK(noon.frost_mm == Approx(laid).epsilon(0.02));
@@ -83,7 +83,7 @@ TEST_CASE("moist air lays frost on a cold roof, the morning takes it off",
     CHECK(result.row.back().frost_mm == Approx(0.0).margin(1e-9));
     // Melting takes its heat once: what frost melted, 0.3337 MJ/kg.
     double melted = 0.0;
-    for (const ColumnRow& row : result.row) melted += row.melt * job.step;
+    for (const PointRow& row : result.row) melted += row.melt * job.step;
     CHECK(melted > 0.0);
     CHECK(melted <= noon.frost_mm * 3.337e5 * 1.01);
     CHECK(result.limited == 0);
@@ -92,7 +92,7 @@ TEST_CASE("moist air lays frost on a cold roof, the morning takes it off",
 TEST_CASE("lying water freezes with its heat and melts with it", "[thermal][column_tool][frost]") {
     // 2 mm on a plate that stores little: from +5 to −6 °C of air and back, without vapour's part.
     // A night takes 2 kg/m² · 333.7 kJ/kg from the water, and the day gives it back.
-    ColumnJob job = facet_over({{0.002, 1.0, 100.0, 100.0}}, FixedFlux{0.0}, 15.0, 0.0);
+    PointJob job = facet_over({{0.002, 1.0, 100.0, 100.0}}, FixedFlux{0.0}, 15.0, 0.0);
     job.spin_up = SpinUp::none;
     job.initial_temperature = 278.0;
     job.step = 600.0;
@@ -105,10 +105,10 @@ TEST_CASE("lying water freezes with its heat and melts with it", "[thermal][colu
         f.rain_mm_h = i < 12 ? 4.0 : 0.0;  // an hour in the mild evening
         f.air.vapour_pressure = 611.0;     // at freezing neither dew nor evaporation
     }
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     double frozen = 0.0, lying = 0.0, most_frost = 0.0, coldest_wet = 400.0;
     for (std::size_t i = 1; i < result.row.size(); ++i) {
-        const ColumnRow& row = result.row[i];
+        const PointRow& row = result.row[i];
         if (row.melt < 0.0 && frozen == 0.0) lying = result.row[i - 1].water_mm;
         if (row.melt < 0.0) frozen -= row.melt * job.step;
         most_frost = std::max(most_frost, row.frost_mm);
@@ -149,7 +149,7 @@ TEST_CASE(
     "a snow field darkens in the cold by days, faster when it melts, and fresh snow whitens it",
     "[thermal][column_tool][snow]") {
     const double air = GENERATE(263.15, 275.65);
-    ColumnJob job =
+    PointJob job =
         facet_over({{0.5, 0.2, 300.0, 2090.0, Melting{}}}, FixedTemperature{273.15}, 12.0, 0.98);
     job.surface.albedo = 0.85;
     job.surface.snow_albedo = AgeingAlbedo{};
@@ -161,7 +161,7 @@ TEST_CASE(
         job, [](double) { return 200.0; }, [&](double) { return air; }, 300.0, 3600.0);
     // 0.6 mm within the sixth day's first six hours: as snow at −10 °C, as rain at +2.5 °C.
     for (std::size_t i = 121; i < 127; ++i) job.weather.sample[i].rain_mm_h = 0.1;
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     const auto albedo = [&](std::size_t row) {
         return 1.0 - result.row[row].absorbed_solar / 200.0;
     };

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "terrain/place/sun.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/reciprocity.hpp"
-#include "terrain/visibility/sky_view.hpp"
 #include "tests/support/bowl.hpp"
 
 // The shadow in a bowl without air or conduction is warmed by its sunlit rest alone. In a spherical
@@ -23,7 +23,7 @@ FacetSet bowl(double q, int rings, int sectors) {
 }
 
 /// x = source + share · (what the others send), by passing it on until nothing changes.
-std::vector<double> passed_on(const Exchange& exchange, const std::vector<double>& source,
+std::vector<double> passed_on(const ViewFactors& exchange, const std::vector<double>& source,
                               double share) {
     std::vector<double> x = source;
     for (int pass = 0; pass < 60; ++pass) {
@@ -50,7 +50,7 @@ TEST_CASE("shadow in an airless bowl has its exact temperature", "[terrain][exch
         {{1361, 10, 0.12, 0.95, 0.2, 154.54318}, {1000, 20, 0.2, 0.98, 0.2, 168.434401}}));
     const FacetSet facets = bowl(q, 32, 96);
     const RayScene scene(facets);
-    SkyView view = sky_view(facets, scene, {.rays = 1024});
+    FacetViews view = facet_views(facets, scene, {.rays = 1024});
     const Eigen::Vector3d to_sun = direction(70.0, elevation_deg);
     std::vector<float> lit(facets.size());
     sun_fraction(facets, scene, to_sun, lit, {.samples = 16});
@@ -64,9 +64,9 @@ TEST_CASE("shadow in an airless bowl has its exact temperature", "[terrain][exch
     }
     // Radiosity of sunlight; what is not sent back is taken in and sent out as heat: in equilibrium
     // a facet sends out in all what it takes in, absorbed sun and heat of the others alike.
-    const std::vector<double> light = passed_on(view.exchange, reflected, albedo);
+    const std::vector<double> light = passed_on(view.others, reflected, albedo);
     for (std::size_t f = 0; f < n; ++f) emitted[f] = light[f] / albedo * (1.0 - albedo);
-    const std::vector<double> heat = passed_on(view.exchange, emitted, 1.0);
+    const std::vector<double> heat = passed_on(view.others, emitted, 1.0);
 
     double sum = 0.0, area = 0.0, squares = 0.0;
     for (std::size_t f = 0; f < n; ++f) {

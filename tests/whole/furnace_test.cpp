@@ -3,7 +3,7 @@
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;
@@ -14,7 +14,7 @@ double worst_deviation(double temperature, const Atmosphere& atmosphere, bool te
     const FacetSet facets = testing::hilly_world();
     const RayScene scene(facets);
     const MaterialLibrary materials = testing::materials(temperature);
-    const SkyView sky = sky_view(facets, scene);
+    const FacetViews sky = facet_views(facets, scene);
     const std::vector<float> temperatures(facets.size(), static_cast<float>(temperature));
     const Observer observer = testing::hilly_observer();
     const View view = cast_view(scene, facets, observer);
@@ -22,7 +22,7 @@ double worst_deviation(double temperature, const Atmosphere& atmosphere, bool te
                                      flat_band("8-12", 8.0, 12.0, bin_edges_um())};
     const Frame frame = render(view, observer, bands,
                                {.facets = facets,
-                                .sky_view = sky,
+                                .views = sky,
                                 .materials = materials,
                                 .atmosphere = atmosphere,
                                 .temperature = temperatures,

@@ -18,7 +18,7 @@ struct Score {
     std::size_t count = 0;
 };
 
-double between(const ColumnResult& result, const ColumnJob& job, Instant when) {
+double between(const PointResult& result, const PointJob& job, Instant when) {
     const double place = seconds_between(job.start, when) / job.step;
     const auto i = static_cast<std::size_t>(std::clamp(place, 0.0, double(result.row.size() - 2)));
     const double share = std::clamp(place - double(i), 0.0, 1.0);
@@ -29,9 +29,8 @@ double between(const ColumnResult& result, const ColumnJob& job, Instant when) {
 Score run(const char* name, const measured::Series& series, const std::string& material,
           double cadence) {
     static const MaterialLibrary library = default_material_library();
-    const ColumnJob job =
-        measured::job_of(series, library[library.find(material)].thermal, cadence);
-    const ColumnResult result = run_column(job);
+    const PointJob job = measured::job_of(series, library[library.find(material)].thermal, cadence);
+    const PointResult result = run_column(job);
     CHECK(result.limited == 0);
     CHECK(result.worst_energy_closure < 1e-8);
     Score score, day, night;

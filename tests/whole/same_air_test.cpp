@@ -22,11 +22,11 @@ TEST_CASE("solver and camera receive the same light from one air, clouds include
     const GroundFluxes flux = ground_fluxes(air, sun, height_km);
 
     const FacetSet facets;
-    const SkyView sky_view;
+    const FacetViews sky_view;
     const MaterialLibrary materials({testing::material("grey", flat_spectrum(0.3))});
     const std::vector<float> lit = {1.0f};
     const RadianceInput input{.facets = facets,
-                              .sky_view = sky_view,
+                              .views = sky_view,
                               .materials = materials,
                               .atmosphere = air,
                               .temperature = {},

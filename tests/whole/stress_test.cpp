@@ -41,7 +41,7 @@ enum class Kind { plain, wet, store, big_leaf, two_source, snow, freezing, plate
 constexpr int kinds = 8;
 
 struct Extreme {
-    ColumnJob job;
+    PointJob job;
     Kind kind;
     double warmest, coldest;  // what every flux pulls towards lies between them
     bool still;               // sun, wind and rain do not change
@@ -109,7 +109,7 @@ ThermalSurface surface_of(const std::array<double, dimensions>& x, Kind kind) {
 Extreme job_of(const std::array<double, dimensions>& x) {
     Extreme e;
     e.kind = static_cast<Kind>(std::max(0, int(x[10] * 12.0) - 4));  // plain: five of twelve
-    ColumnJob& job = e.job;
+    PointJob& job = e.job;
     job.surface = surface_of(x, e.kind);
     job.start = begin;
     job.spin_up = SpinUp::none;
@@ -183,7 +183,7 @@ struct Outcome {
 };
 
 /// Constant forcing leaves one turn at most, where heat from below comes late: more is a zigzag.
-int turns(const std::vector<ColumnRow>& row) {
+int turns(const std::vector<PointRow>& row) {
     int count = 0;
     for (std::size_t k = 2; k < row.size(); ++k) {
         const double a = row[k - 1].surface_temperature - row[k - 2].surface_temperature;
@@ -198,7 +198,7 @@ Outcome take_all() {
     Outcome o;
     for (int i = 0; i < cases; ++i) {
         const Extreme extreme = job_of(samples[std::size_t(i)]);
-        const ColumnResult result = run_column(extreme.job);
+        const PointResult result = run_column(extreme.job);
         ++o.met[std::size_t(extreme.kind)];
         if (extreme.kind == Kind::wet && extreme.job.initial_temperature > 373.15) ++o.boiled;
         o.say(result.limited > 0, i, "limited", o.limited);
@@ -208,7 +208,7 @@ Outcome take_all() {
             if (result.worst_energy_closure < 1e-12) ++o.tight;
         }
         o.say(result.worst_energy_closure > 1e-8, i, "open", o.open);
-        for (const ColumnRow& row : result.row) {
+        for (const PointRow& row : result.row) {
             const bool thaws = extreme.kind == Kind::snow && row.surface_temperature > zero_celsius;
             o.say(thaws, i, "snow above melting", o.unbounded);
             for (const double t :
@@ -220,9 +220,9 @@ Outcome take_all() {
         }
         o.say(extreme.still && turns(result.row) > 1, i, "zigzag", o.zigzags);
         if (i % 8 == 0) {
-            ColumnJob finer = extreme.job;
+            PointJob finer = extreme.job;
             finer.step /= 3.0;
-            const ColumnResult other = run_column(finer);
+            const PointResult other = run_column(finer);
             const double apart =
                 std::abs(other.row[18].surface_temperature - result.row[6].surface_temperature);
             o.worst_cadence = std::max(o.worst_cadence, apart);
@@ -267,7 +267,7 @@ TEST_CASE("extreme columns close their energy to 1e-8, most to 1e-12", "[thermal
 }
 
 TEST_CASE("half a millimetre of steel on foam takes a switched sun", "[thermal][stress]") {
-    ColumnJob job;
+    PointJob job;
     job.surface.albedo = 0.1;
     job.surface.emissivity = 0.9;
     job.surface.convection = ConstantFilm{10.0};
@@ -287,7 +287,7 @@ TEST_CASE("half a millimetre of steel on foam takes a switched sun", "[thermal][
             job.weather.sample.push_back(f);
         }
     }
-    const ColumnResult result = run_column(job);
+    const PointResult result = run_column(job);
     // Balance 810 + 0.9 · 300 = 0.9 σ T⁴ + 10 (T − 290), by bisection, bounds it.
     double low = 290.0, high = 400.0;
     for (int i = 0; i < 60; ++i) {
@@ -295,7 +295,7 @@ TEST_CASE("half a millimetre of steel on foam takes a switched sun", "[thermal][
         const double lost = 0.9 * (stefan_boltzmann * power4(t) - 300.0) + 10.0 * (t - 290.0);
         (lost < 810.0 ? low : high) = t;
     }
-    for (const ColumnRow& row : result.row) {
+    for (const PointRow& row : result.row) {
         CHECK(row.surface_temperature <= high + 0.01);
         CHECK(row.surface_temperature >= 275.0);
     }

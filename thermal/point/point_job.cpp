@@ -21,7 +21,7 @@ constexpr double day = 86400.0;
 /// What the weather sends to the job's facet.
 class PointWeather {
  public:
-    explicit PointWeather(const ColumnJob& job)
+    explicit PointWeather(const PointJob& job)
         : job_(job),
           sun_(job.site),
           normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
@@ -56,7 +56,7 @@ class PointWeather {
     }
 
  private:
-    const ColumnJob& job_;
+    const PointJob& job_;
     SunPath sun_;
     Eigen::Vector3d normal_;
     double tilted_;
@@ -100,7 +100,7 @@ int make_periodic(PointFacet& facet, Instant from, Instant to, double& residual)
     return most_passes;
 }
 
-ColumnRow row_of(const PointFacet& facet, Instant when, double melt) {
+PointRow row_of(const PointFacet& facet, Instant when, double melt) {
     const SurfaceTerms terms = facet.terms(when);
     const HeatBalance& b = terms.balance;
     return {.instant = when,
@@ -174,7 +174,7 @@ double profile_at(const std::vector<SoilPoint>& profile, double depth) {
     return std::lerp(a.temperature, b.temperature, (depth - a.depth) / (b.depth - a.depth));
 }
 
-double initial_temperature(const ColumnJob& job) {
+double initial_temperature(const PointJob& job) {
     if (!std::isnan(job.initial_temperature)) return job.initial_temperature;
     if (const auto* fixed = std::get_if<FixedTemperature>(&job.surface.bottom)) {
         return fixed->temperature;
@@ -184,14 +184,14 @@ double initial_temperature(const ColumnJob& job) {
 
 }  // namespace
 
-ColumnResult run_column(const ColumnJob& given) {
-    ColumnJob job = given;
+PointResult run_column(const PointJob& given) {
+    PointJob job = given;
     const bool longwave_missing =
         std::any_of(job.weather.sample.begin(), job.weather.sample.end(),
                     [](const Forcing& f) { return std::isnan(f.longwave_down); });
     if (longwave_missing) infer_cloud(job.weather, job.site, job.elevation, job.clear_sky);
 
-    ColumnJob before = job;
+    PointJob before = job;
     if (job.spin_up == SpinUp::first_day && seconds_between(job.start, job.end) >= 0.99 * day) {
         before.weather = without_trend(job.weather, job.start);
     }
@@ -213,7 +213,7 @@ ColumnResult run_column(const ColumnJob& given) {
                           .forcing = [&from](Instant when) { return from(when); }};
     };
     PointFacet facet(setup(job.surface, weather));
-    ColumnResult result;
+    PointResult result;
     result.note = job.weather.note;
     result.has_back = job.surface.back.has_value();
     result.has_canopy = !std::holds_alternative<std::monostate>(job.surface.canopy);
@@ -269,7 +269,7 @@ ColumnResult run_column(const ColumnJob& given) {
     return result;
 }
 
-std::string column_csv(const ColumnResult& result) {
+std::string column_csv(const PointResult& result) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
     if (!result.note.empty()) fmt::format_to(out, "# {}\n", result.note);
@@ -280,7 +280,7 @@ std::string column_csv(const ColumnResult& result) {
                    result.has_canopy ? ",ground_temperature_K,leaf_temperature_K" : "",
                    result.has_store ? ",water_mm,frost_mm" : "",
                    result.has_melt ? ",melt_W_m2" : "");
-    for (const ColumnRow& r : result.row) {
+    for (const PointRow& r : result.row) {
         fmt::format_to(out, "{},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f},{:.4f}",
                        format_instant(r.instant), r.surface_temperature, r.absorbed_solar,
                        r.longwave_in, r.longwave_out, r.sensible, r.latent, r.conducted);

@@ -24,7 +24,7 @@ struct SoilPoint {
 };
 
 /// One facet under a series of weather: what column.toml says.
-struct ColumnJob {
+struct PointJob {
     Site site;
     double elevation = 0.0;   // [m] above the sea
     double slope_deg = 0.0;   // 0 to 180
@@ -46,7 +46,7 @@ struct ColumnJob {
 
 /// One row of the result; fluxes are positive towards the surface [W m⁻²] and sum, with the
 /// internal heat, to the storage of the surface node's half cell.
-struct ColumnRow {
+struct PointRow {
     Instant instant;
     double surface_temperature;  // [K]
     double absorbed_solar, longwave_in, longwave_out, sensible, latent, conducted;
@@ -57,8 +57,8 @@ struct ColumnRow {
     double melt;  // heat that melts snow or frost, mean since the row before [W m⁻²]
 };
 
-struct ColumnResult {
-    std::vector<ColumnRow> row;  // at start, start + step, ... end
+struct PointResult {
+    std::vector<PointRow> row;  // at start, start + step, ... end
     bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
     std::string note;                   // what was modelled for want of measurements
     int passes = 0;                     // of the spin-up
@@ -74,11 +74,11 @@ struct ColumnResult {
 
 /// Reads a column file (TOML; see the README, "The point tool") and its weather. Throws InputError
 /// with every mistake: file:line:column, what was expected, the nearest key.
-ColumnJob read_column_job(const std::filesystem::path& file);
+PointJob read_column_job(const std::filesystem::path& file);
 
-ColumnResult run_column(const ColumnJob& job);
+PointResult run_column(const PointJob& job);
 
 /// The result as text: `time,surface_temperature_K,...`, comment lines first for what was modelled.
-std::string column_csv(const ColumnResult& result);
+std::string column_csv(const PointResult& result);
 
 }  // namespace diurna

@@ -32,10 +32,10 @@ SpinUp spin_up_of(const std::string& word) {
 
 }  // namespace
 
-ColumnJob read_column_job(const std::filesystem::path& file) {
+PointJob read_column_job(const std::filesystem::path& file) {
     const Document document = Document::from_file(file);
     const Section root = document.root();
-    ColumnJob job;
+    PointJob job;
 
     const Section site = root.section("site", true);
     job.site.latitude_deg = site.number("latitude_deg", -90.0, 90.0);

@@ -8,7 +8,7 @@ namespace diurna {
 namespace {
 
 /// Σ factor · value over a facet's row.
-double gathered(const Exchange& exchange, std::size_t facet, std::span<const float> value) {
+double gathered(const ViewFactors& exchange, std::size_t facet, std::span<const float> value) {
     double sum = 0.0;
     for (std::uint32_t k = exchange.row[facet]; k < exchange.row[facet + 1]; ++k) {
         sum += double(exchange.factor[k]) * value[index(exchange.facet[k])];
@@ -29,7 +29,7 @@ FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& material
     return optics;
 }
 
-void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetOptics& optics,
+void incident_sunlight(const FacetSet& facets, const FacetViews& view, const FacetOptics& optics,
                        const SkyState& sky, std::span<const float> fraction, bool exchange,
                        std::span<float> incident) {
     const std::size_t n = facets.size();
@@ -43,20 +43,20 @@ void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetO
         const double cosine = facets.normal[f].cast<double>().dot(sky.to_sun);
         // The fraction counts the facet's own turning away already.
         const double lit = fraction.empty() ? 1.0 : fraction[f];
-        double light = facet_sunlight(sky, cosine, lit, view.sky_view[f]);
+        double light = facet_sunlight(sky, cosine, lit, view.sky[f]);
         if (exchange) light += double(view.below[f]) * optics.albedo[f] * global;
         own[f] = incident[f] = float(light);
     }
-    if (!exchange || view.exchange.facet.empty()) return;
+    if (!exchange || view.others.facet.empty()) return;
     for (int bounce = 0; bounce < 2; ++bounce) {
         for (std::size_t f = 0; f < n; ++f) reflected[f] = optics.albedo[f] * incident[f];
         for (std::size_t f = 0; f < n; ++f) {
-            incident[f] = float(own[f] + gathered(view.exchange, f, reflected));
+            incident[f] = float(own[f] + gathered(view.others, f, reflected));
         }
     }
 }
 
-void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,
+void arriving_longwave(const FacetViews& view, std::span<const float> leaving, std::size_t facet,
                        std::span<float> excess) {
     const std::size_t instants = excess.size();
     const auto add = [&](std::size_t from, float factor, bool first) {
@@ -68,8 +68,8 @@ void arriving_longwave(const SkyView& view, std::span<const float> leaving, std:
         }
     };
     add(facet, view.below[facet], true);
-    for (auto k = view.exchange.row[facet]; k < view.exchange.row[facet + 1]; ++k) {
-        add(index(view.exchange.facet[k]), view.exchange.factor[k], false);
+    for (auto k = view.others.row[facet]; k < view.others.row[facet + 1]; ++k) {
+        add(index(view.others.facet[k]), view.others.factor[k], false);
     }
 }
 

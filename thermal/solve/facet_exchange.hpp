@@ -6,7 +6,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "thermal/weather/sky_state.hpp"
 
 namespace diurna {
@@ -22,7 +22,7 @@ FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& material
 /// Ground below the scene's edge reflects the horizontal global sun as the facet itself would.
 ///
 /// fraction  (facet) share in the sun; empty: nothing casts a shadow
-void incident_sunlight(const FacetSet& facets, const SkyView& view, const FacetOptics& optics,
+void incident_sunlight(const FacetSet& facets, const FacetViews& view, const FacetOptics& optics,
                        const SkyState& sky, std::span<const float> fraction, bool exchange,
                        std::span<float> incident);
 
@@ -43,7 +43,7 @@ inline float leaving_longwave(float emissivity, double sky_longwave, float tempe
 ///
 /// leaving  (facet, instant)
 /// excess   (instant) D as it becomes
-void arriving_longwave(const SkyView& view, std::span<const float> leaving, std::size_t facet,
+void arriving_longwave(const FacetViews& view, std::span<const float> leaving, std::size_t facet,
                        std::span<float> excess);
 
 }  // namespace diurna

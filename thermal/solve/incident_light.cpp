@@ -14,8 +14,8 @@ void shine(Job& job) {
             if (!job.input.sun.fraction.empty()) {
                 fraction = {job.input.sun.fraction.data() + i * job.facets, job.facets};
             }
-            incident_sunlight(job.input.facets, job.input.sky_view, job.optics, job.sky[i],
-                              fraction, job.options.exchange, job.row(job.sunlight, i));
+            incident_sunlight(job.input.facets, job.input.views, job.optics, job.sky[i], fraction,
+                              job.options.exchange, job.row(job.sunlight, i));
         },
         1);
 }
@@ -34,8 +34,8 @@ void find_jumps(Job& job) {
     const auto beam = [&](std::size_t i, std::size_t f) {
         const SkyState& sky = job.sky[i];
         const double cosine = job.input.facets.normal[f].cast<double>().dot(sky.to_sun);
-        return facet_sunlight(sky, cosine, 1.0, job.input.sky_view.sky_view[f]) -
-               facet_sunlight(sky, cosine, 0.0, job.input.sky_view.sky_view[f]);
+        return facet_sunlight(sky, cosine, 1.0, job.input.views.sky[f]) -
+               facet_sunlight(sky, cosine, 0.0, job.input.views.sky[f]);
     };
     for (const ShadowEdge& edge : sun.edge) {
         const std::size_t i = edge.step, f = edge.facet;
@@ -60,8 +60,7 @@ std::vector<float> tilts(const Job& job) {
     for_each_index(
         job.facets,
         [&](std::size_t f) {
-            tilt[f] =
-                float(table.excess(job.input.facets.normal[f].z(), job.input.sky_view.sky_view[f]));
+            tilt[f] = float(table.excess(job.input.facets.normal[f].z(), job.input.views.sky[f]));
         },
         4096);
     return tilt;

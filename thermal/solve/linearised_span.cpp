@@ -31,7 +31,8 @@ double mean_slope(const std::vector<double>& slope, std::size_t at, const Block&
     return slope[at] / double(block.facet.size());
 }
 
-void run_modes(const Kind& kind, const Block& block, const Eigen::MatrixXf& given, LinearDay& day) {
+void run_modes(const Kind& kind, const Block& block, const Eigen::MatrixXf& given,
+               LinearisedSpan& day) {
     const ModeStep& step = kind.modes->step;
     const Eigen::MatrixXd& turn = kind.modes->closed.turn;
     const auto n = Eigen::Index(step.modes());
@@ -68,7 +69,7 @@ void run_modes(const Kind& kind, const Block& block, const Eigen::MatrixXf& give
 }
 
 void run_plates(const Kind& kind, const Block& block, const Eigen::MatrixXf& given,
-                LinearDay& day) {
+                LinearisedSpan& day) {
     const PlateStep& step = *kind.plate;
     const auto n = Eigen::Index(step.modes());
     const int substeps = kind.column.substeps;
@@ -121,7 +122,7 @@ void run_plates(const Kind& kind, const Block& block, const Eigen::MatrixXf& giv
 }
 
 void run_layered(const Kind& kind, const Block& block, const Eigen::MatrixXf& given,
-                 LinearDay& day) {
+                 LinearisedSpan& day) {
     const ColumnGrid& grid = kind.column.grid;
     const Stage& stage = kind.column.stage;
     const auto n = Eigen::Index(grid.size());
@@ -168,8 +169,8 @@ RowVectorXd relative_slopes(const Block& block) {
     return own / mean;
 }
 
-void run_linear(const Job& job, const Level& level, const Block& block, const Eigen::MatrixXf& heat,
-                LinearDay& day) {
+void run_linearised(const Job& job, const Level& level, const Block& block,
+                    const Eigen::MatrixXf& heat, LinearisedSpan& day) {
     const Kind& kind = level.kind[block.material];
     if (day.steep.size() == 0) day.steep = RowVectorXd::Ones(day.state.cols());
     day.warmer.resize(Eigen::Index(job.steps() / level.stride + 1), day.state.cols());

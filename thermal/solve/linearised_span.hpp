@@ -8,7 +8,7 @@ namespace diurna {
 
 /// Facets of a block to first order about its last run, under the block's mean slopes, each scaled
 /// to the facet's own over the span.
-struct LinearDay {
+struct LinearisedSpan {
     Eigen::RowVectorXd steep;  // (facet) its slopes over the block's mean ones; empty: 1
     Eigen::MatrixXd state;     // (state, facet) [K] in: beyond that run's start; out: at its end
     Eigen::MatrixXd warmer;    // (instant, facet) [K] out: surface beyond that run's
@@ -21,7 +21,7 @@ Eigen::RowVectorXd relative_slopes(const Block& block);
 /// between the level's instants. Costs a fifth of a run: no surface to be solved.
 ///
 /// heat  (instant, facet) [W m⁻²]; empty: none
-void run_linear(const Job& job, const Level& level, const Block& block, const Eigen::MatrixXf& heat,
-                LinearDay& day);
+void run_linearised(const Job& job, const Level& level, const Block& block,
+                    const Eigen::MatrixXf& heat, LinearisedSpan& day);
 
 }  // namespace diurna

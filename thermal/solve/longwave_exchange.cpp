@@ -43,7 +43,7 @@ void renew_all(Job& job, const Level& level, Field& field) {
     });
     for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            arriving_longwave(job.input.sky_view, field.leaving, f, field.changes(f));
+            arriving_longwave(job.input.views, field.leaving, f, field.changes(f));
             field.most[f] = 0.0f;
         }
         for (std::size_t k = 0; k < used; ++k) {
@@ -82,10 +82,10 @@ double follow(Job& job, const Level& level, float least, Field& field) {
                 const std::span<float> change = field.changes(block.facet[std::size_t(l)]);
                 heat.col(l) = emissivity * Eigen::VectorXf::Map(change.data(), heat.rows());
             }
-            LinearDay day{.steep = relative_slopes(block),
-                          .state = Eigen::MatrixXd::Zero(n, count),
-                          .warmer = {}};
-            run_linear(job, level, block, heat, day);
+            LinearisedSpan day{.steep = relative_slopes(block),
+                               .state = Eigen::MatrixXd::Zero(n, count),
+                               .warmer = {}};
+            run_linearised(job, level, block, heat, day);
             if (job.options.periodic) {
                 const Eigen::MatrixXd start = close_period(block, day.state);
                 day.warmer += follow_start(block, start);
@@ -119,7 +119,7 @@ double follow(Job& job, const Level& level, float least, Field& field) {
 
 /// Carries what is sent beyond what was to those that see it: what arrives grows by `change`.
 void pass_on(Job& job, const Level& level, Field& field) {
-    const SkyView& view = job.input.sky_view;
+    const FacetViews& view = job.input.views;
     const std::size_t used = field.used;
     for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         std::vector<std::size_t> grown;
@@ -135,8 +135,8 @@ void pass_on(Job& job, const Level& level, Field& field) {
                 for (std::size_t k = 0; k < used; ++k) change[k] += factor * sent[k];
             };
             add(f, view.below[f]);
-            for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
-                add(index(view.exchange.facet[k]), view.exchange.factor[k]);
+            for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
+                add(index(view.others.facet[k]), view.others.factor[k]);
             }
             if (any) grown.push_back(f);
         }
@@ -154,8 +154,8 @@ void pass_on(Job& job, const Level& level, Field& field) {
 }  // namespace
 
 bool exchanging(const SolveInput& input) {
-    return !input.sky_view.exchange.facet.empty() ||
-           std::any_of(input.sky_view.below.begin(), input.sky_view.below.end(),
+    return !input.views.others.facet.empty() ||
+           std::any_of(input.views.below.begin(), input.views.below.end(),
                        [](float below) { return below > 0.0f; });
 }
 

@@ -24,11 +24,11 @@ Eigen::RowVectorXd way_to_steeper(const Block& block) {
 void linearise(const Job& job, const Level& level, Block& block) {
     const auto n = Eigen::Index(block.start.size() / block.stride);
     const MatrixXd one = MatrixXd::Identity(n, n);
-    LinearDay day{
+    LinearisedSpan day{
         .steep = Eigen::RowVectorXd::Ones(2 * n), .state = MatrixXd(n, 2 * n), .warmer = {}};
     day.steep.tail(n).setConstant(steeper);
     day.state << one, one;
-    run_linear(job, level, block, {}, day);
+    run_linearised(job, level, block, {}, day);
     PeriodMap& map = block.period.emplace();
     map.follow_mean = day.warmer.leftCols(n);
     map.follow_steeper = day.warmer.rightCols(n);

@@ -33,8 +33,8 @@ void check(const SolveInput& input, const SolveOptions& options) {
     if (!(options.step > 0.0) || !(options.duration > 0.0)) {
         throw InputError("thermal solve", "step and duration must be more than zero");
     }
-    if (input.sky_view.sky_view.size() != n || input.sky_view.below.size() != n ||
-        input.sky_view.exchange.row.size() != n + 1) {
+    if (input.views.sky.size() != n || input.views.below.size() != n ||
+        input.views.others.row.size() != n + 1) {
         throw InputError("thermal solve", "the sky view belongs to another set of facets");
     }
     const std::size_t instants = step_instants(options).size();
@@ -118,7 +118,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
         infer_cloud(weather, given.site, given.elevation, given.clear_sky);
     }
     const SolveInput input{.facets = given.facets,
-                           .sky_view = given.sky_view,
+                           .views = given.views,
                            .sun = given.sun,
                            .materials = given.materials,
                            .weather = weather,

@@ -9,7 +9,7 @@
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "thermal/column/column.hpp"
 #include "thermal/temperature_field.hpp"
 #include "thermal/weather/sky_state.hpp"
@@ -50,8 +50,8 @@ struct ShadowEdge {
 };
 
 /// Share of each facet that the sun reaches at each step's instant
-/// (terrain/visibility/sky_view.hpp). Between the instants it runs straight, or jumps at the edge
-/// if there is one (thermal/solve/shadow_edges.hpp finds them).
+/// (terrain/visibility/facet_views.hpp). Between the instants it runs straight, or jumps at the
+/// edge if there is one (thermal/solve/shadow_edges.hpp finds them).
 struct SunExposure {
     std::vector<Instant> instant;    // = step_instants(options)
     std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: nothing casts a shadow
@@ -60,7 +60,7 @@ struct SunExposure {
 
 struct SolveInput {
     const FacetSet& facets;
-    const SkyView& sky_view;
+    const FacetViews& views;
     const SunExposure& sun;
     const MaterialLibrary& materials;
     const Weather& weather;

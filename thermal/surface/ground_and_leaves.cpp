@@ -24,7 +24,7 @@ double saturation_over(double temperature, double& slope) {
     return pressure;
 }
 
-struct Exchange {
+struct PartTerms {
     double solar, longwave_in, longwave_out, sensible, latent, wet_latent, melt, flux, slope;
 };
 
@@ -43,7 +43,7 @@ struct Part {
     double leaf_film = 0.0;   // [W m⁻² K⁻¹] of all leaves' boundary layers, per unit ground
 };
 
-Exchange exchange(const SurfaceConditions& c, const Part& part, double t) {
+PartTerms part_terms(const SurfaceConditions& c, const Part& part, double t) {
     const double excess = t - c.air.air_temperature;
     Film film = c.air.plate ? plate_film(c.air, c.natural, t) : ground_film(c.air, t);
     if (film.h < part.least_film) film = {part.least_film, 0.0, 0.0};
@@ -61,7 +61,7 @@ Exchange exchange(const SurfaceConditions& c, const Part& part, double t) {
     const double incoming =
         self > 0.0 ? (c.longwave_in + c.own_view * c.emissivity * black) / self : black;
     const double incoming_slope = self > 0.0 ? c.own_view * c.emissivity / self : 1.0;
-    Exchange e{};
+    PartTerms e{};
     e.solar = part.solar;
     e.longwave_in = part.cover * c.emissivity * incoming + part.other;
     e.longwave_out = -part.cover * part.sides * c.emissivity * black;
@@ -114,7 +114,7 @@ double root_of(const Function& function, double guess) {
     return at;
 }
 
-void add(const Exchange& e, SurfaceTerms& terms) {
+void add(const PartTerms& e, SurfaceTerms& terms) {
     terms.balance.absorbed_solar += e.solar;
     terms.balance.longwave_in += e.longwave_in;
     terms.balance.longwave_out += e.longwave_out;
@@ -175,7 +175,7 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
                      .resistance = c.air.resistance,
                      .wetness = c.air.wetness};
     if (std::holds_alternative<std::monostate>(c.canopy)) {
-        const Exchange e = exchange(c, whole, ground);
+        const PartTerms e = part_terms(c, whole, ground);
         add(e, terms);
         terms.into_ground = e.flux;
         terms.into_ground_slope = e.slope;
@@ -188,11 +188,11 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
         leaves.least_film = least_film;
         const double skin = root_of(
             [&](double t) {
-                const Exchange e = exchange(c, leaves, t);
+                const PartTerms e = part_terms(c, leaves, t);
                 return BoundaryFlux{e.flux - joined * (t - ground), e.slope - joined};
             },
             ground);
-        const Exchange e = exchange(c, leaves, skin);
+        const PartTerms e = part_terms(c, leaves, skin);
         add(e, terms);
         terms.radiometric = terms.leaf = skin;
         terms.into_ground = joined * (skin - ground);
@@ -226,11 +226,11 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
                       .leaf_film = leaf_film};
     const auto exchanged = [&](double leaf) { return between * (power4(leaf) - power4(ground)); };
     const auto leaf_balance = [&](double t) {
-        const Exchange e = exchange(dry, canopy, t);
+        const PartTerms e = part_terms(dry, canopy, t);
         return BoundaryFlux{e.flux - exchanged(t), e.slope - 4.0 * between * t * t * t};
     };
     const double leaf = root_of(leaf_balance, ground);
-    const Exchange leaves = exchange(dry, canopy, leaf);
+    const PartTerms leaves = part_terms(dry, canopy, leaf);
     const Part soil{.cover = 1.0 - cover,
                     .solar = (1.0 - cover) * c.absorbed_solar,
                     .internal = c.internal,
@@ -243,7 +243,7 @@ SurfaceTerms surface_terms(const SurfaceConditions& c, double ground) {
     SurfaceConditions under = c;
     under.wet_share = 0.0;
     under.stores = false;
-    const Exchange earth = exchange(under, soil, ground);
+    const PartTerms earth = part_terms(under, soil, ground);
     add(leaves, terms);
     add(earth, terms);
     const double passed = 4.0 * between * leaf * leaf * leaf;

@@ -1,4 +1,4 @@
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -74,12 +74,12 @@ struct Mean {
 };
 
 /// Mean sky view over the facets that a place satisfies, weighted by area.
-double mean_sky_view(const FacetSet& facets, const SkyViewOptions& options,
+double mean_sky_view(const FacetSet& facets, const FacetViewOptions& options,
                      const std::function<bool(const Eigen::Vector3f&)>& chosen) {
-    const SkyView view = sky_view(facets, RayScene(facets), options);
+    const FacetViews view = facet_views(facets, RayScene(facets), options);
     Mean mean;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        if (chosen(facets.centroid[f])) mean.add(view.sky_view[f], facets.area[f]);
+        if (chosen(facets.centroid[f])) mean.add(view.sky[f], facets.area[f]);
     }
     REQUIRE(mean.weight > 0.0);
     return mean.value();
@@ -96,13 +96,13 @@ TEST_CASE("every part of a bowl sees the same share of sky", "[terrain][visibili
     const auto [q, expected] =
         GENERATE(values<Case>({{0.1, 0.961538462}, {0.2, 0.862068966}, {0.5, 0.5}}));
     const FacetSet facets = Bowl{q}.facets(48, 192);
-    const SkyView view = sky_view(facets, RayScene(facets), {.rays = 64});
+    const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 64});
     Mean all, centre, rim;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        all.add(view.sky_view[f] + view.below[f], facets.area[f]);
+        all.add(view.sky[f] + view.below[f], facets.area[f]);
         const float distance = facets.centroid[f].head<2>().norm();
-        if (distance < 0.3f) centre.add(view.sky_view[f], facets.area[f]);
-        if (distance > 0.8f) rim.add(view.sky_view[f] + view.below[f], facets.area[f]);
+        if (distance < 0.3f) centre.add(view.sky[f], facets.area[f]);
+        if (distance > 0.8f) rim.add(view.sky[f] + view.below[f], facets.area[f]);
     }
     CAPTURE(q);
     CHECK(all.value() == Approx(expected).margin(5e-4));
@@ -116,9 +116,9 @@ TEST_CASE("sixteen times the rays, an error at least six times smaller",
     const FacetSet facets = Bowl{0.5}.facets(48, 192);
     const RayScene scene(facets);
     const auto rms = [&](int rays) {
-        const SkyView view = sky_view(facets, scene, {.rays = rays});
+        const FacetViews view = facet_views(facets, scene, {.rays = rays});
         double sum = 0.0;
-        for (const float seen : view.sky_view) sum += (seen - 0.5) * (seen - 0.5);
+        for (const float seen : view.sky) sum += (seen - 0.5) * (seen - 0.5);
         return std::sqrt(sum / static_cast<double>(facets.size()));
     };
     CHECK(rms(64) < 0.65 / std::pow(64, 0.75) * 1.05);
@@ -138,11 +138,11 @@ TEST_CASE("a V valley sees cos of its slope, least at the bottom", "[terrain][vi
         });
     }
     const FacetSet facets = mesh.facets();
-    const SkyView view = sky_view(facets, RayScene(facets), {.rays = 4096});
+    const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 4096});
     Mean mean;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         if (std::abs(facets.centroid[f].y()) > 0.1 * far_along) continue;
-        const double seen = view.sky_view[f] + view.below[f];
+        const double seen = view.sky[f] + view.below[f];
         mean.add(seen, facets.area[f]);
         const double s = facets.centroid[f].head<2>().cast<double>().x() / std::cos(b);
         const double w = pi - 2.0 * b, at = std::abs(s);
@@ -164,15 +164,15 @@ TEST_CASE("the floor and walls of a street canyon see what their ratio says",
     mesh.sheet(3, 32, [&](double v, double u) -> Eigen::Vector3d { return {-0.5, y(v), r * u}; });
     mesh.sheet(3, 32, [&](double v, double u) -> Eigen::Vector3d { return {0.5, -y(v), r * u}; });
     const FacetSet facets = mesh.facets();
-    const SkyView view = sky_view(facets, RayScene(facets), {.rays = 4096});
+    const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 4096});
     Mean floor, wall, centre;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const Eigen::Vector3f c = facets.centroid[f];
         if (std::abs(c.y()) > 0.1 * far_along) continue;
         const bool on_floor = facets.normal[f].z() > 0.5f;
         // A wall facet also sees, above the opposite wall's far end, nothing but sky.
-        (on_floor ? floor : wall).add(view.sky_view[f] + view.below[f], facets.area[f]);
-        if (on_floor && std::abs(c.x()) < 0.02f) centre.add(view.sky_view[f], facets.area[f]);
+        (on_floor ? floor : wall).add(view.sky[f] + view.below[f], facets.area[f]);
+        if (on_floor && std::abs(c.x()) < 0.02f) centre.add(view.sky[f], facets.area[f]);
     }
     const double root = std::sqrt(1.0 + r * r);
     CAPTURE(r);
@@ -240,29 +240,29 @@ TEST_CASE("a lone slope sees the sky above the horizontal and nothing below it",
         return {u * std::cos(slope), v, u * std::sin(slope)};
     });
     const FacetSet facets = mesh.facets();
-    const SkyView view = sky_view(facets, RayScene(facets), {.rays = 64});
+    const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 64});
     Mean sky, below;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        sky.add(view.sky_view[f], 1.0);
+        sky.add(view.sky[f], 1.0);
         below.add(view.below[f], 1.0);
     }
     CHECK(sky.value() == Approx(0.5 * (1.0 + std::cos(slope))).margin(2e-3));
     CHECK(below.value() == Approx(0.5 * (1.0 - std::cos(slope))).margin(2e-3));
-    CHECK(view.exchange.facet.empty());
+    CHECK(view.others.facet.empty());
 }
 
 TEST_CASE("sky, ground below and exchange make one whole", "[terrain][visibility][exchange]") {
     const FacetSet facets = Bowl{0.3}.facets(24, 96);
-    const SkyView view = sky_view(facets, RayScene(facets), {.rays = 64});
-    REQUIRE(view.exchange.row.size() == facets.size() + 1);
+    const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 64});
+    REQUIRE(view.others.row.size() == facets.size() + 1);
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        double whole = double{view.sky_view[f]} + view.below[f];
-        for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
-            whole += view.exchange.factor[k];
-            CHECK(view.exchange.factor[k] > 0.0f);
-            CHECK(index(view.exchange.facet[k]) != f);
-            if (k > view.exchange.row[f]) {
-                CHECK(view.exchange.facet[k - 1] < view.exchange.facet[k]);
+        double whole = double{view.sky[f]} + view.below[f];
+        for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
+            whole += view.others.factor[k];
+            CHECK(view.others.factor[k] > 0.0f);
+            CHECK(index(view.others.facet[k]) != f);
+            if (k > view.others.row[f]) {
+                CHECK(view.others.facet[k - 1] < view.others.facet[k]);
             }
         }
         CHECK(whole == Approx(1.0).epsilon(1e-6));
@@ -273,13 +273,13 @@ TEST_CASE("exchange is reciprocal: area times factor both ways",
           "[terrain][visibility][exchange]") {
     // Left and right half of a bowl, each some 2000 facets: Σ A_i F_ij is the same either way.
     const FacetSet facets = Bowl{0.3}.facets(24, 96);
-    const SkyView view = sky_view(facets, RayScene(facets), {.rays = 256});
+    const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 256});
     double to_east = 0.0, to_west = 0.0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
-        for (auto k = view.exchange.row[f]; k < view.exchange.row[f + 1]; ++k) {
+        for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
             const bool from_east = facets.centroid[f].x() > 0.3f;
-            const bool at_east = facets.centroid[index(view.exchange.facet[k])].x() > 0.3f;
-            const double flow = double{facets.area[f]} * view.exchange.factor[k];
+            const bool at_east = facets.centroid[index(view.others.facet[k])].x() > 0.3f;
+            const double flow = double{facets.area[f]} * view.others.factor[k];
             if (from_east && !at_east) to_west += flow;
             if (!from_east && at_east) to_east += flow;
         }
@@ -354,21 +354,21 @@ TEST_CASE("a wall's shadow ends where the sun's ray over its top comes down",
 TEST_CASE("any number of threads gives the same bytes", "[terrain][visibility][invariance]") {
     const FacetSet facets = Bowl{0.25}.facets(32, 96);
     const RayScene scene(facets);
-    std::vector<SkyView> views;
+    std::vector<FacetViews> views;
     std::vector<std::vector<float>> fractions;
     for (const int threads : {1, 2, 4}) {
         set_thread_count(threads);
-        views.push_back(sky_view(facets, scene));
+        views.push_back(facet_views(facets, scene));
         fractions.emplace_back(facets.size());
         sun_fraction(facets, scene, direction(111.0, 12.0), fractions.back());
     }
     set_thread_count(0);
     for (std::size_t i = 1; i < views.size(); ++i) {
-        CHECK(views[i].sky_view == views[0].sky_view);
+        CHECK(views[i].sky == views[0].sky);
         CHECK(views[i].below == views[0].below);
-        CHECK(views[i].exchange.row == views[0].exchange.row);
-        CHECK(views[i].exchange.facet == views[0].exchange.facet);
-        CHECK(views[i].exchange.factor == views[0].exchange.factor);
+        CHECK(views[i].others.row == views[0].others.row);
+        CHECK(views[i].others.facet == views[0].others.facet);
+        CHECK(views[i].others.factor == views[0].others.factor);
         CHECK(fractions[i] == fractions[0]);
     }
 }

@@ -1,4 +1,4 @@
-#include "terrain/visibility/sky_view.hpp"
+#include "terrain/visibility/facet_views.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -52,7 +52,7 @@ Eigen::Vector2d evenly(int k, const Eigen::Vector2d& start) {
 }
 
 /// One block's rows of the exchange matrix.
-struct ExchangeRows {
+struct FactorRows {
     std::vector<std::uint32_t> length;  // (facet of the block)
     std::vector<FacetId> facet;
     std::vector<float> factor;
@@ -170,15 +170,15 @@ class BlockRays {
     std::array<std::uint32_t, 16> owners_{};
 };
 
-Exchange joined(const std::vector<ExchangeRows>& blocks, std::size_t facets) {
-    Exchange exchange;
+ViewFactors joined(const std::vector<FactorRows>& blocks, std::size_t facets) {
+    ViewFactors exchange;
     std::size_t entries = 0;
-    for (const ExchangeRows& block : blocks) entries += block.facet.size();
+    for (const FactorRows& block : blocks) entries += block.facet.size();
     exchange.row.reserve(facets + 1);
     exchange.facet.reserve(entries);
     exchange.factor.reserve(entries);
     exchange.row.push_back(0);
-    for (const ExchangeRows& block : blocks) {
+    for (const FactorRows& block : blocks) {
         for (const std::uint32_t length : block.length) {
             exchange.row.push_back(exchange.row.back() + length);
         }
@@ -190,25 +190,26 @@ Exchange joined(const std::vector<ExchangeRows>& blocks, std::size_t facets) {
 
 }  // namespace
 
-SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOptions& options) {
+FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
+                       const FacetViewOptions& options) {
     assert(options.rays > 0 && options.rays <= 65535);
     assert(options.object_rays > 0 && options.object_rays <= 65535);
     const SkyRays ground_sampler(options.rays, options.seed);
     const SkyRays object_sampler(options.object_rays, options.seed);
     const SkyBound bound(facets);
 
-    SkyView view;
+    FacetViews view;
     view.rays.assign(facets.size(), static_cast<std::uint16_t>(options.rays));
     for (std::size_t f = options.first_object; f < facets.size(); ++f) {
         view.rays[f] = static_cast<std::uint16_t>(options.object_rays);
     }
-    view.sky_view.resize(facets.size());
+    view.sky.resize(facets.size());
     view.below.resize(facets.size());
-    std::vector<ExchangeRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
+    std::vector<FactorRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
-        BlockRays found(scene, options.exchange);
+        BlockRays found(scene, options.others);
         SkyBound::Sines sines = SkyBound::unknown;
         for (std::size_t f = begin; f < end; ++f) {
             if ((f - begin) % facets_per_bound == 0) {
@@ -228,11 +229,11 @@ SkyView sky_view(const FacetSet& facets, const RayScene& scene, const SkyViewOpt
             const double weight = 1.0 / view.rays[f];
             blocks[begin / facets_per_block].append(
                 std::span(found.facet).subspan(first, hit - first), weight);
-            view.sky_view[f] = static_cast<float>(weight * found.sky[f - begin]);
+            view.sky[f] = static_cast<float>(weight * found.sky[f - begin]);
             view.below[f] = static_cast<float>(weight * found.below[f - begin]);
         }
     });
-    view.exchange = joined(blocks, facets.size());
+    view.others = joined(blocks, facets.size());
     return view;
 }
 

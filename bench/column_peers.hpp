@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "thermal/solve/pass.hpp"
+#include "thermal/solve/time_level.hpp"
 #include "thermal/steppers/layered_batch.hpp"
 
 // What others do with the same column under the same forcing (bench/column_bench.cpp).

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "thermal/solve/pass.hpp"
+#include "thermal/solve/periodic_newton.hpp"
 
 using namespace diurna;
 
@@ -20,9 +20,9 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
                            .weather = weather,
                            .site = {}};
     const SolveOptions options;
-    Job job{input, options, {}, 0.0, 2, {}, {}, {}, {}, {}, {}, {}};
+    SolveState solve(input, options);
     Level level{.stride = 1, .kind = std::vector<Kind>(1)};
-    Block& block = job.block.emplace_back();
+    Block& block = solve.block.emplace_back();
     // Two states; the period map keeps half of each, so that I − M is a half.
     const PeriodMap::Factors half(0.5 * Eigen::MatrixXd::Identity(2, 2));
     const Eigen::MatrixXd nothing(0, 2);
@@ -34,12 +34,12 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
     block.change.assign(2 * lanes, 0.0);
     block.change[1] = block.change[lanes + 1] = 1.0;  // lane 0 has arrived, lane 1 has not
 
-    correct(job, level);
+    correct(solve, level);
     CHECK(block.start[0] == 3.0);
     CHECK(block.start[1] == Approx(5.0));
     // Now lane 1 finds that its map keeps three quarters, and so half of what was meant is left.
     block.change[1] = block.change[lanes + 1] = 0.5;
-    correct(job, level);
+    correct(solve, level);
     CHECK(block.start[0] == 3.0);
     CHECK(block.start[lanes] == 3.0);
     // Broyden: the move of 2 undid 0.5 of 1, so what is left, 0.5, takes another 2.

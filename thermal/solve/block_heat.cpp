@@ -4,17 +4,22 @@
 
 namespace diurna {
 
-BlockHeat::BlockHeat(const Job& job, const Level& level, const Block& block, std::size_t filled)
-    : job_(job), level_(level), block_(block), kind_(level.kind[block.material]), filled_(filled) {
-    facet_heat(job, block, kind_, 0, before_);
+BlockHeat::BlockHeat(const SolveState& solve, const Level& level, const Block& block,
+                     std::size_t filled)
+    : solve_(solve),
+      level_(level),
+      block_(block),
+      kind_(level.kind[block.material]),
+      filled_(filled) {
+    facet_heat(solve, block, kind_, 0, before_);
     const double sky = kind_.column.surface.emissivity * kind_.forcing[0].sky_longwave;
     for (std::size_t l = 0; l < filled; ++l) at_end[l] = before_[l] + sky;
 }
 
 void BlockHeat::begin_step(std::size_t i) {
-    facet_heat(job_, block_, kind_, i, after_);
+    facet_heat(solve_, block_, kind_, i, after_);
     edges_ = edges_of(level_, block_, i);
-    const double absorptance = edges_.empty() ? 0.0 : absorptance_at(job_, kind_, i);
+    const double absorptance = edges_.empty() ? 0.0 : absorptance_at(solve_, kind_, i);
     for (const HeatJump& edge : edges_) jump_[edge.lane] = absorptance * edge.heat;
 }
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "thermal/solve/pass.hpp"
+#include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
 
@@ -13,7 +13,7 @@ namespace diurna {
 class BlockHeat {
  public:
     /// At the first instant. filled: lanes of the block that are computed, at most mode_lanes.
-    BlockHeat(const Job& job, const Level& level, const Block& block, std::size_t filled);
+    BlockHeat(const SolveState& solve, const Level& level, const Block& block, std::size_t filled);
 
     /// The step that ends at instant i.
     void begin_step(std::size_t i);
@@ -25,7 +25,7 @@ class BlockHeat {
     std::vector<HeatJump> jumps;                                            // within the substep
 
  private:
-    const Job& job_;
+    const SolveState& solve_;
     const Level& level_;
     const Block& block_;
     const Kind& kind_;

@@ -169,11 +169,11 @@ RowVectorXd relative_slopes(const Block& block) {
     return own / mean;
 }
 
-void run_linearised(const Job& job, const Level& level, const Block& block,
+void run_linearised(const SolveState& solve, const Level& level, const Block& block,
                     const Eigen::MatrixXf& heat, LinearisedSpan& day) {
     const Kind& kind = level.kind[block.material];
     if (day.steep.size() == 0) day.steep = RowVectorXd::Ones(day.state.cols());
-    day.warmer.resize(Eigen::Index(job.steps() / level.stride + 1), day.state.cols());
+    day.warmer.resize(Eigen::Index(solve.steps() / level.stride + 1), day.state.cols());
     if (kind.modes) {
         run_modes(kind, block, heat, day);
     } else if (kind.plate) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "thermal/solve/pass.hpp"
+#include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
 
@@ -21,7 +21,7 @@ Eigen::RowVectorXd relative_slopes(const Block& block);
 /// between the level's instants. Costs a fifth of a run: no surface to be solved.
 ///
 /// heat  (instant, facet) [W m⁻²]; empty: none
-void run_linearised(const Job& job, const Level& level, const Block& block,
+void run_linearised(const SolveState& solve, const Level& level, const Block& block,
                     const Eigen::MatrixXf& heat, LinearisedSpan& day);
 
 }  // namespace diurna

@@ -6,6 +6,7 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/solve/linearised_span.hpp"
+#include "thermal/solve/periodic_newton.hpp"
 
 namespace diurna {
 
@@ -27,27 +28,27 @@ struct Field {
 };
 
 /// All of the longwave anew. `change` becomes what arrives now less what did before.
-void renew_all(Job& job, const Level& level, Field& field) {
+void renew_all(SolveState& solve, const Level& level, Field& field) {
     const std::size_t used = field.used;
-    for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+    for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = 0; k < used; ++k) {
             const std::size_t i = k * level.stride;
-            const double sky = job.sky[i].longwave_down;
-            const float* const kelvin = job.kelvin.data() + i * job.facets;
-            const float* const excess = job.excess.data() + i * job.facets;
+            const double sky = solve.sky[i].longwave_down;
+            const float* const kelvin = solve.kelvin.data() + i * solve.facets;
+            const float* const excess = solve.excess.data() + i * solve.facets;
             for (std::size_t f = begin; f < end; ++f) {
                 field.leaving[f * used + k] =
-                    leaving_longwave(job.optics.emissivity[f], sky, kelvin[f], excess[f]);
+                    leaving_longwave(solve.optics.emissivity[f], sky, kelvin[f], excess[f]);
             }
         }
     });
-    for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+    for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            arriving_longwave(job.input.views, field.leaving, f, field.changes(f));
+            arriving_longwave(solve.input.views, field.leaving, f, field.changes(f));
             field.most[f] = 0.0f;
         }
         for (std::size_t k = 0; k < used; ++k) {
-            float* const excess = job.excess.data() + k * level.stride * job.facets;
+            float* const excess = solve.excess.data() + k * level.stride * solve.facets;
             for (std::size_t f = begin; f < end; ++f) {
                 float& change = field.change[f * used + k];
                 const float next = change;
@@ -61,13 +62,13 @@ void renew_all(Job& job, const Level& level, Field& field) {
 
 /// Warms the blocks where more than `least` has arrived, and tells what more they send. Returns the
 /// largest change of temperature.
-double follow(Job& job, const Level& level, float least, Field& field) {
+double follow(SolveState& solve, const Level& level, float least, Field& field) {
     const std::size_t used = field.used;
-    std::vector<double> warmest(job.block.size(), 0.0);
+    std::vector<double> warmest(solve.block.size(), 0.0);
     for_each_index(
-        job.block.size(),
+        solve.block.size(),
         [&](std::size_t b) {
-            Block& block = job.block[b];
+            Block& block = solve.block[b];
             float most = 0.0f;
             for (const std::size_t f : block.facet) {
                 most = std::max(most, field.most[f]);
@@ -76,7 +77,7 @@ double follow(Job& job, const Level& level, float least, Field& field) {
             if (most < least || !block.period) return;
             const auto count = Eigen::Index(block.facet.size());
             const auto n = Eigen::Index(block.start.size() / block.stride);
-            const float emissivity = job.optics.emissivity[block.facet.front()];
+            const float emissivity = solve.optics.emissivity[block.facet.front()];
             Eigen::MatrixXf heat(Eigen::Index(used), count);
             for (Eigen::Index l = 0; l < count; ++l) {
                 const std::span<float> change = field.changes(block.facet[std::size_t(l)]);
@@ -85,8 +86,8 @@ double follow(Job& job, const Level& level, float least, Field& field) {
             LinearisedSpan day{.steep = relative_slopes(block),
                                .state = Eigen::MatrixXd::Zero(n, count),
                                .warmer = {}};
-            run_linearised(job, level, block, heat, day);
-            if (job.options.periodic) {
+            run_linearised(solve, level, block, heat, day);
+            if (solve.options.periodic) {
                 const Eigen::MatrixXd start = close_period(block, day.state);
                 day.warmer += follow_start(block, start);
                 for (Eigen::Index m = 0; m < n; ++m) {
@@ -99,13 +100,13 @@ double follow(Job& job, const Level& level, float least, Field& field) {
                                    .cwiseAbs()
                                    .maxCoeff();
             }
-            warm(job, level, block, day.warmer);
+            warm(solve, level, block, day.warmer);
             warmest[b] = day.warmer.cwiseAbs().maxCoeff();
             for (std::size_t l = 0; l < block.facet.size(); ++l) {
                 const std::size_t f = block.facet[l];
                 field.sends[f] = 1;
                 for (std::size_t k = 0; k < used; ++k) {
-                    const float t = job.kelvin[k * level.stride * job.facets + f];
+                    const float t = solve.kelvin[k * level.stride * solve.facets + f];
                     field.leaving[f * used + k] =
                         4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
                             float(day.warmer(Eigen::Index(k), Eigen::Index(l))) +
@@ -118,10 +119,10 @@ double follow(Job& job, const Level& level, float least, Field& field) {
 }
 
 /// Carries what is sent beyond what was to those that see it: what arrives grows by `change`.
-void pass_on(Job& job, const Level& level, Field& field) {
-    const FacetViews& view = job.input.views;
+void pass_on(SolveState& solve, const Level& level, Field& field) {
+    const FacetViews& view = solve.input.views;
     const std::size_t used = field.used;
-    for_each_block(job.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+    for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         std::vector<std::size_t> grown;
         for (std::size_t f = begin; f < end; ++f) {
             field.most[f] = 0.0f;
@@ -141,7 +142,7 @@ void pass_on(Job& job, const Level& level, Field& field) {
             if (any) grown.push_back(f);
         }
         for (std::size_t k = 0; k < used; ++k) {
-            float* const excess = job.excess.data() + k * level.stride * job.facets;
+            float* const excess = solve.excess.data() + k * level.stride * solve.facets;
             for (const std::size_t f : grown) {
                 const float change = field.change[f * used + k];
                 excess[f] += change;
@@ -159,20 +160,20 @@ bool exchanging(const SolveInput& input) {
                        [](float below) { return below > 0.0f; });
 }
 
-ExchangeChange exchange_longwave(Job& job, const Level& level) {
-    const std::size_t used = job.steps() / level.stride + 1;
+ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
+    const std::size_t used = solve.steps() / level.stride + 1;
     Field field{.used = used,
-                .leaving = std::vector<float>(used * job.facets),
-                .change = std::vector<float>(used * job.facets),
-                .most = std::vector<float>(job.facets),
-                .sends = std::vector<std::uint8_t>(job.facets, 0)};
+                .leaving = std::vector<float>(used * solve.facets),
+                .change = std::vector<float>(used * solve.facets),
+                .most = std::vector<float>(solve.facets),
+                .sends = std::vector<std::uint8_t>(solve.facets, 0)};
     ExchangeChange result;
-    renew_all(job, level, field);
+    renew_all(solve, level, field);
     const float first = *std::max_element(field.most.begin(), field.most.end());
     result.heat = double(first);
     const float least = std::max(least_change, least_share * first);
     const auto tell_blocks = [&] {
-        for (Block& block : job.block) {
+        for (Block& block : solve.block) {
             float most = 0.0f;
             for (const std::size_t f : block.facet) most = std::max(most, field.most[f]);
             block.heat_change += double(most);
@@ -180,10 +181,10 @@ ExchangeChange exchange_longwave(Job& job, const Level& level) {
     };
     tell_blocks();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
-        const double warmer = follow(job, level, least, field);
+        const double warmer = follow(solve, level, least, field);
         result.warmer = std::max(result.warmer, warmer);
         if (warmer == 0.0) break;
-        pass_on(job, level, field);
+        pass_on(solve, level, field);
         tell_blocks();
     }
     return result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "thermal/solve/pass.hpp"
+#include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
 
@@ -19,6 +19,6 @@ struct ExchangeChange {
 /// the span is, and what is warmer sends more. Starts and temperatures move with it, so that the
 /// next pass finds little left. Blocks that have not run on this level yet are only given the
 /// longwave.
-ExchangeChange exchange_longwave(Job& job, const Level& level);
+ExchangeChange exchange_longwave(SolveState& solve, const Level& level);
 
 }  // namespace diurna

@@ -1,9 +1,10 @@
+#include "thermal/solve/periodic_newton.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
 #include "thermal/solve/linearised_span.hpp"
-#include "thermal/solve/pass.hpp"
 
 namespace diurna {
 
@@ -21,14 +22,14 @@ Eigen::RowVectorXd way_to_steeper(const Block& block) {
     return (relative_slopes(block).array() - 1.0).max(-furthest).min(furthest) / (steeper - 1.0);
 }
 
-void linearise(const Job& job, const Level& level, Block& block) {
+void linearise(const SolveState& solve, const Level& level, Block& block) {
     const auto n = Eigen::Index(block.start.size() / block.stride);
     const MatrixXd one = MatrixXd::Identity(n, n);
     LinearisedSpan day{
         .steep = Eigen::RowVectorXd::Ones(2 * n), .state = MatrixXd(n, 2 * n), .warmer = {}};
     day.steep.tail(n).setConstant(steeper);
     day.state << one, one;
-    run_linearised(job, level, block, {}, day);
+    run_linearised(solve, level, block, {}, day);
     PeriodMap& map = block.period.emplace();
     map.follow_mean = day.warmer.leftCols(n);
     map.follow_steeper = day.warmer.rightCols(n);
@@ -42,7 +43,7 @@ void linearise(const Job& job, const Level& level, Block& block) {
 /// Moves a block's start by (I − M)⁻¹ times its change, and its temperatures with it. The matrix
 /// knows how steep each facet's slopes are on the whole; Broyden's update by the move before adds
 /// the rest.
-void correct_block(Job& job, const Level& level, Block& block) {
+void correct_block(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const auto n = Eigen::Index(block.start.size() / block.stride);
     const auto count = Eigen::Index(block.facet.size());
@@ -71,7 +72,7 @@ void correct_block(Job& job, const Level& level, Block& block) {
     planned = plan;
     block.largest_move =
         (kind.modes ? MatrixXd(kind.modes->probe * move) : move).cwiseAbs().maxCoeff();
-    warm(job, level, block, follow_start(block, move));
+    warm(solve, level, block, follow_start(block, move));
 }
 
 }  // namespace
@@ -88,16 +89,7 @@ MatrixXd follow_start(const Block& block, const MatrixXd& move) {
            (map.follow_steeper - map.follow_mean) * (move * way_to_steeper(block).asDiagonal());
 }
 
-void warm(Job& job, const Level& level, const Block& block, const MatrixXd& warmer) {
-    for (Eigen::Index k = 0; k < warmer.rows(); ++k) {
-        float* const row = job.kelvin.data() + std::size_t(k) * level.stride * job.facets;
-        for (std::size_t l = 0; l < block.facet.size(); ++l) {
-            row[block.facet[l]] += float(warmer(k, Eigen::Index(l)));
-        }
-    }
-}
-
-void renew_matrices(const Job& job, Level& level, std::vector<Block>& blocks) {
+void renew_matrices(const SolveState& solve, Level& level, std::vector<Block>& blocks) {
     for (Kind& kind : level.kind) {
         std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
         std::fill(kind.back_slope.begin(), kind.back_slope.end(), 0.0);
@@ -112,14 +104,14 @@ void renew_matrices(const Job& job, Level& level, std::vector<Block>& blocks) {
         }
     }
     for_each_index(
-        blocks.size(), [&](std::size_t b) { linearise(job, level, blocks[b]); }, 16);
+        blocks.size(), [&](std::size_t b) { linearise(solve, level, blocks[b]); }, 16);
 }
 
-void correct(Job& job, const Level& level) {
+void correct(SolveState& solve, const Level& level) {
     for_each_index(
-        job.block.size(),
+        solve.block.size(),
         [&](std::size_t b) {
-            if (!job.block[b].rests) correct_block(job, level, job.block[b]);
+            if (!solve.block[b].rests) correct_block(solve, level, solve.block[b]);
         },
         16);
 }

@@ -86,11 +86,11 @@ PointNeed point_need(const ThermalSurface& surface) {
     return need;
 }
 
-void ScenePoints::take_in(const Level& level) {
-    if (taken_.empty()) taken_.assign(job_.facets, false);
+void PointFacets::take_in(const Level& level) {
+    if (taken_.empty()) taken_.assign(solve_.facets, false);
     fresh_ = false;
-    for (std::size_t b = 0; b < job_.block.size(); ++b) {
-        const Block& block = job_.block[b];
+    for (std::size_t b = 0; b < solve_.block.size(); ++b) {
+        const Block& block = solve_.block[b];
         const ThermalSurface& surface = level.kind[block.material].column.surface;
         const PointNeed need = point_need(surface);
         if (need == PointNeed::never) continue;
@@ -100,8 +100,8 @@ void ScenePoints::take_in(const Level& level) {
             const std::size_t f = block.facet[l];
             if (taken_[f]) continue;
             bool cold = need == PointNeed::always || frozen;
-            for (std::size_t i = 0; !cold && i < job_.instant.size(); ++i) {
-                cold = job_.kelvin[i * job_.facets + f] < zero_celsius;
+            for (std::size_t i = 0; !cold && i < solve_.instant.size(); ++i) {
+                cold = solve_.kelvin[i * solve_.facets + f] < zero_celsius;
             }
             if (!cold) continue;
             taken_[f] = fresh_ = true;
@@ -116,58 +116,59 @@ void ScenePoints::take_in(const Level& level) {
         }
     }
     if (fresh_ && weather_.empty()) {
-        for (const Instant when : job_.instant) weather_.push_back(job_.input.weather.at(when));
+        for (const Instant when : solve_.instant) weather_.push_back(solve_.input.weather.at(when));
     }
 }
 
-bool ScenePoints::rests(const Point& p) const {
+bool PointFacets::rests(const Point& p) const {
     if (!p.begun) return false;
-    if (job_.options.periodic && (p.residual > job_.options.tolerance || p.move > 0.01)) {
+    if (solve_.options.periodic && (p.residual > solve_.options.tolerance || p.move > 0.01)) {
         return false;
     }
-    if (job_.excess.empty()) return true;
+    if (solve_.excess.empty()) return true;
     constexpr double counts = 0.05;  // [W m⁻²], as for blocks
     for (std::size_t i = 0; i < p.excess.size(); ++i) {
-        if (std::abs(job_.excess[i * job_.facets + p.facet] - p.excess[i]) > counts) return false;
+        if (std::abs(solve_.excess[i * solve_.facets + p.facet] - p.excess[i]) > counts)
+            return false;
     }
     return true;
 }
 
-void ScenePoints::run(const Level& level, Point& p) const {
+void PointFacets::run(const Level& level, Point& p) const {
     constexpr int most_passes = 8;          // at a time: neighbours change in between
     constexpr double settled_water = 1e-3;  // [mm]
-    const Block& block = job_.block[p.block];
+    const Block& block = solve_.block[p.block];
     const MaterialColumn& column = level.kind[block.material].column;
     const ThermalSurface& surface = column.surface;
-    const std::size_t instants = job_.instant.size();
-    const double up = job_.input.facets.normal[p.facet].z();
+    const std::size_t instants = solve_.instant.size();
+    const double up = solve_.input.facets.normal[p.facet].z();
 
     Meets meets{.weather = weather_,
-                .sky = job_.sky,
-                .start = job_.instant.front(),
-                .step = job_.step,
+                .sky = solve_.sky,
+                .start = solve_.instant.front(),
+                .step = solve_.step,
                 .sunlight = {},
                 .longwave = {},
                 .jump = {},
                 .first_jump = {}};
-    if (!job_.excess.empty()) p.excess.resize(instants);
+    if (!solve_.excess.empty()) p.excess.resize(instants);
     double mean = 0.0;
     for (std::size_t i = 0; i < instants; ++i) {
-        const std::size_t at = i * job_.facets + p.facet;
-        double longwave = job_.sky[i].longwave_down;
-        if (!job_.excess.empty()) longwave += p.excess[i] = job_.excess[at];
-        if (!job_.tilt.empty()) longwave += job_.tilt[p.facet] * job_.sky[i].tilted_longwave;
-        meets.sunlight.push_back(job_.sunlight[at]);
+        const std::size_t at = i * solve_.facets + p.facet;
+        double longwave = solve_.sky[i].longwave_down;
+        if (!solve_.excess.empty()) longwave += p.excess[i] = solve_.excess[at];
+        if (!solve_.tilt.empty()) longwave += solve_.tilt[p.facet] * solve_.sky[i].tilted_longwave;
+        meets.sunlight.push_back(solve_.sunlight[at]);
         meets.longwave.push_back(longwave);
-        mean += job_.kelvin[at] / double(instants);
+        mean += solve_.kelvin[at] / double(instants);
     }
     std::vector<Instant> edge;  // (jump)
-    for (std::size_t i = 0; !block.jump.empty() && i < job_.steps(); ++i) {
+    for (std::size_t i = 0; !block.jump.empty() && i < solve_.steps(); ++i) {
         meets.first_jump.push_back(meets.jump.size());
         for (std::size_t k = block.jumps[i]; k < block.jumps[i + 1]; ++k) {
             if (block.jump[k].lane != p.lane) continue;
             meets.jump.push_back(block.jump[k]);
-            edge.push_back(later(job_.instant[i], block.jump[k].share * job_.step));
+            edge.push_back(later(solve_.instant[i], block.jump[k].share * solve_.step));
         }
     }
     if (!block.jump.empty()) meets.first_jump.push_back(meets.jump.size());
@@ -175,11 +176,11 @@ void ScenePoints::run(const Level& level, Point& p) const {
     PointFacet facet({.surface = surface,
                       .louis = column.louis,
                       .up_cosine = up,
-                      .wind_height = job_.input.weather.wind_height,
-                      .longitude_deg = job_.input.site.longitude_deg,
+                      .wind_height = solve_.input.weather.wind_height,
+                      .longitude_deg = solve_.input.site.longitude_deg,
                       .reference = column.reference,
-                      .grid = grid_of(surface, job_.options.grid),
-                      .longest_step = job_.step / job_.options.refinement,
+                      .grid = grid_of(surface, solve_.options.grid),
+                      .longest_step = solve_.step / solve_.options.refinement,
                       .forcing = [&](Instant when) { return meets(when); }});
     const std::size_t n = facet.column.size();
     if (p.begun) {
@@ -207,28 +208,28 @@ void ScenePoints::run(const Level& level, Point& p) const {
         const Standing stood = facet.standing;
         Eigen::MatrixXd map;
         Eigen::MatrixXd* carried = nullptr;
-        if (job_.options.periodic) {
+        if (solve_.options.periodic) {
             map = Eigen::MatrixXd::Identity(size, size);
             carried = &map;
         }
         facet.count = {};
-        p.kelvin[0] = float(facet.terms(job_.instant[0]).radiometric);
+        p.kelvin[0] = float(facet.terms(solve_.instant[0]).radiometric);
         std::size_t k = 0;
         bool restart = true;
         for (std::size_t i = 0; i + 1 < instants; ++i) {
-            Instant now = job_.instant[i];
-            for (; k < edge.size() && edge[k] < job_.instant[i + 1]; ++k) {
+            Instant now = solve_.instant[i];
+            for (; k < edge.size() && edge[k] < solve_.instant[i + 1]; ++k) {
                 facet.march(now, edge[k], restart, carried);
                 now = edge[k];
                 restart = true;
             }
-            facet.march(now, job_.instant[i + 1], restart, carried);
+            facet.march(now, solve_.instant[i + 1], restart, carried);
             restart = false;
-            p.kelvin[i + 1] = float(facet.terms(job_.instant[i + 1]).radiometric);
+            p.kelvin[i + 1] = float(facet.terms(solve_.instant[i + 1]).radiometric);
         }
         ++p.passes;
         p.count = facet.count;
-        if (!job_.options.periodic) {
+        if (!solve_.options.periodic) {
             facet.u = start;  // a span that does not repeat begins where it began
             facet.standing = stood;
             break;
@@ -238,7 +239,7 @@ void ScenePoints::run(const Level& level, Point& p) const {
             p.residual = std::max(p.residual, std::abs(facet.u[i] - start[i]));
         }
         p.move = facet.close_period(start, map);
-        if (p.residual <= job_.options.tolerance && p.move <= 0.01 &&
+        if (p.residual <= solve_.options.tolerance && p.move <= 0.01 &&
             drift(facet.standing, stood) <= settled_water) {
             break;
         }
@@ -247,7 +248,7 @@ void ScenePoints::run(const Level& level, Point& p) const {
     p.standing = facet.standing;
 }
 
-void ScenePoints::pass(Job& job, const Level& level) {
+void PointFacets::pass(SolveState& solve, const Level& level) {
     take_in(level);
     for_each_index(
         point_.size(),
@@ -255,18 +256,18 @@ void ScenePoints::pass(Job& job, const Level& level) {
             if (!rests(point_[i])) run(level, point_[i]);
         },
         1);
-    put(job);
+    put(solve);
 }
 
-void ScenePoints::put(Job& job) const {
+void PointFacets::put(SolveState& solve) const {
     for (const Point& p : point_) {
         for (std::size_t i = 0; i < p.kelvin.size(); ++i) {
-            job.kelvin[i * job.facets + p.facet] = p.kelvin[i];
+            solve.kelvin[i * solve.facets + p.facet] = p.kelvin[i];
         }
     }
 }
 
-ScenePoints::Summary ScenePoints::summary() const {
+PointFacets::Summary PointFacets::summary() const {
     Summary s{.fresh = fresh_};
     for (const Point& p : point_) {
         s.residual = std::max(s.residual, p.residual);

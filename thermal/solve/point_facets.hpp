@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "thermal/point/point_facet.hpp"
-#include "thermal/solve/pass.hpp"
+#include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
 
@@ -21,16 +21,16 @@ PointNeed point_need(const ThermalSurface& surface);
 ///
 /// The blocks solve these facets too, as if they were plain: their first guess. A facet costs some
 /// 5 ms a periodic day, five hundred times a plain one, so none is taken that needs no more.
-class ScenePoints {
+class PointFacets {
  public:
-    explicit ScenePoints(const Job& job) : job_(job) {}
+    explicit PointFacets(const SolveState& solve) : solve_(solve) {}
 
     /// After a pass of the blocks: takes in who needs it, runs all whose surroundings have changed,
     /// and puts their temperatures in the job's.
-    void pass(Job& job, const Level& level);
+    void pass(SolveState& solve, const Level& level);
 
     /// Their temperatures once more, where neighbours have moved the job's since.
-    void put(Job& job) const;
+    void put(SolveState& solve) const;
 
     std::size_t size() const { return point_.size(); }
     /// Worst of all points: of the last run, and (worst_passes) of all runs together.
@@ -58,7 +58,7 @@ class ScenePoints {
     void run(const Level& level, Point& point) const;
     bool rests(const Point& point) const;
 
-    const Job& job_;
+    const SolveState& solve_;
     std::vector<Forcing> weather_;  // (instant)
     std::vector<bool> taken_;       // (facet)
     std::vector<Point> point_;

@@ -1,7 +1,7 @@
+#include "thermal/solve/run_block.hpp"
+
 #include <algorithm>
 #include <cmath>
-
-#include "thermal/solve/pass.hpp"
 
 namespace diurna {
 
@@ -82,10 +82,10 @@ class Stray {
 
 }  // namespace
 
-void run_layered(Job& job, const Level& level, Block& block) {
+void run_layered(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const int substeps = kind.column.substeps;
-    const double substep = level_step(job, level) / substeps;
+    const double substep = level_step(solve, level) / substeps;
     const std::size_t count = block.facet.size();
     const double emissivity = kind.column.surface.emissivity;
     Batch batch;
@@ -97,17 +97,17 @@ void run_layered(Job& job, const Level& level, Block& block) {
 
     double before[lanes], after[lanes], heat[2][lanes], jump[lanes] = {};
     int unsettled[lanes] = {};  // substeps to go in parts
-    facet_heat(job, block, kind, 0, before);
+    facet_heat(solve, block, kind, 0, before);
     for (std::size_t l = 0; l < count; ++l) {
         batch.temperature[l] = batch.state[l] + kind.column.reference;
-        job.kelvin[block.facet[l]] = float(batch.temperature[l]);
+        solve.kelvin[block.facet[l]] = float(batch.temperature[l]);
     }
     std::vector<Stray> strays;
     std::size_t stage = 0;
-    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
-        facet_heat(job, block, kind, i, after);
+    for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
+        facet_heat(solve, block, kind, i, after);
         const std::span<const HeatJump> edges = edges_of(level, block, i);
-        const double absorptance = edges.empty() ? 0.0 : absorptance_at(job, kind, i);
+        const double absorptance = edges.empty() ? 0.0 : absorptance_at(solve, kind, i);
         for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
         for (int s = 0; s < substeps; ++s, stage += 2) {
             const std::array<AirFilm, 2> air{kind.forcing[stage].air, kind.forcing[stage + 1].air};
@@ -159,7 +159,7 @@ void run_layered(Job& job, const Level& level, Block& block) {
             block.slope[stage] = record.slope[0];
             block.slope[stage + 1] = record.slope[1];
         }
-        float* row = job.kelvin.data() + i * job.facets;
+        float* row = solve.kelvin.data() + i * solve.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
         for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
         std::swap(before, after);

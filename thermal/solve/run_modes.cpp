@@ -1,8 +1,9 @@
+#include "thermal/solve/run_block.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
-#include "thermal/solve/pass.hpp"
 
 namespace diurna {
 
@@ -13,13 +14,7 @@ using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
 
 }  // namespace
 
-void set_film(Kind& kind, double film, double step) {
-    ModeColumn& modes = *kind.modes;
-    modes.closed = close_column(modes.reduced, std::max(1.0, film));
-    modes.step = make_mode_step(modes.reduced, modes.closed, step / kind.column.substeps);
-}
-
-void run_modes(Job& job, const Level& level, Block& block) {
+void run_modes(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const ModeColumn& modes = *kind.modes;
     const ModeStep& step = modes.step;
@@ -47,13 +42,13 @@ void run_modes(Job& job, const Level& level, Block& block) {
     block.steepness.assign(block.stride, 0.0);
     StepRecord record;
 
-    BlockHeat heat(job, level, block, filled);
+    BlockHeat heat(solve, level, block, filled);
     begin_modes(step, kind.forcing[0].air, heat.at_end, emissivity, batch);
     for (std::size_t l = 0; l < count; ++l) {
-        job.kelvin[block.facet[l]] = float(batch.temperature[l]);
+        solve.kelvin[block.facet[l]] = float(batch.temperature[l]);
     }
     std::size_t at = 0;
-    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
+    for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
         for (int s = 0; s < substeps; ++s) {
             ++at;
@@ -70,7 +65,7 @@ void run_modes(Job& job, const Level& level, Block& block) {
             for (std::size_t l = 0; l < count; ++l) block.steepness[l] += batch.slope[l];
         }
         heat.end_step();
-        float* row = job.kelvin.data() + i * job.facets;
+        float* row = solve.kelvin.data() + i * solve.facets;
         for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
     }
     end_modes(step, batch);

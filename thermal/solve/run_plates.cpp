@@ -1,8 +1,9 @@
+#include "thermal/solve/run_block.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
-#include "thermal/solve/pass.hpp"
 
 namespace diurna {
 
@@ -13,12 +14,7 @@ using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
 
 }  // namespace
 
-void set_plate_films(Kind& kind, double front, double back, double step) {
-    kind.plate = make_plate_step(kind.column.grid, kind.column.reference, std::max(1.0, front),
-                                 std::max(1.0, back), step / kind.column.substeps);
-}
-
-void run_plates(Job& job, const Level& level, Block& block) {
+void run_plates(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const PlateStep& step = *kind.plate;
     const ThermalSurface& surface = kind.column.surface;
@@ -37,16 +33,16 @@ void run_plates(Job& job, const Level& level, Block& block) {
     block.steepness.assign(block.stride, 0.0);
     StepRecord record;
 
-    BlockHeat heat(job, level, block, lanes);
+    BlockHeat heat(solve, level, block, lanes);
     begin_plates(step, surface, kind.forcing[0].air, heat.at_end, batch);
     const auto keep = [&](std::size_t i) {
-        float* const row = job.kelvin.data() + i * job.facets;
+        float* const row = solve.kelvin.data() + i * solve.facets;
         for (std::size_t l = 0; l < count; ++l)
             row[block.facet[l]] = float(batch.temperature[0][l]);
     };
     keep(0);
     std::size_t at = 0;
-    for (std::size_t i = level.stride; i <= job.steps(); i += level.stride) {
+    for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
         for (int s = 0; s < substeps; ++s) {
             ++at;

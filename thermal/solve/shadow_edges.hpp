@@ -3,7 +3,7 @@
 #include <functional>
 #include <span>
 
-#include "thermal/solve/solver.hpp"
+#include "thermal/solve/solve_input.hpp"
 
 namespace diurna {
 

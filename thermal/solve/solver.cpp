@@ -1,20 +1,20 @@
 #include "thermal/solve/solver.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <ctime>
 #include <map>
 
-#include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "terrain/place/sun_path.hpp"
+#include "thermal/solve/first_guess.hpp"
+#include "thermal/solve/incident_light.hpp"
 #include "thermal/solve/longwave_exchange.hpp"
 #include "thermal/solve/pass.hpp"
+#include "thermal/solve/periodic_newton.hpp"
 #include "thermal/solve/point_facets.hpp"
+#include "thermal/solve/time_level.hpp"
 
 namespace diurna {
 
@@ -27,96 +27,191 @@ double seconds_since(Clock::time_point then) {
 /// [s] of all threads of this process, so far
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-void check(const SolveInput& input, const SolveOptions& options) {
-    const std::size_t n = input.facets.size();
-    if (n == 0) throw InputError("thermal solve", "the scene has no facets");
-    if (!(options.step > 0.0) || !(options.duration > 0.0)) {
-        throw InputError("thermal solve", "step and duration must be more than zero");
-    }
-    if (input.views.sky.size() != n || input.views.below.size() != n ||
-        input.views.others.row.size() != n + 1) {
-        throw InputError("thermal solve", "the sky view belongs to another set of facets");
-    }
-    const std::size_t instants = step_instants(options).size();
-    for (std::size_t i = 0; i < input.sun.edge.size(); ++i) {
-        const ShadowEdge& edge = input.sun.edge[i];
-        if (edge.facet >= n || edge.step + 1 >= instants || !(edge.share >= 0.0f) ||
-            edge.share > 1.0f || (i > 0 && edge.step < input.sun.edge[i - 1].step)) {
-            throw InputError("thermal solve", "shadow edges must lie in the span, in its order");
-        }
-    }
-    if (!input.sun.fraction.empty() && input.sun.fraction.size() != n * instants) {
-        throw InputError("thermal solve",
-                         fmt::format("sun exposure has {} values for {} facets and {} instants",
-                                     input.sun.fraction.size(), n, instants));
-    }
-}
-
 /// Cuts the facets into blocks by material. Returns the materials in the order of Block::material.
-std::vector<MaterialId> group_by_material(Job& job) {
+std::vector<MaterialId> group_by_material(SolveState& solve) {
     std::map<std::size_t, std::size_t> place_of;
     std::vector<MaterialId> materials;
     std::vector<std::size_t> open;  // (material) block still taking facets
-    for (std::size_t f = 0; f < job.facets; ++f) {
-        const MaterialId id = job.input.facets.material[f];
+    for (std::size_t f = 0; f < solve.facets; ++f) {
+        const MaterialId id = solve.input.facets.material[f];
         const auto [place, is_new] = place_of.try_emplace(index(id), materials.size());
         const std::size_t m = place->second;
         if (is_new) {
             materials.push_back(id);
             open.push_back(0);
         }
-        if (is_new || job.block[open[m]].facet.size() == job.block[open[m]].stride) {
-            open[m] = job.block.size();
-            const ThermalSurface& surface = job.input.materials[id].thermal;
-            Block& block = job.block.emplace_back();
+        if (is_new || solve.block[open[m]].facet.size() == solve.block[open[m]].stride) {
+            open[m] = solve.block.size();
+            const ThermalSurface& surface = solve.input.materials[id].thermal;
+            Block& block = solve.block.emplace_back();
             block.material = m;
-            block.stride = in_modes(job.options, surface) ? mode_lanes : lanes;
+            block.stride = in_modes(solve.options, surface) ? mode_lanes : lanes;
         }
-        Block& block = job.block[open[m]];
+        Block& block = solve.block[open[m]];
         block.facet.push_back(f);
-        block.natural.push_back(natural_film(job.input.facets.normal[f].z()));
+        block.natural.push_back(natural_film(solve.input.facets.normal[f].z()));
     }
     return materials;
 }
 
 /// The largest number of steps that divides the span and takes an hour at most.
-std::size_t coarse_stride(const Job& job) {
-    auto stride = static_cast<std::size_t>(std::max(1.0, std::floor(3600.0 / job.step + 1e-9)));
-    while (job.steps() % stride != 0) --stride;
+std::size_t coarse_stride(const SolveState& solve) {
+    auto stride = static_cast<std::size_t>(std::max(1.0, std::floor(3600.0 / solve.step + 1e-9)));
+    while (solve.steps() % stride != 0) --stride;
     return stride;
 }
 
-TemperatureField kept(const Job& job) {
+TemperatureField kept(const SolveState& solve) {
     const auto every = std::max<std::size_t>(
-        1, static_cast<std::size_t>(std::llround(job.options.keep_every / job.step)));
-    TemperatureField field{.instant = {}, .facets = job.facets, .kelvin = {}};
-    for (std::size_t i = 0; i < job.instant.size(); i += every) {
-        field.instant.push_back(job.instant[i]);
-        const auto row = job.kelvin.begin() + static_cast<std::ptrdiff_t>(i * job.facets);
-        field.kelvin.insert(field.kelvin.end(), row, row + static_cast<std::ptrdiff_t>(job.facets));
+        1, static_cast<std::size_t>(std::llround(solve.options.keep_every / solve.step)));
+    TemperatureField field{.instant = {}, .facets = solve.facets, .kelvin = {}};
+    for (std::size_t i = 0; i < solve.instant.size(); i += every) {
+        field.instant.push_back(solve.instant[i]);
+        const auto row = solve.kelvin.begin() + static_cast<std::ptrdiff_t>(i * solve.facets);
+        field.kelvin.insert(field.kelvin.end(), row,
+                            row + static_cast<std::ptrdiff_t>(solve.facets));
     }
     return field;
 }
 
-}  // namespace
-
-std::vector<Instant> step_instants(const SolveOptions& options) {
-    const auto steps = std::max(1LL, std::llround(options.duration / options.step));
-    std::vector<Instant> instants;
-    for (long long i = 0; i <= steps; ++i) {
-        instants.push_back(later(options.start, options.duration * double(i) / double(steps)));
+/// Adds the time it lives to a stage's seconds, and that of all threads to its processor seconds.
+class Stopwatch {
+ public:
+    explicit Stopwatch(double& seconds, double* cpu = nullptr) : seconds_(seconds), cpu_(cpu) {}
+    ~Stopwatch() {
+        seconds_ += seconds_since(begun_);
+        if (cpu_) *cpu_ += cpu_seconds() - cpu_begun_;
     }
-    return instants;
+    Stopwatch(const Stopwatch&) = delete;
+    Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+    double& seconds_;
+    double* cpu_;
+    Clock::time_point begun_ = Clock::now();
+    double cpu_begun_ = cpu_seconds();
+};
+
+/// The sky at every step's instant, and the light it sends to every facet.
+void light_up(SolveState& solve, SolveReport& report) {
+    SunPath path(solve.input.site);
+    for (const Instant when : solve.instant) {
+        solve.sky.push_back(sky_state(path.at(when), solve.input.elevation,
+                                      solve.input.weather.at(when), solve.input.clear_sky));
+    }
+    solve.tilt = tilts(solve);
+    const Stopwatch watch(report.shortwave_seconds);
+    shine(solve);
+    find_jumps(solve);
 }
+
+/// The neighbours' longwave anew, if there are neighbours.
+ExchangeChange renew_longwave(SolveState& solve, const Level& level, SolveReport& report) {
+    if (solve.excess.empty()) return {};
+    const Stopwatch watch(report.exchange_seconds);
+    return exchange_longwave(solve, level);
+}
+
+/// A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
+void pass_in_hours(SolveState& solve, const std::vector<MaterialId>& materials, std::size_t stride,
+                   Level& fine, SolveReport& report) {
+    const bool neighbours = !solve.excess.empty();
+    const int passes = neighbours ? 4 : 2;
+    Level coarse = make_level(solve, materials, stride, 1, &fine);
+    renew_longwave(solve, coarse, report);
+    for (int i = 0; i < passes; ++i) {
+        {
+            const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
+            set_films(solve, coarse, i == 0 ? fine : coarse);
+            pass(solve, coarse, 0.0, 0.0);
+            renew_matrices(solve, coarse, solve.block);
+            correct(solve, coarse);
+        }
+        renew_longwave(solve, coarse, report);
+    }
+    fill_between(solve, solve.kelvin, stride);
+    if (neighbours) fill_between(solve, solve.excess, stride);
+    set_films(solve, fine, coarse);
+    for (Block& block : solve.block) {
+        block.move.clear();
+        block.residual = 1e9;
+        block.period.reset();
+    }
+}
+
+/// What is left after a pass and the exchange that followed it, and whether that will do.
+void judge(const SolveState& solve, const PointFacets& points, const ExchangeChange& change,
+           SolveReport& report) {
+    const SolveOptions& options = solve.options;
+    report.exchange_change = change.heat;
+    report.periodic_residual = 0.0;
+    report.estimated_error = change.warmer;
+    for (const Block& block : solve.block) {
+        if (!options.periodic) break;
+        report.periodic_residual = std::max(report.periodic_residual, block.residual);
+        report.estimated_error =
+            std::max(report.estimated_error, block.largest_move + change.warmer);
+    }
+    const PointFacets::Summary single = points.summary();
+    report.periodic_residual = std::max(report.periodic_residual, single.residual);
+    report.estimated_error = std::max(report.estimated_error, single.largest_move);
+    report.converged = report.periodic_residual <= options.tolerance &&
+                       report.estimated_error <= 0.01 && !(single.fresh && !solve.excess.empty());
+}
+
+/// Passes over the span at its own steps until they change nothing that counts.
+void pass_until_settled(SolveState& solve, Level& level, PointFacets& points, SolveReport& report) {
+    constexpr double usual_passes = 3.0;
+    const SolveOptions& options = solve.options;
+    while (!report.converged && report.passes < options.max_passes) {
+        {
+            const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
+            const double done = std::min(0.95, report.passes / usual_passes);
+            pass(solve, level, done, std::min(1.0, done + 1.0 / usual_passes));
+            ++report.passes;
+            if (report.passes == 1) renew_matrices(solve, level, solve.block);
+            if (options.periodic) correct(solve, level);
+            points.pass(solve, level);
+        }
+        // What the neighbours send by now tells how far the pass was from its surroundings.
+        judge(solve, points, renew_longwave(solve, level, report), report);
+    }
+    points.put(solve);
+}
+
+/// What all steps of the last pass left behind.
+void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport& report) {
+    StepRecord record;
+    for (const Block& block : solve.block) record.merge(block.record);
+    const PointFacets::Summary single = points.summary();
+    report.points = points.size();
+    report.point_passes = single.worst_passes;
+    report.limited = single.limited;
+    report.worst_energy_closure = std::max(record.worst_closure, single.worst_closure);
+    report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
+    report.worst_newton_iterations = record.worst_iterations;
+    report.bisections = record.bisections;
+    const auto [coldest, warmest] = std::minmax_element(solve.kelvin.begin(), solve.kelvin.end());
+    report.coldest = *coldest;
+    report.warmest = *warmest;
+}
+
+/// The same input with what its weather lacks put in.
+Weather completed(const SolveInput& input) {
+    Weather weather = input.weather;
+    const bool longwave_missing =
+        std::any_of(weather.sample.begin(), weather.sample.end(),
+                    [](const Forcing& f) { return std::isnan(f.longwave_down); });
+    if (longwave_missing) infer_cloud(weather, input.site, input.elevation, input.clear_sky);
+    return weather;
+}
+
+}  // namespace
 
 SolveResult solve(const SolveInput& given, const SolveOptions& options) {
     const auto begun = Clock::now();
     check(given, options);
-    Weather weather = given.weather;
-    if (std::any_of(weather.sample.begin(), weather.sample.end(),
-                    [](const Forcing& f) { return std::isnan(f.longwave_down); })) {
-        infer_cloud(weather, given.site, given.elevation, given.clear_sky);
-    }
+    const Weather weather = completed(given);
     const SolveInput input{.facets = given.facets,
                            .views = given.views,
                            .sun = given.sun,
@@ -125,118 +220,25 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
                            .site = given.site,
                            .elevation = given.elevation,
                            .clear_sky = given.clear_sky};
-    Job job{.input = input,
-            .options = options,
-            .instant = step_instants(options),
-            .step = 0.0,
-            .facets = input.facets.size(),
-            .optics = {},
-            .sky = {},
-            .sunlight = {},
-            .excess = {},
-            .kelvin = {},
-            .block = {}};
-    job.step = options.duration / double(job.steps());
-    job.optics = facet_optics(input.facets, input.materials);
-    SunPath path(input.site);
-    for (const Instant when : job.instant) {
-        job.sky.push_back(
-            sky_state(path.at(when), input.elevation, input.weather.at(when), input.clear_sky));
+    SolveState state(input, options);
+    SolveReport report{.facets = state.facets, .steps = int(state.steps())};
+    const std::vector<MaterialId> materials = group_by_material(state);
+    light_up(state, report);
+    Level fine = make_level(state, materials, 1, StepSetup{}.most_substeps);
+    state.kelvin.resize(state.instant.size() * state.facets);
+    settle(state, fine);
+    if (options.exchange && exchanging(input)) {
+        state.excess.assign(state.instant.size() * state.facets, 0.0f);
     }
-    job.tilt = tilts(job);
-    const std::vector<MaterialId> materials = group_by_material(job);
-    Level fine = make_level(job, materials, 1, StepSetup{}.most_substeps);
-
-    SolveReport report{.facets = job.facets, .steps = int(job.steps())};
-    const auto shining = Clock::now();
-    shine(job);
-    find_jumps(job);
-    report.shortwave_seconds = seconds_since(shining);
-
-    job.kelvin.resize(job.instant.size() * job.facets);
-    settle(job, fine);
-    const bool neighbours = options.exchange && exchanging(input);
-    if (neighbours) job.excess.assign(job.instant.size() * job.facets, 0.0f);
-
-    const auto exchange = [&](const Level& level) {
-        const auto since = Clock::now();
-        const ExchangeChange change = neighbours ? exchange_longwave(job, level) : ExchangeChange{};
-        report.exchange_seconds += seconds_since(since);
-        return change;
-    };
-    if (const std::size_t stride = coarse_stride(job); options.periodic && stride > 1) {
-        // A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
-        const int coarse_passes = neighbours ? 4 : 2;
-        const auto stepping = Clock::now();
-        const double cpu = cpu_seconds(), exchanged = report.exchange_seconds;
-        Level coarse = make_level(job, materials, stride, 1, &fine);
-        exchange(coarse);
-        for (int i = 0; i < coarse_passes; ++i) {
-            set_films(job, coarse, i == 0 ? fine : coarse);
-            pass(job, coarse, 0.0, 0.0);
-            renew_matrices(job, coarse, job.block);
-            correct(job, coarse);
-            exchange(coarse);
-        }
-        fill_between(job, job.kelvin, stride);
-        if (neighbours) fill_between(job, job.excess, stride);
-        set_films(job, fine, coarse);
-        for (Block& block : job.block) {
-            block.move.clear();
-            block.residual = 1e9;
-            block.period.reset();
-        }
-        report.step_seconds += seconds_since(stepping) - (report.exchange_seconds - exchanged);
-        report.step_cpu_seconds += cpu_seconds() - cpu;
+    if (const std::size_t stride = coarse_stride(state); options.periodic && stride > 1) {
+        pass_in_hours(state, materials, stride, fine, report);
     } else {
-        exchange(fine);
+        renew_longwave(state, fine, report);
     }
-
-    ScenePoints points(job);
-    constexpr double usual_passes = 3.0;
-    while (!report.converged && report.passes < options.max_passes) {
-        const auto stepping = Clock::now();
-        const double cpu = cpu_seconds();
-        const double done = std::min(0.95, report.passes / usual_passes);
-        pass(job, fine, done, std::min(1.0, done + 1.0 / usual_passes));
-        ++report.passes;
-        if (report.passes == 1) renew_matrices(job, fine, job.block);
-        if (options.periodic) correct(job, fine);
-        points.pass(job, fine);
-        report.step_seconds += seconds_since(stepping);
-        report.step_cpu_seconds += cpu_seconds() - cpu;
-        // What the neighbours send by now tells how far the pass was from its surroundings.
-        const ExchangeChange change = exchange(fine);
-        report.exchange_change = change.heat;
-        report.periodic_residual = 0.0;
-        report.estimated_error = change.warmer;
-        for (const Block& block : job.block) {
-            if (!options.periodic) break;
-            report.periodic_residual = std::max(report.periodic_residual, block.residual);
-            report.estimated_error =
-                std::max(report.estimated_error, block.largest_move + change.warmer);
-        }
-        const ScenePoints::Summary single = points.summary();
-        report.periodic_residual = std::max(report.periodic_residual, single.residual);
-        report.estimated_error = std::max(report.estimated_error, single.largest_move);
-        report.converged = report.periodic_residual <= options.tolerance &&
-                           report.estimated_error <= 0.01 && !(single.fresh && neighbours);
-    }
-    points.put(job);
-    StepRecord record;
-    for (const Block& block : job.block) record.merge(block.record);
-    const ScenePoints::Summary single = points.summary();
-    report.points = points.size();
-    report.point_passes = single.worst_passes;
-    report.limited = single.limited;
-    report.worst_energy_closure = std::max(record.worst_closure, single.worst_closure);
-    report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
-    report.worst_newton_iterations = record.worst_iterations;
-    report.bisections = record.bisections;
-    const auto [coldest, warmest] = std::minmax_element(job.kelvin.begin(), job.kelvin.end());
-    report.coldest = *coldest;
-    report.warmest = *warmest;
-    SolveResult result{.temperature = kept(job), .report = report};
+    PointFacets points(state);
+    pass_until_settled(state, fine, points, report);
+    tell_steps(state, points, report);
+    SolveResult result{.temperature = kept(state), .report = report};
     result.report.seconds = seconds_since(begun);
     if (options.progress) options.progress(1.0);
     return result;

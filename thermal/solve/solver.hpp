@@ -1,73 +1,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <vector>
 
-#include "materials/matter/library.hpp"
-#include "terrain/facets.hpp"
-#include "terrain/place/instant.hpp"
-#include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
-#include "thermal/column/column.hpp"
+#include "thermal/solve/solve_input.hpp"
 #include "thermal/temperature_field.hpp"
-#include "thermal/weather/sky_state.hpp"
-#include "thermal/weather/weather.hpp"
 
 namespace diurna {
-
-/// How the columns are stepped. `modes`: a few exponential modes per material, exact in time but
-/// for the surface's curvature, split where a shadow's edge passes
-/// (thermal/steppers/mode_batch.hpp); thin plates likewise with two faces
-/// (thermal/steppers/plate_batch.hpp). `layered`: node by node
-/// (thermal/steppers/layered_batch.hpp), the reference; it follows edges too.
-enum class Method { modes, layered };
-
-struct SolveOptions {
-    Instant start{};
-    double duration = 86400.0;   // [s]
-    double step = 600.0;         // [s]; the last step ends with the span, all are equally long
-    double keep_every = 3600.0;  // [s] between kept instants, rounded to whole steps
-    bool periodic = true;        // the span repeats for ever; else start from its mean balance
-    int max_passes = 12;         // over the span
-    double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
-    Method method = Method::modes;
-    double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
-    GridOptions grid{};         // of layered columns
-    int refinement = 1;         // divides every step, forcing as it was: tells a result's error
-    bool exchange = true;       // light and heat from one facet to another
-    std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
-};
-
-/// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.
-std::vector<Instant> step_instants(const SolveOptions& options);
-
-/// Where a shadow's edge crosses a facet between two instants.
-struct ShadowEdge {
-    std::uint32_t step, facet;  // step i lies between the instants i and i + 1
-    float share;                // of the step, 0 to 1
-};
-
-/// Share of each facet that the sun reaches at each step's instant
-/// (terrain/visibility/facet_views.hpp). Between the instants it runs straight, or jumps at the
-/// edge if there is one (thermal/solve/shadow_edges.hpp finds them).
-struct SunExposure {
-    std::vector<Instant> instant;    // = step_instants(options)
-    std::vector<float> fraction;     // (instant, facet) 0 to 1; empty: nothing casts a shadow
-    std::vector<ShadowEdge> edge{};  // one at most for each step and facet
-};
-
-struct SolveInput {
-    const FacetSet& facets;
-    const FacetViews& views;
-    const SunExposure& sun;
-    const MaterialLibrary& materials;
-    const Weather& weather;
-    Site site;
-    double elevation = 0.0;  // [m] above the sea, of the weather
-    ClearSky clear_sky{};
-};
 
 /// How the solve went, for the report. Nothing here is an estimate unless it says so.
 struct SolveReport {

@@ -58,7 +58,7 @@ void advance(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
     const ColumnGrid& grid = material.grid;
     const Stage& stage = material.stage;
     const std::size_t n = grid.size(), count = batch.count;
-    // ReusedFloats that outlives the call: a step is shorter than an allocation.
+    // Memory that outlives the call: a step is shorter than an allocation.
     static thread_local std::vector<double> start_store, offset_store;
     start_store.resize(std::max(start_store.size(), n * lanes));
     offset_store.resize(start_store.size());

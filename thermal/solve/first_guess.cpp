@@ -1,0 +1,89 @@
+#include "thermal/solve/first_guess.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/parallel.hpp"
+#include "thermal/solve/time_level.hpp"
+
+namespace diurna {
+
+Eigen::VectorXd steady_states(const Kind& kind) {
+    if (!kind.modes) {
+        const std::vector<double> share = steady_column(kind.column.grid).share;
+        return Eigen::VectorXd::Map(share.data(), Eigen::Index(share.size()));
+    }
+    const ReducedColumn& column = kind.modes->reduced;
+    const ClosedColumn closed = close_column(column, 1.0);
+    // Steady conductance to what lies below: the modes' own, so that they stay where they are.
+    const bool open = column.below > 0.0;
+    const double conductance = open ? 1.0 / impedance(column, 0.0).real() : 0.0;
+    return closed.turn *
+           ((conductance + closed.film) * closed.surface.cwiseQuotient(closed.rate)).eval();
+}
+
+namespace {
+
+void settle_block(SolveState& solve, const Level& level, Block& block) {
+    const Kind& kind = level.kind[block.material];
+    const std::size_t count = block.facet.size();
+    AirFilm mean = kind.forcing.front().air;
+    double sky = 0.0, sums[5] = {};
+    for (const StageForcing& forcing : kind.forcing) {
+        sky += forcing.sky_longwave;
+        sums[0] += forcing.air.air_temperature;
+        sums[1] += forcing.air.neutral;
+        sums[2] += forcing.air.instability;
+        sums[3] += forcing.air.vapour_pressure;
+    }
+    const double n = double(kind.forcing.size());
+    mean.air_temperature = sums[0] / n;
+    mean.neutral = sums[1] / n;
+    mean.instability = sums[2] / n;
+    mean.vapour_pressure = sums[3] / n;
+    std::vector<double> heat(block.stride, kind.column.surface.emissivity * sky / n),
+        at(block.stride);
+    for (std::size_t i = 0; i < solve.steps(); ++i) {
+        facet_heat(solve, block, kind, i, at.data());
+        for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(solve.steps());
+    }
+    const Eigen::VectorXd steady = kind.modes ? steady_states(kind) : Eigen::VectorXd();
+    const std::size_t states = kind.modes ? std::size_t(steady.size()) : kind.column.grid.size();
+    block.start.assign(states * block.stride, 0.0);
+    block.film = 0.0;
+    for (std::size_t first = 0; first < count; first += lanes) {
+        Batch batch;
+        batch.resize(kind.column.grid.size(), std::min(lanes, count - first));
+        std::copy_n(block.natural.begin() + std::ptrdiff_t(first), batch.count,
+                    batch.natural.begin());
+        block.film += settle(kind.column, mean, heat.data() + first, batch);
+        for (std::size_t l = 0; l < batch.count; ++l) {
+            const double t = batch.temperature[l];
+            for (std::size_t m = 0; m < states; ++m) {
+                block.start[m * block.stride + first + l] =
+                    kind.modes ? steady[Eigen::Index(m)] * (t - kind.modes->reduced.reference)
+                               : batch.state[m * lanes + l];
+            }
+            for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+                solve.kelvin[i * solve.facets + block.facet[first + l]] = float(t);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void settle(SolveState& solve, Level& level) {
+    for_each_index(
+        solve.block.size(), [&](std::size_t b) { settle_block(solve, level, solve.block[b]); }, 4);
+    std::vector<double> film(level.kind.size());
+    for (const Block& block : solve.block) film[block.material] += block.film;
+    for (std::size_t k = 0; k < level.kind.size(); ++k) {
+        Kind& kind = level.kind[k];
+        const double front = film[k] / double(kind.facets);
+        if (kind.modes) set_film(kind, front, level_step(solve, level));
+        if (kind.plate) set_plate_films(kind, front, front, level_step(solve, level));
+    }
+}
+
+}  // namespace diurna

@@ -1,0 +1,46 @@
+#include "thermal/solve/solve_input.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+std::vector<Instant> step_instants(const SolveOptions& options) {
+    const auto steps = std::max(1LL, std::llround(options.duration / options.step));
+    std::vector<Instant> instants;
+    for (long long i = 0; i <= steps; ++i) {
+        instants.push_back(later(options.start, options.duration * double(i) / double(steps)));
+    }
+    return instants;
+}
+
+void check(const SolveInput& input, const SolveOptions& options) {
+    const std::size_t n = input.facets.size();
+    if (n == 0) throw InputError("thermal solve", "the scene has no facets");
+    if (!(options.step > 0.0) || !(options.duration > 0.0)) {
+        throw InputError("thermal solve", "step and duration must be more than zero");
+    }
+    if (input.views.sky.size() != n || input.views.below.size() != n ||
+        input.views.others.row.size() != n + 1) {
+        throw InputError("thermal solve", "the sky view belongs to another set of facets");
+    }
+    const std::size_t instants = step_instants(options).size();
+    for (std::size_t i = 0; i < input.sun.edge.size(); ++i) {
+        const ShadowEdge& edge = input.sun.edge[i];
+        if (edge.facet >= n || edge.step + 1 >= instants || !(edge.share >= 0.0f) ||
+            edge.share > 1.0f || (i > 0 && edge.step < input.sun.edge[i - 1].step)) {
+            throw InputError("thermal solve", "shadow edges must lie in the span, in its order");
+        }
+    }
+    if (!input.sun.fraction.empty() && input.sun.fraction.size() != n * instants) {
+        throw InputError("thermal solve",
+                         fmt::format("sun exposure has {} values for {} facets and {} instants",
+                                     input.sun.fraction.size(), n, instants));
+    }
+}
+
+}  // namespace diurna

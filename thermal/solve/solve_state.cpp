@@ -1,0 +1,51 @@
+#include "thermal/solve/solve_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diurna {
+
+SolveState::SolveState(const SolveInput& given, const SolveOptions& how)
+    : input(given),
+      options(how),
+      instant(step_instants(how)),
+      step(how.duration / double(instant.size() - 1)),
+      facets(given.facets.size()),
+      optics(facet_optics(given.facets, given.materials)) {}
+
+double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i) {
+    const double measured = solve.sky[i].albedo;
+    return std::isnan(measured)
+               ? kind.column.absorptance()
+               : std::max(0.0, 1.0 - measured - kind.column.surface.solar_transmittance);
+}
+
+void facet_heat(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
+                double* heat) {
+    const ThermalSurface& surface = kind.column.surface;
+    const double absorptance = absorptance_at(solve, kind, i);
+    const double tilted = surface.emissivity * solve.sky[i].tilted_longwave;
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        const std::size_t at = i * solve.facets + block.facet[l];
+        heat[l] = absorptance * solve.sunlight[at] + surface.internal_heat;
+        if (!solve.excess.empty()) heat[l] += surface.emissivity * solve.excess[at];
+        if (!solve.tilt.empty()) heat[l] += tilted * solve.tilt[block.facet[l]];
+    }
+    std::fill(heat + block.facet.size(), heat + block.stride, heat[0]);
+}
+
+std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i) {
+    if (level.stride != 1 || block.jumps.empty()) return {};
+    return std::span(block.jump).subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
+}
+
+void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer) {
+    for (Eigen::Index k = 0; k < warmer.rows(); ++k) {
+        float* const row = solve.kelvin.data() + std::size_t(k) * level.stride * solve.facets;
+        for (std::size_t l = 0; l < block.facet.size(); ++l) {
+            row[block.facet[l]] += float(warmer(k, Eigen::Index(l)));
+        }
+    }
+}
+
+}  // namespace diurna

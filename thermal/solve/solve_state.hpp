@@ -1,0 +1,136 @@
+#pragma once
+
+#include <Eigen/QR>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "thermal/solve/facet_exchange.hpp"
+#include "thermal/solve/solve_input.hpp"
+#include "thermal/steppers/mode_batch.hpp"
+#include "thermal/steppers/plate_batch.hpp"
+
+namespace diurna {
+
+// What a solve works on: its facets in blocks of one material, stepped over the span in passes.
+
+/// A block's span to first order: (I − M)⁻¹ of the derivative M of its period map, and what a
+/// kelvin of each of its start's states does to the surface, (instant, state). Under the block's
+/// mean slopes, and under ones steeper by a quarter: a facet's own lies on the straight line.
+struct PeriodMap {
+    using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+    Factors mean, steeper;
+    Eigen::MatrixXd follow_mean, follow_steeper;
+};
+
+/// Facets of one material and their state at the start of the span: up to `lanes` of them where
+/// columns are layered, up to `mode_lanes` in modes.
+struct Block {
+    std::size_t material;  // index into SolveState::material
+    std::size_t stride;    // lanes of the block, used or not
+    std::vector<std::size_t> facet;
+    std::vector<NaturalFilm> natural;
+    std::vector<HeatJump> jump;         // of incident sunlight, those of step i from
+    std::vector<std::uint32_t> jumps;   // (step + 1) jumps[i] to jumps[i + 1]
+    std::vector<double> start, change;  // [state][lane] relative; change over the last pass. States
+                                        // are nodes' temperatures, or the open column's modes
+    std::vector<double> move, planned;  // [state][lane] of the start after the pass before: what
+                                        // was done, and what the material's matrix alone would do
+    double residual = 1e9;              // [K] largest of `change`
+    double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run
+    double largest_move = 1e9;          // [K] of `move`
+    double nudge = 0.0;                 // [K] what neighbours moved the start by since
+    bool rests = false;                 // left out of the last pass
+    std::optional<PeriodMap> period{};  // linearised about a run
+    double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
+    StepRecord record;          // of the last run
+    std::vector<double> slope;  // like Kind::forcing: Σ over facets, of the last run
+    std::vector<double> back_slope;  // of plates' backs
+    std::vector<double> steepness;   // [lane] Σ over the span of its own slopes, faces together
+
+    /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK.
+    bool settled(double tolerance) const {
+        return residual <= tolerance && largest_move <= 0.01 && heat_change <= 0.05;
+    }
+};
+
+struct StageForcing {
+    AirFilm air;
+    double sky_longwave;
+};
+
+/// A material's column as modes.
+struct ModeColumn {
+    ReducedColumn reduced;
+    Eigen::MatrixXd probe;  // (place, mode) temperature at some depths of the open column's states
+    ClosedColumn closed{};
+    ModeStep step{};
+};
+
+/// One material of the scene with the forcing its facets share. Layered columns have two stages to
+/// a substep; modes, those of plates too, have one instant at the end of each, and one at the start
+/// of the span.
+struct Kind {
+    MaterialColumn column;
+    std::optional<ModeColumn> modes{};
+    std::optional<PlateStep> plate{};   // its states are nodes, as those of layered columns
+    std::vector<StageForcing> forcing;  // (step, substep, stage) or (instant)
+    std::vector<double> slope;          // like `forcing`: mean surface slope, last pass
+    std::vector<double> back_slope;     // of plates
+    std::size_t facets = 0;
+};
+
+/// Whether a material's facets are stepped in modes.
+inline bool in_modes(const SolveOptions& options, const ThermalSurface& surface) {
+    return options.method == Method::modes && !surface.back;
+}
+
+/// A way to step the span: every `stride` instants at once.
+struct Level {
+    std::size_t stride = 1;
+    std::vector<Kind> kind;
+};
+
+struct SolveState {
+    const SolveInput& input;
+    const SolveOptions& options;
+    std::vector<Instant> instant;  // = step_instants(options)
+    double step;                   // [s]
+    std::size_t facets;
+    FacetOptics optics;
+    std::vector<SkyState> sky;    // (instant)
+    std::vector<float> sunlight;  // (instant, facet) incident
+    std::vector<float> excess;    // (instant, facet) terrain longwave; empty without exchange
+    std::vector<float> tilt;      // (facet) tilted_sky_excess; empty where the sky is even
+    std::vector<float> kelvin;    // (instant, facet)
+    std::vector<Block> block;
+
+    /// Instants, step and optics; light, temperatures and blocks follow. Both must outlive it.
+    SolveState(const SolveInput& given, const SolveOptions& how);
+
+    std::size_t steps() const { return instant.size() - 1; }
+    std::span<float> row(std::vector<float>& field, std::size_t i) const {
+        return {field.data() + i * facets, facets};
+    }
+};
+
+/// [s] of a level's step
+inline double level_step(const SolveState& solve, const Level& level) {
+    return solve.step * double(level.stride);
+}
+
+/// Share of sunlight that a material takes in at an instant.
+double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i);
+/// Heat [lane], all of the block's, at an instant that differs from facet to facet: sun, terrain
+/// longwave, internal.
+void facet_heat(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
+                double* heat);
+
+/// The jumps of a block's sunlight in the step that ends at instant i; none on coarse levels.
+std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i);
+
+/// Adds to a block's temperatures [K], (instant of the level, facet of the block).
+void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer);
+
+}  // namespace diurna

@@ -1,0 +1,147 @@
+#include "thermal/solve/time_level.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/parallel.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Of plates in modes, whose faces answer a shadow's edge within minutes.
+constexpr GridOptions plate_grid{.first = 0.02, .growth = 0.15};
+constexpr double usual_film = 25.0;  // [W m⁻² K⁻¹] radiation and air together
+
+ModeColumn mode_column(const SolveState& solve, const ThermalSurface& surface, double reference) {
+    ReductionOptions options{.largest_error = solve.options.mode_error};
+    // Of a span that repeats nothing is slower than the span but its mean.
+    if (solve.options.periodic) options.longest = std::min(options.longest, solve.options.duration);
+    ModeColumn modes{.reduced = reduce_column(surface.layers, surface.bottom, reference, options),
+                     .probe = {}};
+    const Eigen::MatrixXd& profile = modes.reduced.profile;
+    constexpr Eigen::Index places = 10;
+    const Eigen::Index last = profile.rows() - 1;
+    modes.probe.resize(places, profile.cols());
+    for (Eigen::Index i = 0; i < places; ++i) {
+        modes.probe.row(i) = profile.row(i * last / (places - 1));
+    }
+    return modes;
+}
+
+}  // namespace
+
+Level make_level(const SolveState& solve, const std::vector<MaterialId>& materials,
+                 std::size_t stride, int most_substeps, const Level* finer) {
+    const Weather& weather = solve.input.weather;
+    const double step = solve.step * double(stride);
+    Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
+    for_each_index(
+        materials.size(),
+        [&](std::size_t m) {
+            Kind& kind = level.kind[m];
+            const ThermalSurface& surface = solve.input.materials[materials[m]].thermal;
+            const bool thin = solve.options.method == Method::modes && surface.back;
+            kind.column =
+                material_column(surface,
+                                {.step = step,
+                                 .wind_height = weather.wind_height,
+                                 .air_height = weather.air_height,
+                                 .reference = weather.at(solve.options.start).air.temperature,
+                                 .most_substeps = most_substeps,
+                                 .refinement = solve.options.refinement,
+                                 .grid = thin ? plate_grid : solve.options.grid},
+                                finer ? &finer->kind[m].column.louis : nullptr);
+            const auto add = [&](Instant when) {
+                const Forcing forcing = weather.at(when);
+                // Its longwave needs no sun; to find that one costs more than a step of the facets.
+                const SkyState sky = sky_state(SunPosition{0.0, -90.0, 1.0}, solve.input.elevation,
+                                               forcing, solve.input.clear_sky);
+                kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
+                                                 forcing.air, forcing.wind_speed),
+                                        sky.longwave_down});
+            };
+            if (in_modes(solve.options, kind.column.surface)) {
+                kind.modes = finer ? finer->kind[m].modes
+                                   : mode_column(solve, kind.column.surface, kind.column.reference);
+                add(solve.instant[0]);
+            }
+            // A plate of more nodes than that is no thin plate: it goes layered.
+            const bool plate = thin && kind.column.grid.size() <= most_modes;
+            if (plate) {
+                set_plate_films(kind, usual_film, usual_film, step);
+                add(solve.instant[0]);
+            }
+            const int substeps = kind.column.substeps;
+            for (std::size_t i = 0; i < solve.steps(); i += stride) {
+                for (int s = 0; s < substeps; ++s) {
+                    if (kind.modes || kind.plate) {
+                        add(later(solve.instant[i], (s + 1.0) / substeps * step));
+                        continue;
+                    }
+                    for (const double share : stage_share) {
+                        add(later(solve.instant[i], (s + share) / substeps * step));
+                    }
+                }
+            }
+            kind.slope.assign(kind.forcing.size(), 0.0);
+            kind.back_slope.assign(kind.plate ? kind.forcing.size() : 0, 0.0);
+        },
+        1);
+    for (const Block& block : solve.block) level.kind[block.material].facets += block.facet.size();
+    return level;
+}
+
+void set_film(Kind& kind, double film, double step) {
+    ModeColumn& modes = *kind.modes;
+    modes.closed = close_column(modes.reduced, std::max(1.0, film));
+    modes.step = make_mode_step(modes.reduced, modes.closed, step / kind.column.substeps);
+}
+
+void set_plate_films(Kind& kind, double front, double back, double step) {
+    kind.plate = make_plate_step(kind.column.grid, kind.column.reference, std::max(1.0, front),
+                                 std::max(1.0, back), step / kind.column.substeps);
+}
+
+double typical_film(const Kind& kind) {
+    double sum = 0.0;
+    for (const double slope : kind.slope) sum -= slope;
+    if (sum > 0.0) return sum / double(kind.slope.size());
+    if (kind.plate) return kind.plate->film[0];
+    return kind.modes ? kind.modes->closed.film : usual_film;
+}
+
+double typical_back_film(const Kind& kind) {
+    double sum = 0.0;
+    for (const double slope : kind.back_slope) sum -= slope;
+    if (sum > 0.0) return sum / double(kind.back_slope.size());
+    return kind.plate ? kind.plate->film[1] : usual_film;
+}
+
+void set_films(const SolveState& solve, Level& level, const Level& known) {
+    for (std::size_t k = 0; k < level.kind.size(); ++k) {
+        Kind& kind = level.kind[k];
+        const Kind& like = known.kind[k];
+        const double step = level_step(solve, level);
+        if (kind.modes) set_film(kind, typical_film(like), step);
+        if (kind.plate) set_plate_films(kind, typical_film(like), typical_back_film(like), step);
+    }
+}
+
+void fill_between(const SolveState& solve, std::vector<float>& field, std::size_t stride) {
+    for_each_index(
+        solve.steps() / stride,
+        [&](std::size_t s) {
+            const auto a = solve.row(field, s * stride), b = solve.row(field, (s + 1) * stride);
+            for (std::size_t i = 1; i < stride; ++i) {
+                const float share = float(i) / float(stride);
+                const auto between = solve.row(field, s * stride + i);
+                for (std::size_t f = 0; f < solve.facets; ++f) {
+                    between[f] = a[f] + share * (b[f] - a[f]);
+                }
+            }
+        },
+        1);
+}
+
+}  // namespace diurna

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
 
 namespace diurna {
 

@@ -1,4 +1,5 @@
 #include "thermal/weather/sky_state.hpp"
+#include "thermal/weather/tilted_sky.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

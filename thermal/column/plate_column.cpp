@@ -6,16 +6,6 @@
 
 namespace diurna {
 
-StepWeights step_weights(double z) {
-    if (z < 0.05) {
-        const double second = 0.5 - z * (1.0 / 6 - z * (1.0 / 24 - z * (1.0 / 120 - z / 720)));
-        const double first = 1.0 - z * second;
-        return {1.0 - z * first, first, second};
-    }
-    const double fall = std::expm1(-z);
-    return {1.0 + fall, -fall / z, (z + fall) / (z * z)};
-}
-
 PlateStep make_plate_step(const ColumnGrid& grid, double reference, double front_film,
                           double back_film, double step) {
     const auto n = Eigen::Index(grid.size());

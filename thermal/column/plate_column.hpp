@@ -6,16 +6,9 @@
 #include <vector>
 
 #include "thermal/column/column.hpp"
+#include "thermal/column/step_weights.hpp"
 
 namespace diurna {
-
-/// e⁻ᶻ, (1 − e⁻ᶻ) / z and (e⁻ᶻ − 1 + z) / z²: what is left of a state after a step, and how much
-/// drives that are even and that grow from zero to one over the step bring, per length of step.
-/// z: 0 or more.
-struct StepWeights {
-    double decay, first, second;
-};
-StepWeights step_weights(double z);
 
 /// A step of a plate closed by a film on each face. Its nodes (thermal/column/column.hpp) are few,
 /// so all their eigenmodes are kept; with u = q + film θ of each face linear in time between the

@@ -62,10 +62,10 @@ template <bool Plate, bool Wet, std::size_t Count, class Air>
     for (std::size_t l = 0; l < Count; ++l) {
         const AirFilm& air = air_at(l);
         const double t = temperature[l];
-        const Film film = Plate ? plate_film(air, natural[l], t) : ground_film(air, t);
-        const double cube = radiation * t * t * t;
-        flux[l] = -cube * t - film.h * (t - air.air_temperature);
-        slope[l] = -4.0 * cube - film.h - film.rise;
+        const Film film = film_of<Plate>(air, natural[l], t);
+        const DryLoss dry = dry_loss(air, film, radiation, t);
+        flux[l] = -dry.emitted - dry.sensible;
+        slope[l] = -dry.slope;
         h[l] = film.h;
         film_slope[l] = film.slope;
     }
@@ -89,14 +89,9 @@ template <bool Plate, bool Wet, std::size_t Count, class Air>
             pressure[l] * (murray_a * (triple_point - murray_b)) * inverse[l] * inverse[l];
         const double above = std::max(0.0, temperature[l] - hottest_vapour);
         const double excess = pressure[l] + steep * above - air.vapour_pressure;
-        const bool drying = excess > 0.0;
-        const double resistance = drying ? air.resistance : 0.0;
-        const double share = air.latent * (drying ? air.wetness : 1.0);
-        const double in_series = 1.0 / (air.heat_capacity + resistance * h[l]);
-        const double conductance = h[l] * in_series;
-        const double steeper = air.heat_capacity * in_series * in_series * film_slope[l];
-        flux[l] -= share * conductance * excess;
-        slope[l] -= share * (conductance * steep + steeper * excess);
+        const LatentHeat latent = latent_heat(air, {h[l], 0.0, film_slope[l]}, excess, steep);
+        flux[l] += latent.flux;
+        slope[l] += latent.slope;
     }
 }
 

@@ -48,6 +48,10 @@ struct SplitLanes {
     double *state, *temperature, *drive, *slope;  // state [mode][split_capacity], whole
     double* to;                                   // scratch, like state
 };
+/// Lengths of the parts of a step after a jump of its heat, as shares of what is left of it: what
+/// the true film differs from the modes' follows the surface, which runs fast at first.
+inline constexpr int parts_after_jump = 4;
+inline constexpr double part_after_jump[parts_after_jump + 1]{0.0, 0.04, 0.15, 0.45, 1.0};
 inline constexpr std::size_t split_lanes = 8, split_capacity = mode_lanes;
 inline constexpr std::size_t most_modes = 64;
 

@@ -13,6 +13,46 @@ namespace diurna {
 
 namespace {
 
+/// Lanes on their way through a step: θ = a + drive / stiffness, and the balance at its end,
+/// flux + pull − b T = 0.
+struct ModeWay {
+    alignas(64) double a[lanes] = {}, pull[lanes], temperature[lanes], flux[lanes];
+};
+
+/// Modes decay over the step under the drive they set out with.
+[[gnu::always_inline]] inline void decay_modes(const ModeCoefficients& c, const ModeLanes& s,
+                                               ModeWay& way) {
+    for (std::size_t m = 0; m < c.modes; ++m) {
+        const double decay = c.decay[m], carry = c.carry[m], surface = c.surface[m];
+        double* const x = s.state + m * lanes;
+#pragma omp simd
+        for (std::size_t l = 0; l < lanes; ++l) {
+            x[l] = decay * x[l] + carry * s.drive[l];
+            way.a[l] += surface * x[l];
+        }
+    }
+}
+
+/// By halving the bracket to its end: where Newton swings.
+template <bool Plate, bool Wet>
+void halve(const AirFilm& air, double radiation, double b, const ModeLanes& s, ModeWay& way) {
+    Balance<lanes> at;
+    alignas(64) double low[lanes], high[lanes];
+    std::fill_n(low, lanes, coldest);
+    std::fill_n(high, lanes, hottest);
+    for (int i = 0; i < halvings; ++i) {
+        for (std::size_t l = 0; l < lanes; ++l) way.temperature[l] = 0.5 * (low[l] + high[l]);
+        evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, way.temperature, at);
+        for (std::size_t l = 0; l < lanes; ++l) {
+            const double t = way.temperature[l];
+            const bool colder = at.flux[l] + way.pull[l] - b * t > 0.0;
+            (colder ? low : high)[l] = t;
+            way.flux[l] = at.flux[l];
+            s.slope[l] = at.slope[l];
+        }
+    }
+}
+
 template <bool Plate, bool Wet>
 ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const ModeCoefficients& c,
                           const ModeLanes& s) {
@@ -23,43 +63,35 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     const double b = stiffness - film, flux_below = c.flux_below;
     const double warmer = air.air_temperature - before.air_temperature;
     const double bend = s.dew_point;
-    alignas(64) double a[lanes] = {}, pull[lanes], t_now[lanes], flux[lanes];
-    Balance<lanes> at;
-    for (std::size_t m = 0; m < c.modes; ++m) {
-        const double decay = c.decay[m], carry = c.carry[m], surface = c.surface[m];
-        double* const x = s.state + m * lanes;
-#pragma omp simd
-        for (std::size_t l = 0; l < lanes; ++l) {
-            x[l] = decay * x[l] + carry * s.drive[l];
-            a[l] += surface * x[l];
-        }
-    }
+    ModeWay way;
+    decay_modes(c, s, way);
     const double base = b * reference + flux_below;
 #pragma omp simd
     for (std::size_t l = 0; l < lanes; ++l) {
-        pull[l] = stiffness * a[l] + base + s.heat[l];
+        way.pull[l] = stiffness * way.a[l] + base + s.heat[l];
         // Newton starts where the surface would be if it went on as straight as it was, under what
         // sun and air bring now.
         const double t = s.temperature[l], slope = s.slope[l];
         const double brought =
             s.heat[l] - s.heat_before[l] - (slope + 4.0 * radiation * t * t * t) * warmer;
         const double steep = slope + film;
-        t_now[l] =
-            reference + (a[l] + response * (s.drive[l] + brought - steep * (t - reference))) /
+        way.temperature[l] =
+            reference + (way.a[l] + response * (s.drive[l] + brought - steep * (t - reference))) /
                             (1.0 - response * steep);
     }
     ModeOutcome outcome{};
+    Balance<lanes> at;
     double largest;
     do {
         largest = 0.0;
-        evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, t_now, at);
+        evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, way.temperature, at);
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < lanes; ++l) {
-            const double t = t_now[l];
-            const double correction = (at.flux[l] + pull[l] - b * t) / (b - at.slope[l]);
+            const double t = way.temperature[l];
+            const double correction = (at.flux[l] + way.pull[l] - b * t) / (b - at.slope[l]);
             const double next = t + correction;
-            t_now[l] = next;
-            flux[l] = at.flux[l] + at.slope[l] * correction;
+            way.temperature[l] = next;
+            way.flux[l] = at.flux[l] + at.slope[l] * correction;
             s.slope[l] = at.slope[l];
             const double size = size_of<Wet>(correction, t, next, bend);
             largest = size > largest ? size : largest;
@@ -67,30 +99,16 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
         ++outcome.iterations;
     } while (largest > near_enough<Plate> && outcome.iterations < newton_steps);
     outcome.halved = largest > near_enough<Plate>;
-    if (outcome.halved) {
-        alignas(64) double low[lanes], high[lanes];
-        std::fill_n(low, lanes, coldest);
-        std::fill_n(high, lanes, hottest);
-        for (int i = 0; i < halvings; ++i) {
-            for (std::size_t l = 0; l < lanes; ++l) t_now[l] = 0.5 * (low[l] + high[l]);
-            evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, t_now, at);
-            for (std::size_t l = 0; l < lanes; ++l) {
-                const bool colder = at.flux[l] + pull[l] - b * t_now[l] > 0.0;
-                (colder ? low : high)[l] = t_now[l];
-                flux[l] = at.flux[l];
-                s.slope[l] = at.slope[l];
-            }
-        }
-    }
+    if (outcome.halved) halve<Plate, Wet>(air, radiation, b, s, way);
     double worst = 0.0;
 #pragma omp simd reduction(max : worst)
     for (std::size_t l = 0; l < lanes; ++l) {
-        const double t = t_now[l], theta = t - reference;
-        const double u = stiffness * (theta - a[l]);
-        const double left = std::abs(flux[l] + s.heat[l] + film * theta + flux_below - u);
+        const double t = way.temperature[l], theta = t - reference;
+        const double u = stiffness * (theta - way.a[l]);
+        const double left = std::abs(way.flux[l] + s.heat[l] + film * theta + flux_below - u);
         const double square = t * t;
-        const double terms =
-            std::abs(s.heat[l]) + radiation * square * square + std::abs(flux[l] + s.heat[l]) + 1.0;
+        const double terms = std::abs(s.heat[l]) + radiation * square * square +
+                             std::abs(way.flux[l] + s.heat[l]) + 1.0;
         const double open = left / terms;
         worst = open > worst ? open : worst;
         s.temperature[l] = t;

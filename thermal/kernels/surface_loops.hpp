@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "thermal/column/column.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
+#include "thermal/surface/surface_flux.hpp"
 
 // The loops of the surface balance, compiled once for each width of vectors (surface_avx2.cpp,
 // surface_avx512.cpp); everything here belongs to the unit that includes it. The arithmetic of a
@@ -24,24 +26,6 @@ template <bool Plate, bool Wet>
 constexpr double settled_at = Plate ? 1e-8
                               : Wet ? 1e-6
                                     : 1e-5;
-
-struct FluxAt {
-    double flux, slope;
-};
-template <bool Plate, bool Wet>
-[[gnu::always_inline]] inline FluxAt flux_at_surface(const AirFilm& air, NaturalFilm natural,
-                                                     double radiation, double heat, double t) {
-    const Film film = Plate ? plate_film(air, natural, t) : ground_film(air, t);
-    const double cube = radiation * t * t * t;
-    FluxAt at{heat - cube * t - film.h * (t - air.air_temperature),
-              -4.0 * cube - film.h - film.rise};
-    if (Wet) {
-        const LatentHeat latent = latent_heat(air, film, t);
-        at.flux += latent.flux;
-        at.slope += latent.slope;
-    }
-    return at;
-}
 
 template <bool Plate, bool Wet>
 SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
@@ -67,7 +51,7 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
 #pragma omp simd reduction(max : correction) reduction(+ : strays)
         for (std::size_t l = 0; l < count; ++l) {
             const double t = temperature[l];
-            const FluxAt at = flux_at_surface<Plate, Wet>(air, natural[l], radiation, heat[l], t);
+            const SurfaceFlux at = surface_flux<Plate, Wet>(air, natural[l], radiation, heat[l], t);
             const double flux = at.flux, slope = at.slope;
             const double excess = flux + a[l] - b * (t - reference);
             const double from = excess > 0.0 ? t : low[l];

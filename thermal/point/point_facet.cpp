@@ -5,6 +5,7 @@
 
 #include "materials/base/units.hpp"
 #include "thermal/surface/standing_water.hpp"
+#include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {
 
@@ -111,12 +112,8 @@ PointFacet::Ends PointFacet::ends(const std::array<SurfaceConditions, 2>& c,
         if (setup_.surface.back) {
             ends.back[k] = [&air = c[k].air, front = c[k].natural,
                             emissivity = setup_.surface.back->emissivity](double t) {
-                const NaturalFilm film{front.cold, front.warm};  // seen from behind, up is down
-                const Film f = air.plate ? plate_film(air, film, t) : ground_film(air, t);
-                const double radiation = emissivity * stefan_boltzmann;
-                return BoundaryFlux{f.h * (air.air_temperature - t) +
-                                        radiation * (power4(air.air_temperature) - power4(t)),
-                                    -f.h - f.rise - 4.0 * radiation * t * t * t};
+                const SurfaceFlux back = back_flux(air, front, emissivity, t);
+                return BoundaryFlux{back.flux, back.slope};
             };
         } else if (room && !room->schedule.empty()) {
             ends.back[k] = [film = room->film,

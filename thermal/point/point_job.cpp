@@ -11,6 +11,7 @@
 #include "materials/base/units.hpp"
 #include "terrain/place/sun_path.hpp"
 #include "thermal/point/point_facet.hpp"
+#include "thermal/weather/tilted_sky.hpp"
 
 namespace diurna {
 

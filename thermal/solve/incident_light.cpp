@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "materials/base/parallel.hpp"
+#include "thermal/weather/tilted_sky.hpp"
 
 namespace diurna {
 

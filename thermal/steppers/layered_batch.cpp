@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
 
 namespace diurna {
 

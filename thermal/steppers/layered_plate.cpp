@@ -2,30 +2,11 @@
 #include <cmath>
 #include <vector>
 
-#include "materials/base/units.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/steppers/layered_batch.hpp"
+#include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {
-
-namespace {
-
-/// Heat from the air behind into the back [W m⁻²] and d/dT.
-struct BackHeat {
-    double flux, slope;
-};
-
-BackHeat back_heat(const AirFilm& air, NaturalFilm front, double emissivity, double temperature) {
-    // Seen from the back, up is down: what buoyancy drives on one side it holds on the other.
-    const NaturalFilm back{front.cold, front.warm};
-    const Film film =
-        air.plate ? plate_film(air, back, temperature) : ground_film(air, temperature);
-    const double radiation = emissivity * stefan_boltzmann;
-    return {film.h * (air.air_temperature - temperature) +
-                radiation * (power4(air.air_temperature) - power4(temperature)),
-            -film.h - film.rise - 4.0 * radiation * temperature * temperature * temperature};
-}
-
-}  // namespace
 
 void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
                    const std::array<const double*, 2>& heat, Batch& batch, StepRecord& record) {
@@ -43,8 +24,8 @@ void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>&
             double flux = 0.0, slope = 0.0, behind = 0.0;
             for (int round = 0; round < most_rounds; ++round) {
                 const double guess = theta[n - 1] + reference;
-                const BackHeat back =
-                    back_heat(air[k], batch.natural[l], material.surface.back->emissivity, guess);
+                const SurfaceFlux back =
+                    back_flux(air[k], batch.natural[l], material.surface.back->emissivity, guess);
                 const double known = back.flux - back.slope * theta[n - 1];
                 double pull = 0.0, push = 0.0;  // follow and offset of the node below
                 for (std::size_t i = n - 1; i >= 1; --i) {

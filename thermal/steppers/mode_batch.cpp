@@ -4,24 +4,12 @@
 #include <cassert>
 #include <cmath>
 
+#include "thermal/column/step_weights.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// exp(−z), (1 − exp(−z)) / z and (exp(−z) − 1 + z) / z² for z ≥ 0.
-struct Phi {
-    double decay, first, second;
-};
-Phi phi(double z) {
-    const double gone = -std::expm1(-z);
-    if (z < 1e-2) {
-        return {1.0 - gone, 1.0 - z * (0.5 - z * (1.0 / 6.0 - z * (1.0 / 24.0 - z / 120.0))),
-                0.5 - z * (1.0 / 6.0 - z * (1.0 / 24.0 - z * (1.0 / 120.0 - z / 720.0)))};
-    }
-    return {1.0 - gone, gone / z, (z - gone) / (z * z)};
-}
 
 const ModeKernel& kernel() { return wide_vectors() ? modes_avx512 : modes_avx2; }
 
@@ -108,7 +96,7 @@ ModeStep make_mode_step(const ReducedColumn& column, const ClosedColumn& closed,
                     .to = {},
                     .carry = {}};
     for (Eigen::Index m = 0; m < closed.rate.size(); ++m) {
-        const Phi p = phi(closed.rate[m] * step);
+        const StepWeights p = step_weights(closed.rate[m] * step);
         const double weight = closed.surface[m] * step;
         result.rate.push_back(closed.rate[m]);
         result.surface.push_back(closed.surface[m]);

@@ -14,13 +14,6 @@ namespace diurna {
 // Thin plates with air behind (ThermalSurface::back), stepped exactly but for their films'
 // curvature: what thermal/steppers/mode_batch.hpp is for ground, with two faces.
 
-/// Lengths of the parts of a step after a jump of its heat, as shares of what is left of it.
-inline constexpr int parts_after_jump = 4;
-inline constexpr double part_after_jump[parts_after_jump + 1]{0.0, 0.04, 0.15, 0.45, 1.0};
-
-/// Air on the straight line from one instant to another (and beyond).
-AirFilm air_between(const AirFilm& before, const AirFilm& after, double share);
-
 /// Up to `lanes` plates of one material side by side.
 struct PlateBatch {
     std::size_t count = 0;

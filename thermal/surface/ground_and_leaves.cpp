@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {
 
@@ -44,8 +45,7 @@ struct Part {
 };
 
 PartTerms part_terms(const SurfaceConditions& c, const Part& part, double t) {
-    const double excess = t - c.air.air_temperature;
-    Film film = c.air.plate ? plate_film(c.air, c.natural, t) : ground_film(c.air, t);
+    Film film = film_of(c.air, c.natural, t);
     if (film.h < part.least_film) film = {part.least_film, 0.0, 0.0};
     if (part.leaf_film > 0.0) {
         // In series, and all of the leaves' faces on the part of the ground they cover.
@@ -57,6 +57,7 @@ PartTerms part_terms(const SurfaceConditions& c, const Part& part, double t) {
     film = {open * film.h + part.shelter * part.soil_film, open * film.rise, open * film.slope};
     // Ground as warm as itself fills what is not sky.
     const double self = 1.0 - c.own_view * (1.0 - c.emissivity);
+    const DryLoss dry = dry_loss(c.air, film, c.emissivity * stefan_boltzmann, t);
     const double black = stefan_boltzmann * power4(t);
     const double incoming =
         self > 0.0 ? (c.longwave_in + c.own_view * c.emissivity * black) / self : black;
@@ -64,8 +65,8 @@ PartTerms part_terms(const SurfaceConditions& c, const Part& part, double t) {
     PartTerms e{};
     e.solar = part.solar;
     e.longwave_in = part.cover * c.emissivity * incoming + part.other;
-    e.longwave_out = -part.cover * part.sides * c.emissivity * black;
-    e.sensible = -part.cover * film.h * excess;
+    e.longwave_out = -part.cover * part.sides * dry.emitted;
+    e.sensible = -part.cover * dry.sensible;
     double latent_slope = 0.0;
     const bool evaporates = part.wetness > 0.0 || c.stores || c.wet_share > 0.0;
     if (evaporates) {

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
-#include "thermal/column/column.hpp"
 #include "thermal/surface/turbulence.hpp"
 
 namespace diurna {
@@ -27,32 +24,5 @@ struct HeatBalance {
 HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissivity,
                          double absorbed_solar, double longwave_in, double internal,
                          double temperature);
-
-/// The surface equations of up to `lanes` facets of one material at one instant,
-///
-///     heat − ε σ T⁴ + sensible(T) + latent(T) + a − b (T − reference) = 0.
-struct SurfaceLanes {
-    std::size_t count;
-    const double* heat;          // absorbed sun, absorbed longwave and internal [W m⁻²]
-    const NaturalFilm* natural;  // of plates; unused for ground
-    const double* a;             // [W m⁻²] of the column below (thermal/column/column.hpp)
-    double b;                    // [W m⁻² K⁻¹]
-    double reference;            // [K]
-    double emissivity;
-    double* temperature;  // in: a guess; out: the root [K]
-    double* flux;         // out: everything above the ground at the root [W m⁻²]
-    double* slope;        // out: d(flux)/dT there [W m⁻² K⁻¹]
-};
-
-struct SurfaceCount {
-    int iterations = 0;
-    std::size_t bisections = 0;  // lane-iterations in which Newton left the bracket
-};
-
-/// Newton within the bracket 1 to 5000 K, all lanes until the last correction is below 1e-5 K
-/// (wet 1e-6, plates 1e-8) and has been applied; what is left goes with its square, below 1e-12 K.
-/// The equation has one root: every term falls with T but a stable film's tail, which conduction
-/// and radiation outweigh.
-SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface);
 
 }  // namespace diurna

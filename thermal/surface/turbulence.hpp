@@ -93,7 +93,7 @@ struct Film {
 
 /// Ground (Louis) or constant film, F = n / d and dF/dx = g / d². One root and one division for
 /// both branches: of a choice between them the compiler makes two of each, so they are blended.
-inline Film ground_film(const AirFilm& air, double temperature) {
+[[gnu::always_inline]] inline Film ground_film(const AirFilm& air, double temperature) {
     const double x = air.instability * (temperature - air.air_temperature);
     // Warm, r = √x:           d = 1 + c r,       n = d + a x,  g = a (1 + c r / 2).
     // Cold, r = √(1 + 30 y):  d = r (1 + s y r), n = r,        g = s (1 + 45 y) r.
@@ -109,7 +109,8 @@ inline Film ground_film(const AirFilm& air, double temperature) {
 
 /// A plate under natural and forced convection: their sum (TARP) or their root sum of squares
 /// (MoWiTT).
-inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperature) {
+[[gnu::always_inline]] inline Film plate_film(const AirFilm& air, NaturalFilm natural,
+                                              double temperature) {
     const double excess = temperature - air.air_temperature;
     const double n = (excess > 0.0 ? natural.warm : natural.cold) * cube_root(std::abs(excess));
     if (!air.quadratic) return {n + air.neutral, n / 3.0, 0.0};
@@ -119,19 +120,41 @@ inline Film plate_film(const AirFilm& air, NaturalFilm natural, double temperatu
 
 /// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share against the
 /// surface's resistance in series with the air's, dew against the air's alone.
+///
+/// excess  [Pa] of saturation at the surface over the air's vapour; its slope [Pa K⁻¹]
 struct LatentHeat {
     double flux, slope;
 };
-inline LatentHeat latent_heat(const AirFilm& air, const Film& film, double temperature) {
-    double slope;
-    const double excess = vapour_pressure_of(temperature, slope) - air.vapour_pressure;
+[[gnu::always_inline]] inline LatentHeat latent_heat(const AirFilm& air, const Film& film,
+                                                     double excess, double pressure_slope) {
     const bool drying = excess > 0.0;
     const double resistance = drying ? air.resistance : 0.0;
     const double share = air.latent * (drying ? air.wetness : 1.0);
     const double in_series = 1.0 / (air.heat_capacity + resistance * film.h);
     const double conductance = film.h * in_series;
     const double steeper = air.heat_capacity * in_series * in_series * film.slope;
-    return {-share * conductance * excess, -share * (conductance * slope + steeper * excess)};
+    return {-share * conductance * excess,
+            -share * (conductance * pressure_slope + steeper * excess)};
+}
+[[gnu::always_inline]] inline LatentHeat latent_heat(const AirFilm& air, const Film& film,
+                                                     double temperature) {
+    double slope;
+    const double excess = vapour_pressure_of(temperature, slope) - air.vapour_pressure;
+    return latent_heat(air, film, excess, slope);
+}
+
+/// Air on the straight line from one instant to another (and beyond).
+[[gnu::always_inline]] inline AirFilm air_between(const AirFilm& before, const AirFilm& after,
+                                                  double share) {
+    AirFilm air = after;
+    const double back = 1.0 - share;
+    air.air_temperature += back * (before.air_temperature - after.air_temperature);
+    air.neutral += back * (before.neutral - after.neutral);
+    air.instability += back * (before.instability - after.instability);
+    air.heat_capacity += back * (before.heat_capacity - after.heat_capacity);
+    air.vapour_pressure += back * (before.vapour_pressure - after.vapour_pressure);
+    air.latent += back * (before.latent - after.latent);
+    return air;
 }
 
 }  // namespace diurna

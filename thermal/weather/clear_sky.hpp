@@ -1,0 +1,59 @@
+#pragma once
+
+#include "materials/air/moist_air.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// Longwave of the clear sky from air temperature and vapour pressure near the ground, by name.
+enum class LongwaveFormula { dilley_obrien, brutsaert, prata, brunt, idso, swinbank };
+
+/// What a cloudless sky does to sunlight (Bird & Hulstrom 1981; Ineichen & Perez 2002 where a
+/// turbidity is given) and which formula stands for its longwave.
+struct ClearSky {
+    double aerosol_380nm = 0.15;                  // optical depth
+    double aerosol_500nm = 0.10;                  // optical depth
+    double ozone_cm = 0.3;                        // [atm cm]
+    double precipitable_water_cm = not_measured;  // NaN: from the vapour pressure
+    double ground_albedo = 0.2;                   // of the surroundings, for the back-scattered sky
+    double linke_turbidity = not_measured;        // at air mass 2; a number chooses Ineichen
+    LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
+    /// The sky is brighter towards the horizon, which tilted facets see (tilted_sky_excess).
+    bool longwave_by_direction = true;
+};
+
+/// Water above the place [cm] from the vapour near the ground, 46.5 e/T (e in hPa; Prata 1996).
+double precipitable_water_cm(const AirState& air);
+
+struct ClearSun {
+    double direct_normal;       // [W m⁻²]
+    double diffuse_horizontal;  // [W m⁻²]
+};
+
+/// Clear-sky sunlight at the ground, Bird & Hulstrom 1981 (SERI/TR-642-761): 5 to 10 % of rigorous
+/// codes for known aerosol and water. Zero for a sun at or below the horizon.
+///
+/// sun_elevation_deg  refracted          distance_au  sun
+/// pressure           [Pa]               water_cm     precipitable [cm]
+ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+                        double water_cm, const ClearSky& sky = {});
+
+/// Clear-sky sunlight after Ineichen & Perez 2002 from Linke's turbidity: where only the climate of
+/// a place is known. 20 W m⁻² in global and direct with the turbidity known to 0.2.
+ClearSun ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+                            double elevation, double linke_turbidity);
+
+/// Longwave radiation of a clear sky on the horizontal [W m⁻²], Dilley & O'Brien 1998:
+/// 59.38 + 113.7 (T/273.16)⁶ + 96.96 √(w/2.5), w = 4.65 e/T [cm, e in Pa over 10].
+/// 7 to 15 W m⁻² rms at six stations from desert to snow.
+double clear_longwave(const AirState& air);
+/// The same by another formula: Brutsaert 1975, Prata 1996, Brunt 1932 (0.52 + 0.065 √e), Idso
+/// 1981, Swinbank 1963. 10 to 35 W m⁻² rms at the same stations.
+double clear_longwave(const AirState& air, LongwaveFormula formula);
+/// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear.
+double cloudy_longwave(const AirState& air, double cloud_fraction,
+                       LongwaveFormula formula = LongwaveFormula::dilley_obrien);
+/// Diffuse share of global sunlight from the clearness index kt, Erbs et al. 1982.
+double erbs_diffuse_share(double clearness);
+
+}  // namespace diurna

@@ -5,6 +5,8 @@
 #include <random>
 
 #include "materials/base/units.hpp"
+#include "thermal/column/column.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
 
 using namespace diurna;
 

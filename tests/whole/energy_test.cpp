@@ -3,6 +3,7 @@
 #include <random>
 
 #include "materials/matter/library.hpp"
+#include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/steppers/layered_batch.hpp"
 
 using namespace diurna;

@@ -39,7 +39,8 @@ std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::
     return std::span(block.jump).subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
 }
 
-void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer) {
+void warm(SolveState& solve, const Level& level, const Block& block,
+          const Eigen::MatrixXd& warmer) {
     for (Eigen::Index k = 0; k < warmer.rows(); ++k) {
         float* const row = solve.kelvin.data() + std::size_t(k) * level.stride * solve.facets;
         for (std::size_t l = 0; l < block.facet.size(); ++l) {

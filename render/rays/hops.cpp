@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
+#include "materials/base/random.hpp"
 #include "render/rays/merge.hpp"
 #include "render/rays/walk.hpp"
 
@@ -63,9 +64,7 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
     if (hops.pixel.empty()) return hops;
 
     const PixelRays eye = pixel_rays(observer);
-    int rows = static_cast<int>(std::sqrt(double(options.samples)));
-    while (options.samples % rows != 0) --rows;
-    const int columns = options.samples / rows;
+    const auto [columns, rows] = nearly_square(options.samples);
     const bool textured = options.texture_levels != nullptr && !options.texture_levels->empty();
     const HopScene place{scene,
                          facets,
@@ -80,10 +79,10 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
         [&](std::size_t k) {
             const std::size_t p = hops.pixel[k], width = static_cast<std::size_t>(view.width);
             std::vector<Hop> sample, seen;
-            const double offset = Chance{(options.seed << 32) + p}();
+            const double offset = RandomStream{(options.seed << 32) + p}();
             for (int s = 0; s < options.samples; ++s) {
-                Chance chance{(options.seed * 0x9E3779B97F4A7C15u) ^
-                              ((std::uint64_t{p} << 16) + std::uint64_t(s)) * 0xD1B54A32D192ED03u};
+                RandomStream chance{(options.seed * golden_step) ^
+                                    ((std::uint64_t{p} << 16) + std::uint64_t(s)) * second_step};
                 const double x = chance(), y = chance();
                 const double column = double(p % width) + (s % columns + x) / columns;
                 const double row = double(p / width) + (double(s / columns) + y) / rows;

@@ -26,7 +26,7 @@ struct Walker {
 
 /// A direction of the mirrored lobe about `normal` for a ray that arrives along `direction`.
 Eigen::Vector3d mirrored(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal,
-                         double roughness, Chance& chance) {
+                         double roughness, RandomStream& chance) {
     const Eigen::Vector3d plain = direction - 2.0 * direction.dot(normal) * normal;
     if (roughness < 1e-3) return plain;
     const Eigen::Vector3d aside =
@@ -55,7 +55,7 @@ Eigen::Vector3d mirrored(const Eigen::Vector3d& direction, const Eigen::Vector3d
 }
 
 /// Follows one ray to its ends.
-void follow(const HopScene& place, Walker walker, float weight, Chance& chance,
+void follow(const HopScene& place, Walker walker, float weight, RandomStream& chance,
             std::vector<Hop>& out) {
     const auto add = [&](Hop hop, double along) {
         hop.way = walker.way;
@@ -157,7 +157,7 @@ void follow(const HopScene& place, Walker walker, float weight, Chance& chance,
 }  // namespace
 
 void walk(const HopScene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-          float weight, Chance& chance, std::vector<Hop>& out) {
+          float weight, RandomStream& chance, std::vector<Hop>& out) {
     follow(scene, {.origin = origin, .direction = direction}, weight, chance, out);
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "materials/base/random.hpp"
 #include "materials/matter/library.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
@@ -11,18 +12,6 @@
 #include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
-
-/// Uniform in [0, 1): depends on the given numbers alone (SplitMix64's finaliser).
-struct Chance {
-    std::uint64_t state;
-    double operator()() {
-        state += 0x9E3779B97F4A7C15u;
-        std::uint64_t x = state;
-        x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-        x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-        return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
-    }
-};
 
 /// The scene as rays meet it.
 struct HopScene {
@@ -41,6 +30,6 @@ struct HopScene {
 /// ends is two hops that share the weight; one that lets rays go on is one of its two surfaces by
 /// chance.
 void walk(const HopScene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-          float weight, Chance& chance, std::vector<Hop>& out);
+          float weight, RandomStream& chance, std::vector<Hop>& out);
 
 }  // namespace diurna

@@ -9,6 +9,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
+#include "materials/base/random.hpp"
 
 namespace diurna {
 
@@ -208,7 +209,7 @@ View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Obs
         }
         if (!any) continue;
         round.samples = extra(level);
-        round.seed = view_options.seed + 0x9E3779B97F4A7C15u * std::uint64_t(level);
+        round.seed = view_options.seed + golden_step * std::uint64_t(level);
         round.asked = asked;
         add_view(view, cast_view(scene, facets, observer, round), share);
     }

@@ -3,25 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/random.hpp"
+
 namespace diurna {
 
 namespace {
 
 constexpr std::size_t lanes = RayBundles::lanes;
 
-/// 32 bits that depend on the given numbers alone: SplitMix64's finaliser for seed and pixel, then
-/// a 32-bit finaliser ("lowbias32", C. Wellons) for the sample, cheap in vector code.
+/// 32 bits that depend on seed and pixel alone, and then on the sample.
 std::uint32_t pixel_hash(std::uint64_t seed, std::uint64_t pixel) {
-    std::uint64_t x = seed * 0x9E3779B97F4A7C15u + pixel * 0xD1B54A32D192ED03u;
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-    return static_cast<std::uint32_t>((x ^ (x >> 31)) >> 16);
+    return static_cast<std::uint32_t>(spread_bits(seed * golden_step + pixel * second_step) >> 16);
 }
 inline std::uint32_t sample_hash(std::uint32_t pixel, std::uint32_t sample) {
-    std::uint32_t x = pixel ^ (sample * 0x9E3779B9u);
-    x = (x ^ (x >> 16)) * 0x7FEB352Du;
-    x = (x ^ (x >> 15)) * 0x846CA68Bu;
-    return x ^ (x >> 16);
+    return spread_bits(pixel ^ (sample * golden_step32));
 }
 
 }  // namespace
@@ -35,9 +30,7 @@ PixelSamples::PixelSamples(const Observer& observer, int samples, std::uint64_t 
       height_(static_cast<std::size_t>(observer.height)),
       samples_(static_cast<std::size_t>(samples)),
       seed_(seed) {
-    int rows = static_cast<int>(std::sqrt(double(samples)));
-    while (samples % rows != 0) --rows;
-    const int columns = samples / rows;
+    const auto [columns, rows] = nearly_square(samples);
     const std::size_t whole = (samples_ + lanes - 1) / lanes * lanes;
     for (std::size_t s = 0; s < whole; ++s) {
         const auto cell = static_cast<int>(s < samples_ ? s : s / lanes * lanes);

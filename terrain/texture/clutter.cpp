@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/base/random.hpp"
+
 namespace diurna {
 
 namespace {
@@ -41,19 +43,6 @@ const std::array<float, deviates>& deviate_table() {
     return table;
 }
 
-/// 32 bits mixed well ("lowbias32", C. Wellons).
-inline std::uint32_t mixed(std::uint32_t x) {
-    x = (x ^ (x >> 16)) * 0x7FEB352Du;
-    x = (x ^ (x >> 15)) * 0x846CA68Bu;
-    return x ^ (x >> 16);
-}
-
-std::uint64_t spread(std::uint64_t x) {
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-    return x ^ (x >> 31);
-}
-
 /// Weights of the six nodes around a place between two of them, of square sum 1.
 std::array<double, 2 * reach> weights(double part) {
     std::array<double, 2 * reach> w;
@@ -79,10 +68,10 @@ double smooth_noise(std::uint64_t seed, double x, double y) {
     const auto from_row = static_cast<std::uint32_t>(seed >> 32);
     double sum = 0.0;
     for (std::uint32_t j = 0; j < 2 * reach; ++j) {
-        const std::uint32_t line = mixed(row + j + from_row) + from_column;
+        const std::uint32_t line = spread_bits(row + j + from_row) + from_column;
         double across = 0.0;
         for (std::uint32_t i = 0; i < 2 * reach; ++i) {
-            const std::uint32_t hash = mixed((column + i) * 0x9E3779B9u + line);
+            const std::uint32_t hash = spread_bits((column + i) * golden_step32 + line);
             across += wx[i] * double{table[hash >> 20]};
         }
         sum += wy[j] * across;
@@ -94,7 +83,7 @@ double smooth_noise(std::uint64_t seed, double x, double y) {
 
 Clutter::Clutter(const ClutterSpec& spec) : length_(spec.length) {
     const auto add = [&](double length, double variance) {
-        const std::uint64_t seed = spread(spec.seed + 0x9E3779B97F4A7C15u * (octave_.size() + 1));
+        const std::uint64_t seed = hashed(spec.seed + golden_step * octave_.size());
         octave_.push_back({length, std::sqrt(variance), seed});
     };
     if (spec.covariance == Covariance::gaussian) {

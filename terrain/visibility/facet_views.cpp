@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "materials/base/parallel.hpp"
+#include "materials/base/random.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/visibility/sky_bound.hpp"
@@ -23,10 +24,10 @@ constexpr std::size_t facets_per_bound = 32;  // neighbours along Morton's curve
 /// A stream of uniform numbers in [0, 1) of one facet.
 class Uniform {
  public:
-    Uniform(std::uint64_t seed, std::size_t facet) : state_(mixed(seed ^ mixed(facet))) {}
+    Uniform(std::uint64_t seed, std::size_t facet) : state_(hashed(seed ^ hashed(facet))) {}
     double operator()() {
-        state_ = mixed(state_);
-        return static_cast<double>(state_ >> 11) * 0x1p-53;
+        state_ = hashed(state_);
+        return unit_interval(state_);
     }
 
  private:
@@ -47,7 +48,7 @@ Eigen::Vector2d to_disc(double u, double v) {
 
 /// The k-th of a sequence that fills the unit square evenly (Roberts' R2), from a random start.
 Eigen::Vector2d evenly(int k, const Eigen::Vector2d& start) {
-    const double x = start.x() + 0.7548776662466927 * k, y = start.y() + 0.5698402909980532 * k;
+    const double x = start.x() + even_step_x * k, y = start.y() + even_step_y * k;
     return {x - std::floor(x), y - std::floor(y)};
 }
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "materials/base/parallel.hpp"
+#include "materials/base/random.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
 
@@ -114,8 +115,8 @@ void ReliefVisibility::add_points(std::size_t facet, const std::array<Eigen::Vec
         // Roberts' sequence, evenly over the triangle; a single point in its middle.
         double u = 4.0 / 9.0, v = 0.5;
         if (points > 1) {
-            u = std::fmod(0.5 + 0.7548776662466927 * k, 1.0);
-            v = std::fmod(0.5 + 0.5698402909980532 * k, 1.0);
+            u = std::fmod(0.5 + even_step_x * k, 1.0);
+            v = std::fmod(0.5 + even_step_y * k, 1.0);
         }
         const double root = std::sqrt(u);
         const Eigen::Vector2d p = corner[0] + (1.0 - root) * b + root * v * c;

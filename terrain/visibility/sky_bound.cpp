@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/random.hpp"
+
 namespace diurna {
 
 namespace {
@@ -16,18 +18,12 @@ constexpr int most_cells_a_side = 4096;
 // Ray origins are lifted off their facets and rounded.
 constexpr float more = 1.001f, more_yet = 1e-3f;
 
-/// Some bits for a vertex number, so that sums tell sets apart.
-std::uint64_t bits(std::uint32_t x) {
-    const std::uint64_t y = (x + 1ull) * 0x9E3779B97F4A7C15ull;
-    return (y ^ (y >> 29)) * 0xBF58476D1CE4E5B9ull;
-}
-
 /// Whether the facets round each vertex close up: each edge that leaves it for one facet comes back
-/// to it for another.
+/// to it for another. Sums of hashes tell sets of vertices apart.
 std::vector<std::uint8_t> closed_vertices(const FacetSet& facets) {
     std::vector<std::uint64_t> open(facets.vertex.size(), 0);
     for (const auto& [a, b, c] : facets.corner) {
-        const std::uint64_t x = bits(a), y = bits(b), z = bits(c);
+        const std::uint64_t x = hashed(a), y = hashed(b), z = hashed(c);
         open[a] += y - z;
         open[b] += z - x;
         open[c] += x - y;

@@ -6,36 +6,15 @@
 #include <numbers>
 #include <utility>
 
+#include "materials/base/random.hpp"
+
 namespace diurna {
 
 namespace {
 
 constexpr std::size_t width = 16;
 
-/// The same for 32 bits (Wellons' lowbias32).
-std::uint32_t mixed32(std::uint32_t x) {
-    x = (x ^ (x >> 16)) * 0x7feb352du;
-    x = (x ^ (x >> 15)) * 0x846ca68bu;
-    return x ^ (x >> 16);
-}
-
-// Steps of Roberts' R2 sequence, which fills the unit square evenly, in units of 2^-32.
-constexpr std::uint32_t r2_x = 3242174889u, r2_y = 2447445414u;
-
 }  // namespace
-
-std::uint64_t mixed(std::uint64_t x) {
-    x += 0x9E3779B97F4A7C15ull;
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
-    return x ^ (x >> 31);
-}
-
-std::pair<int, int> nearly_square(int n) {
-    int rows = static_cast<int>(std::sqrt(static_cast<double>(n)));
-    while (n % rows != 0) --rows;
-    return {n / rows, rows};
-}
 
 std::pair<Eigen::Vector3d, Eigen::Vector3d> tangents(const Eigen::Vector3d& n) {
     const double sign = std::copysign(1.0, n.z());
@@ -79,7 +58,7 @@ void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet
     const auto [along_d, across_d] = tangents(from.normal);
     const Eigen::Vector3f along = along_d.cast<float>(), across = across_d.cast<float>(),
                           normal = facets.normal[facet];
-    const std::uint64_t key = mixed(seed_ ^ mixed(facet)), start = mixed(key);
+    const std::uint64_t key = hashed(seed_ ^ hashed(facet)), start = hashed(key);
     const auto jitter = static_cast<std::uint32_t>(key);
     const auto start_x = static_cast<std::uint32_t>(start);
     const auto start_y = static_cast<std::uint32_t>(start >> 32);
@@ -96,13 +75,15 @@ void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet
     for (std::uint32_t i = 0; i < width; ++i) {
         const std::uint32_t k = first + i;
         // A point of the facet: the square's far half folds back onto the triangle.
-        const float p = static_cast<float>(static_cast<int>((start_x + r2_x * k) >> 8)) * 0x1p-24f;
-        const float q = static_cast<float>(static_cast<int>((start_y + r2_y * k) >> 8)) * 0x1p-24f;
+        const float p =
+            static_cast<float>(static_cast<int>((start_x + even_step32_x * k) >> 8)) * 0x1p-24f;
+        const float q =
+            static_cast<float>(static_cast<int>((start_y + even_step32_y * k) >> 8)) * 0x1p-24f;
         const float to_p = p + q > 1.0f ? 1.0f - p : p, to_q = p + q > 1.0f ? 1.0f - q : q;
         rays.origin_x[i] = corner.x() + to_p * to_b.x() + to_q * to_c.x();
         rays.origin_y[i] = corner.y() + to_p * to_b.y() + to_q * to_c.y();
         rays.origin_z[i] = corner.z() + to_p * to_b.z() + to_q * to_c.z();
-        const std::uint32_t random = mixed32(jitter + 0x9E3779B9u * k);
+        const std::uint32_t random = spread_bits(jitter + golden_step32 * k);
         // In the middle of 2^-16 of a cell, so never on its edge.
         const float u = (static_cast<float>(static_cast<int>(random & 0xFFFFu)) + 0.5f) * 0x1p-16f;
         const float v = (static_cast<float>(static_cast<int>(random >> 16)) + 0.5f) * 0x1p-16f;

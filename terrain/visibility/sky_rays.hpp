@@ -35,12 +35,6 @@ class SkyRays {
     std::vector<float> column_, row_;  // (ray) cell of the unit square, padded to whole packets
 };
 
-/// Bits that look random, a function of their argument alone (splitmix64).
-std::uint64_t mixed(std::uint64_t x);
-
-/// Splits n into columns × rows as square as it goes, n = columns · rows.
-std::pair<int, int> nearly_square(int n);
-
 /// Two unit vectors at right angles to `normal` and to each other (Duff et al. 2017).
 std::pair<Eigen::Vector3d, Eigen::Vector3d> tangents(const Eigen::Vector3d& normal);
 

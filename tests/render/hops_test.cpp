@@ -224,7 +224,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     for (std::uint32_t p = 0; p < 24 * 24; ++p) {
         std::vector<Hop> one;
         for (int s = 0; s < 16; ++s) {
-            Chance chance{std::uint64_t{p} * 16 + std::uint64_t(s) + 1};
+            RandomStream chance{std::uint64_t{p} * 16 + std::uint64_t(s) + 1};
             std::vector<Hop> sample;
             walk(place, Eigen::Vector3d::Zero(), eye.towards(p % 24 + chance(), p / 24 + chance()),
                  1.0f / 16.0f, chance, sample);

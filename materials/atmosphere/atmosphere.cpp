@@ -6,6 +6,7 @@
 #include "materials/atmosphere/band_model_tables.hpp"
 #include "materials/atmosphere/medium.hpp"
 #include "materials/base/fast_exp.hpp"
+#include "materials/base/quadrature.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
 
@@ -252,6 +253,20 @@ std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km,
         sky[i] += cloud.fraction * (covered - sky[i]);
     }
     return sky;
+}
+
+std::vector<double> mean_sky_at_nodes(const Atmosphere& atmosphere, double height_km,
+                                      std::span<const double> node_um, int zenith_angles) {
+    const Quadrature square_of_cosine = gauss_legendre(zenith_angles, 0.0, 1.0);
+    std::vector<double> mean(node_um.size(), 0.0);
+    for (std::size_t i = 0; i < square_of_cosine.size(); ++i) {
+        const double zenith_deg = degrees(std::acos(std::sqrt(square_of_cosine.node[i])));
+        const std::vector<double> sky = sky_at_nodes(atmosphere, height_km, zenith_deg, node_um);
+        for (std::size_t n = 0; n < sky.size(); ++n) {
+            mean[n] += square_of_cosine.weight[i] * sky[n];
+        }
+    }
+    return mean;
 }
 
 std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_km,

@@ -60,6 +60,12 @@ bool ends_on_ground(const BandModel& model, double height_km, double zenith_deg)
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
                                  std::span<const double> node_um);
 
+/// The same averaged over the hemisphere above by the cosine of the zenith angle: what a level
+/// surface receives, over π. ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by Gauss and Legendre's rule with so
+/// many zenith angles.
+std::vector<double> mean_sky_at_nodes(const Atmosphere& atmosphere, double height_km,
+                                      std::span<const double> node_um, int zenith_angles);
+
 /// Direct solar irradiance on a plane facing the sun at `height_km`, (node) [W m⁻² µm⁻¹], for the
 /// sun at `zenith_deg` (zero where the earth is in between) and `distance_au`. Constant per bin.
 /// Direct beam only: what the air scatters out of it is lost. Clouds take their share of it.

@@ -1,9 +1,6 @@
-#include <array>
-#include <cmath>
 #include <numbers>
 
 #include "materials/atmosphere/sun_field.hpp"
-#include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
 
 namespace diurna {
@@ -21,22 +18,15 @@ GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, do
             solar,
             solar_at_nodes(atmosphere, height_km, sun.zenith_deg, sun.distance_au, solar.node_um));
     }
-    // ∫ L cosθ dΩ = π ∫₀¹ L d(cos²θ), Gauss-Legendre (Abramowitz & Stegun, table 25.4).
-    constexpr std::array<double, 4> node = {0.06943184420297371, 0.33000947820757187,
-                                            0.66999052179242813, 0.93056815579702629};
-    constexpr std::array<double, 4> weight = {0.17392742256872693, 0.32607257743127307,
-                                              0.32607257743127307, 0.17392742256872693};
-    // Water's rotation band: beyond 28 µm a hundred metres of air are black.
-    const auto* air = std::get_if<BandModel>(&atmosphere);
-    const double near_by = air != nullptr ? air_at(air->profile, height_km).temperature : 0.0;
-    for (std::size_t i = 0; i < node.size(); ++i) {
-        const double zenith_deg = degrees(std::acos(std::sqrt(node[i])));
-        std::vector<double> sky = sky_at_nodes(atmosphere, height_km, zenith_deg, thermal.node_um);
-        for (std::size_t n = 0; air != nullptr && n < sky.size(); ++n) {
+    std::vector<double> sky = mean_sky_at_nodes(atmosphere, height_km, thermal.node_um, 4);
+    if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
+        // Water's rotation band: beyond 28 µm a hundred metres of air are black.
+        const double near_by = air_at(model->profile, height_km).temperature;
+        for (std::size_t n = 0; n < sky.size(); ++n) {
             if (thermal.node_um[n] > 28.0) sky[n] = planck(thermal.node_um[n], near_by);
         }
-        fluxes.thermal += std::numbers::pi * weight[i] * band_sum_nodes(thermal, sky);
     }
+    fluxes.thermal = std::numbers::pi * band_sum_nodes(thermal, sky);
     return fluxes;
 }
 

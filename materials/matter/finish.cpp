@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/quadrature.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/material.hpp"
 #include "materials/matter/microfacet.hpp"
@@ -23,24 +24,16 @@ double factor_at(const ByAngle& finish, double cosine) {
     return finish.factor[i - 1] + t * (finish.factor[i] - finish.factor[i - 1]);
 }
 
-/// ∫₀¹ f(c) 2c dc by Gauss-Legendre with 8 points (Abramowitz & Stegun, table 25.4) in each of
-/// three parts, which crowd where reflectances rise.
+/// ∫₀¹ f(c) 2c dc by eight points in each of three parts, which crowd where reflectances rise.
 template <class F>
-auto over_hemisphere(const F& f) {
-    constexpr std::array<double, 4> node = {0.1834346424956498, 0.5255324099163290,
-                                            0.7966664774136267, 0.9602898564975363};
-    constexpr std::array<double, 4> weight = {0.3626837833783620, 0.3137066458778873,
-                                              0.2223810344533745, 0.1012285362903763};
-    constexpr std::array<double, 4> edge = {0.0, 0.15, 0.5, 1.0};
+double over_hemisphere(const F& f) {
+    static const std::array<Quadrature, 3> parts = {
+        gauss_legendre(8, 0.0, 0.15), gauss_legendre(8, 0.15, 0.5), gauss_legendre(8, 0.5, 1.0)};
     double sum = 0.0;
-    for (std::size_t part = 0; part + 1 < edge.size(); ++part) {
-        const double middle = 0.5 * (edge[part] + edge[part + 1]);
-        const double half = 0.5 * (edge[part + 1] - edge[part]);
-        for (std::size_t i = 0; i < node.size(); ++i) {
-            for (const double side : {-1.0, 1.0}) {
-                const double c = middle + side * half * node[i];
-                sum += half * weight[i] * 2.0 * c * f(c);
-            }
+    for (const Quadrature& part : parts) {
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            const double c = part.node[i];
+            sum += part.weight[i] * 2.0 * c * f(c);
         }
     }
     return sum;

@@ -3,46 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <numeric>
-#include <utility>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/quadrature.hpp"
 
 namespace diurna {
 
 namespace {
-
-struct Rule {
-    std::vector<double> node, weight;  // on [-1, 1]
-};
-
-/// Gauss-Legendre by Newton on P_n from Chebyshev's guesses.
-Rule gauss_legendre(int n) {
-    Rule rule{std::vector<double>(static_cast<std::size_t>(n)),
-              std::vector<double>(static_cast<std::size_t>(n))};
-    for (int i = 0; i < n; ++i) {
-        double x = -std::cos(std::numbers::pi * (i + 0.75) / (n + 0.5));
-        double slope = 1.0;
-        for (int iteration = 0; iteration < 20; ++iteration) {
-            double p = x, previous = 1.0;
-            for (int k = 2; k <= n; ++k) {
-                previous = std::exchange(p, ((2 * k - 1) * x * p - (k - 1) * previous) / k);
-            }
-            slope = n * (x * p - previous) / (x * x - 1.0);
-            x -= p / slope;
-            if (std::abs(p / slope) < 1e-16) break;
-        }
-        rule.node[static_cast<std::size_t>(i)] = n == 1 ? 0.0 : x;
-        rule.weight[static_cast<std::size_t>(i)] =
-            n == 1 ? 2.0 : 2.0 / ((1.0 - x * x) * slope * slope);
-    }
-    return rule;
-}
 
 /// Planck's law varies as exp(−c₂/λT): over a piece of 0.01 µm⁻¹ λ² by the same factor at every
 /// wavelength, at most e^0.6 at 250 K, which three points integrate to 1e-8. Towards the visible
@@ -72,7 +43,7 @@ Band response_band(std::string name, Spectrum response, std::span<const double> 
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
 
-    const Rule rule = gauss_legendre(points_per_piece);
+    const Quadrature rule = gauss_legendre(points_per_piece);
     Band band{
         .name = std::move(name), .response = std::move(response), .node_um = {}, .weight = {}};
     for (std::size_t i = 1; i < edges.size(); ++i) {
@@ -82,7 +53,7 @@ Band response_band(std::string name, Spectrum response, std::span<const double> 
         for (int part = 0; part < parts; ++part) {
             const double half = 0.5 * width / parts;
             const double middle = from + half * (2 * part + 1);
-            for (std::size_t k = 0; k < rule.node.size(); ++k) {
+            for (std::size_t k = 0; k < rule.size(); ++k) {
                 const double node = middle + half * rule.node[k];
                 band.node_um.push_back(node);
                 band.weight.push_back(half * rule.weight[k] * band.response.at(node));

@@ -13,14 +13,6 @@ namespace diurna {
 
 namespace {
 
-/// Gauss-Legendre on [0, 1], 8 points (Abramowitz & Stegun, table 25.4).
-constexpr std::array<double, 8> gauss_node = {
-    0.019855071751231884, 0.101666761293186630, 0.237233795041835507, 0.408282678752175098,
-    0.591717321247824902, 0.762766204958164493, 0.898333238706813370, 0.980144928248768116};
-constexpr std::array<double, 8> gauss_weight = {
-    0.050614268145188130, 0.111190517226687235, 0.156853322938943644, 0.181341891689180991,
-    0.181341891689180991, 0.156853322938943644, 0.111190517226687235, 0.050614268145188130};
-
 /// What node-by-node shading needs to know of a facet.
 struct Surface {
     const Material* material;
@@ -84,17 +76,10 @@ std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<cons
 Light light_at(const RadianceInput& input, double height_km, std::span<const double> node_um,
                const SunField* scattered) {
     Light light{.sun = std::vector<double>(node_um.size(), 0.0),
-                .sky = std::vector<double>(node_um.size(), 0.0)};
+                .sky = mean_sky_at_nodes(input.atmosphere, height_km, node_um, 8)};
     if (!input.sun_fraction.empty()) {
         light.sun = solar_at_nodes(input.atmosphere, height_km, input.sun_zenith_deg,
                                    input.sun_distance_au, node_um);
-    }
-    // ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ).
-    for (std::size_t i = 0; i < gauss_node.size(); ++i) {
-        const double zenith_deg = degrees(std::acos(std::sqrt(gauss_node[i])));
-        const std::vector<double> sky =
-            sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
-        for (std::size_t n = 0; n < sky.size(); ++n) light.sky[n] += gauss_weight[i] * sky[n];
     }
     if (scattered != nullptr) {
         const SunFlux flux = scattered->flux(height_km);

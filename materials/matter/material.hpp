@@ -137,7 +137,7 @@ struct ThermalSurface {
 
 /// A kind of matter: its spectra for the picture, its thermal surface for the balance. Opaque or
 /// partly transparent. Kirchhoff holds by construction: ε(λ) = 1 − ρ(λ) − τ(λ), at every angle
-/// (materials/matter/finish.hpp).
+/// (materials/matter/directional_optics.hpp).
 struct Material {
     std::string name;
     Spectrum reflectance;    // directional-hemispherical ρ(λ), 0.3 to 20 µm
@@ -149,7 +149,6 @@ struct Material {
 
     /// What a reader calls it: a texture's levels by the name of what they vary.
     const std::string& kind() const { return varies.empty() ? name : varies; }
-    double emissivity(double wavelength_um) const;  // 1 − ρ − τ
     /// The picture needs the angle at which this is seen, or what lies behind it.
     bool needs_rays() const { return see_through || finish.index() != 0; }
 };

@@ -57,12 +57,6 @@ double Microfacets::weight(const Eigen::Vector3d& eye, const Eigen::Vector3d& mi
     return (1.0 + hidden(eye.z())) * lit_and_seen(eye.z(), up);
 }
 
-double Microfacets::lobe(const Eigen::Vector3d& eye, const Eigen::Vector3d& light) const {
-    if (eye.z() <= 0.0 || light.z() <= 0.0) return 0.0;
-    const Eigen::Vector3d half = (eye + light).normalized();
-    return density(half.z()) * lit_and_seen(eye.z(), light.z()) / (4.0 * eye.z() * light.z());
-}
-
 double microfacet_reflectance(const Microfacets& surface, double cosine,
                               const std::function<double(double)>& reflected) {
     if (surface.roughness < 1e-3) return reflected(cosine);

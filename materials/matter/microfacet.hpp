@@ -33,8 +33,12 @@ struct Microfacets {
     Eigen::Vector3d normal(const Eigen::Vector3d& eye, double u, double v) const;
     /// Weight of the reflection about a sampled normal, 0 if it goes below the surface.
     double weight(const Eigen::Vector3d& eye, const Eigen::Vector3d& microfacet) const;
-    /// The lobe D G / (4 cosθ_eye cosθ_light) [sr⁻¹] without Fresnel's factor.
-    double lobe(const Eigen::Vector3d& eye, const Eigen::Vector3d& light) const;
+    /// The lobe D G / (4 cosθ_eye cosθ_light) [sr⁻¹] without Fresnel's factor, from the cosines of
+    /// the half vector, the eye and the light, the last two above zero.
+    double lobe(double half_cosine, double eye_cosine, double light_cosine) const {
+        return density(half_cosine) * lit_and_seen(eye_cosine, light_cosine) /
+               (4.0 * eye_cosine * light_cosine);
+    }
 };
 
 /// Directional-hemispherical reflectance of such a surface whose microfacets reflect the share

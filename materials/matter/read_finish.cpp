@@ -6,6 +6,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/matter/directional_optics.hpp"
 #include "materials/matter/library.hpp"
 
 namespace diurna {

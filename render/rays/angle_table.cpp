@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
+#include "materials/matter/directional_optics.hpp"
 #include "materials/radiation/planck.hpp"
 
 namespace diurna {

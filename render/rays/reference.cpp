@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "materials/base/units.hpp"
+#include "materials/matter/directional_optics.hpp"
 #include "materials/matter/microfacet.hpp"
 #include "materials/radiation/planck.hpp"
 
@@ -97,9 +98,7 @@ std::vector<double> open_facet(const Hop& hop, const Material& material, const B
                                       std::hypot(glossy->roughness, 0.5 * radians(0.2666))};
         const Eigen::Vector3d half = (eye + input.to_sun).normalized();
         const double eye_cosine = std::max(1e-3, double{hop.cosine});
-        const double lobe = surface.density(half.dot(normal)) *
-                            surface.lit_and_seen(eye_cosine, sun_cosine) /
-                            (4.0 * eye_cosine * sun_cosine);
+        const double lobe = surface.lobe(half.dot(normal), eye_cosine, sun_cosine);
         sent[n] += half_way[n].mirrored * lobe * std::numbers::pi * sunlight * light.sun[n];
     }
     return sent;

@@ -8,6 +8,7 @@
 #include "materials/base/fast_exp.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "materials/matter/directional_optics.hpp"
 #include "materials/matter/microfacet.hpp"
 #include "render/rays/tables.hpp"
 
@@ -91,9 +92,8 @@ void HopLight::State::own_light(const Hop& hop, std::uint32_t facet_place, float
         const double eye_cosine = std::max(1e-3, double{hop.cosine});
         at_half = table.at(std::max(0.0, half.dot(eye)));
         if (normal.dot(eye) > 0.0) {
-            glint = static_cast<float>(
-                surface.density(half.dot(normal)) * surface.lit_and_seen(eye_cosine, sun_cosine) /
-                (4.0 * eye_cosine * sun_cosine) * std::numbers::pi * double{sunlight});
+            glint = static_cast<float>(surface.lobe(half.dot(normal), eye_cosine, sun_cosine) *
+                                       std::numbers::pi * double{sunlight});
         }
     }
     const auto term = [&](Term t) { return out + static_cast<std::size_t>(t) * n; };

@@ -17,9 +17,9 @@ namespace diurna {
 ///
 /// F is the product of what the hops before let through (or mirror), J what the hop itself sends:
 /// a plume (1 − exp(−k s)) B(T); a facet the terms of radiance.hpp at the angle it is seen at
-/// (materials/matter/finish.hpp), its mirrored and transmitted light being that of the hops behind
-/// it; the sky its radiance in that direction. Everything in channels (band_table.hpp), as inside
-/// one bin of the atmosphere transmittance is one number, and for all bands at a time
+/// (materials/matter/directional_optics.hpp), its mirrored and transmitted light being that of the
+/// hops behind it; the sky its radiance in that direction. Everything in channels (band_table.hpp),
+/// as inside one bin of the atmosphere transmittance is one number, and for all bands at a time
 /// (hop_tables.hpp). Within 5 mK of the sum over nodes, hop_radiance()
 /// (tests/render/hops_test.cpp).
 ///

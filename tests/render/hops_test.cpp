@@ -89,7 +89,8 @@ TEST_CASE("a rough mirror's lobe is sampled as it is", "[render][hops]") {
             const double phi = (k + 0.5) / n * std::numbers::pi;
             const Eigen::Vector3d d(std::sin(theta) * std::cos(phi),
                                     std::sin(theta) * std::sin(phi), std::cos(theta));
-            const double weight = surface.lobe(eye, d) * d.z() * std::sin(theta);
+            const double weight =
+                surface.lobe((eye + d).normalized().z(), eye.z(), d.z()) * d.z() * std::sin(theta);
             const Eigen::Vector3d out = d.x() * x + d.y() * y + d.z() * normal;
             all += weight;
             if (out.z() >= 0.0) continue;

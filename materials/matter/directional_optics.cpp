@@ -1,11 +1,10 @@
-#include "materials/matter/finish.hpp"
+#include "materials/matter/directional_optics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "materials/base/quadrature.hpp"
 #include "materials/base/units.hpp"
-#include "materials/matter/material.hpp"
 #include "materials/matter/microfacet.hpp"
 
 namespace diurna {
@@ -49,16 +48,15 @@ double interface_reflectance(const Finish& finish, double wavelength_um, double 
         return microfacet_reflectance(surface, cosine,
                                       [](double c) { return std::pow(1.0 - c, 5); });
     }
-    const double k = glossy->extinction.empty() ? 0.0 : glossy->extinction.at(wavelength_um);
-    const std::complex<double> index(glossy->index.at(wavelength_um), k);
+    const std::complex<double> index(glossy->index.at(wavelength_um),
+                                     glossy->extinction.at(wavelength_um));
     return microfacet_reflectance(surface, cosine, [&](double c) { return fresnel(c, index); });
 }
 
 DirectionalOptics directional_optics(const Material& material, double wavelength_um, double cosine,
                                      double interface_here, double interface_normal) {
     const double reflectance = material.reflectance.at(wavelength_um);
-    const double transmittance =
-        material.transmittance.empty() ? 0.0 : material.transmittance.at(wavelength_um);
+    const double transmittance = material.transmittance.at(wavelength_um);
     DirectionalOptics optics{
         .emissivity = 0.0, .mirrored = 0.0, .diffuse = reflectance, .transmittance = transmittance};
     if (const auto* glossy = std::get_if<Glossy>(&material.finish)) {
@@ -104,13 +102,6 @@ DirectionalOptics hemispherical_optics(const Material& material, double waveleng
                              .transmittance = mean(&DirectionalOptics::transmittance)};
     optics.emissivity = 1.0 - optics.mirrored - optics.diffuse - optics.transmittance;
     return optics;
-}
-
-double diffuse_weight(const Material& material, double wavelength_um, double cosine) {
-    if (std::holds_alternative<Lambert>(material.finish)) return 1.0;
-    const double here = directional_optics(material, wavelength_um, cosine).diffuse;
-    const double mean = hemispherical_optics(material, wavelength_um).diffuse;
-    return mean > 0.0 ? here / mean : 1.0;
 }
 
 }  // namespace diurna

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "materials/atmosphere/atmosphere.hpp"
-#include "materials/atmosphere/path_grid.hpp"
+#include "materials/atmosphere/band_transmittance.hpp"
 #include "materials/atmosphere/sun_field.hpp"
-#include "materials/modtran/modtran.hpp"
+#include "materials/modtran/tape7.hpp"
 #include "tests/support/lowtran_rows.hpp"
 #include "tests/support/lowtran_sun.hpp"
 
@@ -42,7 +42,7 @@ lowtran::Errors against_modtran(const fs::path& folder, bool to_space, double fr
             "gzip -dc '" + (folder / file).string() + ".gz' > '" + path.string() + "'";
         if (std::system(command.c_str()) != 0) return errors;
     }
-    const FilePath run = path_of(read_tape7(path)[0]);
+    const Tape7Spectra run = spectra_of(read_tape7(path)[0]);
     if (from_um < run.wavelength_um.front() || to_um > run.wavelength_um.back()) return errors;
     const Spectrum reference{run.wavelength_um, run.transmittance};
     double expected = 0.0;
@@ -121,7 +121,7 @@ void print_times() {
     const BandModel hazy{.profile = afgl_profile("MLS"), .aerosol = "rural"};
     const Atmosphere air = hazy;
     const SightLine level{{0.0}, {5.0}};
-    const BinRange all = all_bins();
+    const BinRange all{0, bin_count()};
     constexpr double no_end = std::numeric_limits<double>::infinity();
     fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
     const auto row = [&](const char* name, const std::string& setting, double us,
@@ -144,7 +144,7 @@ void print_times() {
         double most = 0.0;
         for (const lowtran::Range& range : lowtran::ranges) {
             const Band band = range.band();
-            const NodeSpectrum a = path_at_nodes(air, line, band.node_um),
+            const PathSpectrum a = path_at_nodes(air, line, band.node_um),
                                b = path_at_nodes(air, finest, band.node_um);
             const double ratio =
                 thermal
@@ -173,11 +173,6 @@ void print_times() {
         microseconds([&] { SunField(hazy, {.zenith_deg = 40.0}, visible.node_um); }));
     const SunField field(hazy, {.zenith_deg = 40.0}, visible.node_um);
     row("scattered_sky", "0.4-0.7 um", microseconds([&] { field.sky(0.0, 50.0, 30.0); }));
-    const std::vector<Band> bands = {flat_band("8-12", 8.0, 12.0, bin_edges_um())};
-    const Tabulated table = tabulate(path_source(hazy), hazy.profile, {.most_to_km = 0.5}, bands);
-    fmt::print("table_path,tabulated,8-12 um,1,1,{:.3e},{:.2e},K\n",
-               1e-6 * microseconds([&] { table_path(table, 0.0, 0.2, 3.3, bands[0].node_um); }),
-               table_error(table).kelvin);
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::string path(const std::string& band_um, double modtran) {
                         .visibility_km = 23.0,
                         .co2_ppm = 360.0};
     const Band band = parse_band(band_um, bin_edges_um());
-    const NodeSpectrum found = path_at_nodes(air, sight_line(0.0, 90.0, 5.0), band.node_um);
+    const PathSpectrum found = path_at_nodes(air, sight_line(0.0, 90.0, 5.0), band.node_um);
     return fmt::format("{:+.1f} %",
                        100.0 * (band_mean_nodes(band, found.transmittance) / modtran - 1));
 }

@@ -11,13 +11,12 @@ struct AirState {
 
 inline constexpr double dry_air_heat_capacity = 1005.0;  // cp [J kg⁻¹ K⁻¹]
 inline constexpr double dry_air_gas_constant = 287.05;   // [J kg⁻¹ K⁻¹]
+inline constexpr double water_over_dry_air = 0.62198;    // molar masses, 18.01528 / 28.9647
 
-double air_density(const AirState& air);                // [kg m⁻³], moist
-double specific_humidity(const AirState& air);          // [kg kg⁻¹]
-double saturation_vapour_pressure(double temperature);  // [Pa] over water (Murray/Magnus; see .cpp)
-double saturation_vapour_pressure_derivative(double temperature);  // [Pa K⁻¹]
-double latent_heat_of_vaporisation(double temperature);            // [J kg⁻¹]
-double dew_point(double vapour_pressure);                          // [K]
+double air_density(const AirState& air);  // [kg m⁻³], moist
+/// [Pa] over water, by std::exp (saturation.hpp)
+double saturation_vapour_pressure(double temperature);
+double latent_heat_of_vaporisation(double temperature);  // [J kg⁻¹]
 /// Pressure [Pa] of the standard atmosphere at a height [m] above the sea.
 double standard_pressure(double height);
 

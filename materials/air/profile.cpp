@@ -6,8 +6,10 @@
 #include <cmath>
 #include <map>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/interval.hpp"
 
 namespace diurna {
 
@@ -103,8 +105,7 @@ struct Between {
     Between(const Profile& profile, double height_km) {
         const std::vector<double>& z = profile.height_km;
         const double h = std::clamp(height_km, z.front(), z.back());
-        const auto above = std::upper_bound(z.begin() + 1, z.end() - 1, h);
-        low = static_cast<std::size_t>(above - z.begin()) - 1;
+        low = interval_of(z, h);
         t = (h - z[low]) / (z[low + 1] - z[low]);
     }
     double linear(const std::vector<double>& v) const { return v[low] + t * (v[low + 1] - v[low]); }
@@ -132,6 +133,42 @@ AirSample air_at(const Profile& profile, double height_km) {
     return air;
 }
 
+namespace {
+
+void insert_level(Profile& profile, std::size_t at, double height_km, const AirSample& air) {
+    const auto i = static_cast<std::ptrdiff_t>(at);
+    profile.height_km.insert(profile.height_km.begin() + i, height_km);
+    profile.pressure_hPa.insert(profile.pressure_hPa.begin() + i, air.pressure_hPa);
+    profile.temperature.insert(profile.temperature.begin() + i, air.temperature);
+    for (std::size_t gas = 0; gas < gas_count; ++gas) {
+        auto& ratio = profile.mixing_ratio_ppm[gas];
+        ratio.insert(ratio.begin() + i, air.mixing_ratio_ppm[gas]);
+    }
+}
+
+}  // namespace
+
+AirSample sample_of(const Profile& profile, std::size_t level) {
+    AirSample air{.pressure_hPa = profile.pressure_hPa[level],
+                  .temperature = profile.temperature[level],
+                  .mixing_ratio_ppm = {}};
+    for (std::size_t gas = 0; gas < gas_count; ++gas) {
+        air.mixing_ratio_ppm[gas] = profile.mixing_ratio_ppm[gas][level];
+    }
+    return air;
+}
+
+void append_level(Profile& profile, double height_km, const AirSample& air) {
+    insert_level(profile, profile.height_km.size(), height_km, air);
+}
+
+void change_level(Profile& profile, std::size_t level, const AirChange& change, double share) {
+    constexpr auto water = static_cast<std::size_t>(Gas::water);
+    profile.temperature[level] += share * change.warmer;
+    profile.pressure_hPa[level] *= std::exp(share * change.ln_pressure);
+    profile.mixing_ratio_ppm[water][level] *= std::exp(share * change.ln_water);
+}
+
 Profile with_surface(Profile profile, double ground_km, double temperature,
                      double vapour_pressure_hPa, double depth_km) {
     constexpr auto water = static_cast<std::size_t>(Gas::water);
@@ -141,30 +178,18 @@ Profile with_surface(Profile profile, double ground_km, double temperature,
         const auto place =
             std::lower_bound(profile.height_km.begin(), profile.height_km.end(), level);
         if (place == profile.height_km.end() || *place == level) continue;
-        const auto i = place - profile.height_km.begin();
-        const AirSample air = air_at(profile, level);
-        profile.height_km.insert(place, level);
-        profile.pressure_hPa.insert(profile.pressure_hPa.begin() + i, air.pressure_hPa);
-        profile.temperature.insert(profile.temperature.begin() + i, air.temperature);
-        for (std::size_t gas = 0; gas < gas_count; ++gas) {
-            auto& ratio = profile.mixing_ratio_ppm[gas];
-            ratio.insert(ratio.begin() + i, air.mixing_ratio_ppm[gas]);
-        }
+        insert_level(profile, static_cast<std::size_t>(place - profile.height_km.begin()), level,
+                     air_at(profile, level));
     }
     const AirSample ground = air_at(profile, ground_km);
-    const double warmer = temperature - ground.temperature;
-    const double wetter = std::log(std::max(vapour_pressure_hPa, 1e-9) / ground.pressure_hPa * 1e6 /
-                                   ground.mixing_ratio_ppm[water]);
+    const AirChange change{
+        .warmer = temperature - ground.temperature,
+        .ln_water = std::log(std::max(vapour_pressure_hPa, 1e-9) / ground.pressure_hPa * 1e6 /
+                             ground.mixing_ratio_ppm[water])};
     for (std::size_t i = 0; i < profile.height_km.size(); ++i) {
         const double share = std::clamp((top_km - profile.height_km[i]) / depth_km, 0.0, 1.0);
-        profile.temperature[i] += share * warmer;
-        profile.mixing_ratio_ppm[water][i] *= std::exp(share * wetter);
+        change_level(profile, i, change, share);
     }
-    return profile;
-}
-
-Profile isothermal(Profile profile, double temperature) {
-    std::fill(profile.temperature.begin(), profile.temperature.end(), temperature);
     return profile;
 }
 

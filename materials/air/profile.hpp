@@ -47,16 +47,29 @@ struct AirSample {
     double pressure_hPa;
     double temperature;                              // [K]
     std::array<double, gas_count> mixing_ratio_ppm;  // by volume
+
+    double vapour_pressure_hPa() const {
+        return pressure_hPa * mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
+    }
 };
 AirSample air_at(const Profile& profile, double height_km);
 /// The first two of them alone: a quarter of the work.
 std::pair<double, double> pressure_and_temperature_at(const Profile& profile, double height_km);
 
+/// One of its levels; and a level added on top.
+AirSample sample_of(const Profile& profile, std::size_t level);
+void append_level(Profile& profile, double height_km, const AirSample& air);
+
+/// How air at one height differs from other air there. Another level may be changed by a share of
+/// it: temperature by the difference, pressure and water by the ratio.
+struct AirChange {
+    double warmer = 0.0;                       // [K]
+    double ln_pressure = 0.0, ln_water = 0.0;  // logarithms of ratios
+};
+void change_level(Profile& profile, std::size_t level, const AirChange& change, double share);
+
 /// Throws InputError unless levels ascend, lengths agree, pressures and temperatures are positive
 /// and mixing ratios are not negative.
 void check(const Profile& profile);
-
-/// The same temperature [K] at every level (for enclosure tests).
-Profile isothermal(Profile profile, double temperature);
 
 }  // namespace diurna

@@ -163,6 +163,39 @@ SightLine sight_line(double height_km, double zenith_deg, double range_km,
     return line;
 }
 
+int chord_segments(double height_change_km) {
+    return 24 + static_cast<int>(12.0 * std::abs(height_change_km));
+}
+
+SightLine chord(double from_height_km, double to_height_km, double range_km, int segments) {
+    if (segments <= 0) segments = chord_segments(to_height_km - from_height_km);
+    // Height over the part t of the way: from + rise t + sag t².
+    const double sag = range_km * range_km / (2.0 * earth_radius_km);
+    const double rise = to_height_km - from_height_km - sag;
+    std::vector<double> edge;
+    for (int i = 0; i <= segments; ++i) {
+        edge.push_back(double(i) * i / (double(segments) * segments));
+    }
+    // No segment lies across the top of the aerosol (sight_line.hpp).
+    const double below = aerosol_top_km - from_height_km;
+    const double root = std::sqrt(std::max(0.0, rise * rise + 4.0 * sag * below));
+    for (const double denominator : {rise + root, rise - root}) {
+        const double t = 2.0 * below / denominator;
+        if (t > 1e-9 && t < 1.0) edge.push_back(t);
+    }
+    std::sort(edge.begin(), edge.end());
+
+    const auto height = [&](double t) { return from_height_km + t * (rise + t * sag); };
+    SightLine line;
+    line.edge_km.push_back(from_height_km);
+    for (std::size_t i = 1; i < edge.size(); ++i) {
+        line.height_km.push_back(height(0.5 * (edge[i - 1] + edge[i])));
+        line.length_km.push_back((edge[i] - edge[i - 1]) * range_km);
+        line.edge_km.push_back(height(edge[i]));
+    }
+    return line;
+}
+
 SightLine refracted_line(const Profile& profile, double height_km, double zenith_deg,
                          double range_km, const Segmentation& segmentation) {
     check_line(height_km, zenith_deg, range_km);

@@ -54,6 +54,15 @@ SightLine sight_line(double height_km, double zenith_deg,
                      double range_km = std::numeric_limits<double>::infinity(),
                      const Segmentation& segmentation = {});
 
+/// A line from a height to another over a range, in segments that grow from the observer: heights
+/// on the straight chord over a spherical earth. Defined and smooth for any two heights, which
+/// sight_line() in terms of an angle is not.
+///
+/// segments  0: as chord_segments() says, converged to 2 mK in every band
+///           (tests/render/radiance_test.cpp)
+SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 0);
+int chord_segments(double height_change_km);
+
 /// Whether a line of infinite range ends on the ground.
 bool meets_ground(double height_km, double zenith_deg);
 
@@ -61,9 +70,9 @@ bool meets_ground(double height_km, double zenith_deg);
 /// visible; water vapour left out (Edlén; Hill's term for vapour is below 1 % beyond 1 µm).
 double refractivity(const Profile& profile, double height_km);
 
-/// The same lines bent by the profile's refraction: n r sin(zenith) is constant along them
-/// (Bouguer) to 1e-6 (tests/materials/sight_line_test.cpp). Zenith angles are those seen at the
-/// start.
+/// The same lines bent by the profile's refraction: n r sin(zenith) is the same at all ends of
+/// segments (Bouguer). Zenith angles are those seen at the start. Light from beyond the air is bent
+/// as Bennett (1982) says to 2 %, 3 % at the horizon (tests/materials/sight_line_test.cpp).
 SightLine refracted_line(const Profile& profile, double height_km, double zenith_deg,
                          double range_km = std::numeric_limits<double>::infinity(),
                          const Segmentation& segmentation = {});

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -36,7 +35,7 @@ struct CloudLayer {
 /// LOWTRAN7. Tables and their origin: data_folder()/atmosphere/SOURCE.md.
 ///
 /// Extinction is counted whole (scattered light leaves the beam and none comes back): transmittance
-/// and direct sun are right; light scattered from the sun is `scattered_sun` (scattering.hpp).
+/// and direct sun are right; light scattered from the sun is SunField's (sun_field.hpp).
 struct BandModel {
     Profile profile;
     std::string aerosol = "none";      // or one of aerosol_names()
@@ -57,42 +56,10 @@ std::vector<std::string> aerosol_names();
 /// Throws InputError if a value is out of range, the aerosol unknown or the profile unusable.
 void check(const BandModel& model);
 
-/// Edges of the spectral bins as wavelengths [µm], ascending (bin count + 1): 0.351 to 20.
-std::span<const double> bin_edges_um();
-inline std::size_t bin_count() { return bin_edges_um().size() - 1; }
-/// The bin that holds a wavelength; below and above the grid the first and the last.
-std::size_t bin_of(double wavelength_um);
-
-/// Bins [first, last): work is proportional to their number.
-struct BinRange {
-    std::size_t first = 0;
-    std::size_t last = 0;
-    std::size_t size() const { return last - first; }
-};
-BinRange all_bins();
-/// The bins that hold the given wavelengths, from the shortest to the longest.
-BinRange bins_of(std::span<const double> wavelengths_um);
-
-/// Transmittance from the observer to the far end of each segment.
-struct CumulativeTransmittance {
-    BinRange bins;
-    std::vector<double> temperature;    // (segment) [K]
-    std::vector<double> transmittance;  // (segment, bin), bins.size() a row
-
-    std::size_t segments() const { return temperature.size(); }
-    std::span<const double> row(std::size_t segment) const {
-        return std::span(transmittance).subspan(segment * bins.size(), bins.size());
-    }
-};
-CumulativeTransmittance cumulative_transmittance(const BandModel& model, const SightLine& line,
-                                                 BinRange bins);
-
-/// Transmittance to the end of the line alone, (bin); the fastest way to it.
-std::vector<double> transmittance(const BandModel& model, const SightLine& line, BinRange bins);
-
-/// The sun's irradiance above the air at 1 AU [W m⁻² µm⁻¹], 0.3 to 20 µm, mean over the bin that
-/// holds the wavelength (the band model's bins and five below them); beyond, the nearest bin's.
-/// ASTM E490 scaled to `solar_constant`; source: data_folder()/atmosphere/SOURCE.md.
-double solar_above_air(double wavelength_um);
+/// Lines from a height as the model's air bends them, or straight if it has no refraction.
+SightLine line_of(const BandModel& model, double height_km, double zenith_deg,
+                  double range_km = std::numeric_limits<double>::infinity(),
+                  const Segmentation& segmentation = {});
+bool ends_on_ground(const BandModel& model, double height_km, double zenith_deg);
 
 }  // namespace diurna

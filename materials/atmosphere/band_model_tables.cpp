@@ -6,8 +6,10 @@
 #include <numbers>
 #include <tuple>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/interval.hpp"
 #include "materials/base/monotone_cubic.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/spectrum.hpp"
@@ -53,12 +55,6 @@ void load_continuum(Tables& tables) {
     }
 }
 
-/// Bin that holds a wavelength of the grid.
-std::size_t bin_at(const std::vector<double>& edges, double wavelength_um) {
-    const auto above = std::upper_bound(edges.begin() + 1, edges.end() - 1, wavelength_um);
-    return static_cast<std::size_t>(above - edges.begin()) - 1;
-}
-
 void load_gases(Tables& tables) {
     const CsvTable csv = table("bandmodel.csv");
     const std::size_t n = csv.column("n"), m = csv.column("m");
@@ -72,7 +68,7 @@ void load_gases(Tables& tables) {
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         const double middle = um_of_wavenumber(0.5 * (csv.number(row, lo) + csv.number(row, hi)));
         groups[{gas_named(csv, row), csv.number(row, n), csv.number(row, m)}].push_back(
-            {bin_at(tables.edge_um, middle), csv.number(row, ln_c), csv.number(row, a)});
+            {interval_of(tables.edge_um, middle), csv.number(row, ln_c), csv.number(row, a)});
     }
     for (auto& [key, lines] : groups) {
         const auto [gas, pressure, temperature] = key;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <utility>
@@ -9,7 +10,7 @@
 
 namespace diurna {
 
-/// The band model's tables as loaded: private to band_model.cpp. Bins ascend in wavelength.
+/// The band model's tables as loaded. Bins ascend in wavelength.
 struct BandModelTables {
     /// Absorption of one gas where one pair of exponents holds: one amount W serves all its bins.
     struct Group {
@@ -26,9 +27,9 @@ struct BandModelTables {
     static constexpr std::size_t run_padding = 8;
     /// Bin values that are multiplied by an amount: self continuum, its change with temperature,
     /// foreign continuum, nitrogen, Rayleigh, ozone (visible), nitric acid.
-    static constexpr std::size_t linear_count = 7;
+    static constexpr std::size_t linear_count = 7, rayleigh = 4;
 
-    static constexpr std::size_t interval_nodes = 6;
+    static constexpr std::size_t interval_nodes = 6, haze_zones = 3;
 
     std::vector<double> edge_um;    // (bin + 1)
     std::vector<double> middle_um;  // (bin), of the middle wavenumber
@@ -58,7 +59,7 @@ struct BandModelTables {
     struct Haze {
         double visibility_km;
         std::vector<double> height_km;
-        std::array<std::vector<double>, 3> extinction;  // (zone)(height)
+        std::array<std::vector<double>, haze_zones> extinction;  // (zone)(height)
     };
     std::array<std::vector<Haze>, 2> haze;  // spring-summer, autumn-winter; visibility ascending
 

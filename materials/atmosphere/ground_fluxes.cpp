@@ -1,6 +1,7 @@
+#include "materials/atmosphere/ground_fluxes.hpp"
+
 #include <numbers>
 
-#include "materials/atmosphere/sun_field.hpp"
 #include "materials/radiation/planck.hpp"
 
 namespace diurna {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/fast_exp.hpp"
+#include "materials/base/units.hpp"
 
 namespace diurna {
 
@@ -12,36 +13,8 @@ namespace {
 using Tables = BandModelTables;
 
 constexpr double standard_pressure_hPa = 1013.25;
-constexpr double standard_temperature = 273.15;
-constexpr double haze_squeezed_below_km = 6.0;  // LOWTRAN7: above, ground height does not matter
-constexpr std::size_t rayleigh_term = 4;
-
-/// Between levels exponentially, or linearly where one end is zero.
-double between(double low, double high, double t) {
-    if (low > 0.0 && high > 0.0) return low * std::exp(t * std::log(high / low));
-    return low + t * (high - low);
-}
 
 }  // namespace
-
-double ln_dryness(const AirSample& air) {
-    const double vapour_hPa =
-        air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
-    const double a = standard_temperature / air.temperature;
-    const double saturated = a * std::exp(18.9766 - 14.9595 * a - 2.43882 * a * a);
-    const double percent = 100.0 * (vapour_hPa * 1e5 / (461.5 * air.temperature)) / saturated;
-    return std::log(100.0 - std::clamp(percent, 0.0, 99.0));
-}
-
-AerosolPlace place_of(const Tables::Aerosol& aerosol, double dryness) {
-    const auto& levels = aerosol.levels;
-    std::size_t upper = 0;
-    while (upper < levels.size() && levels[upper].ln_dryness > dryness) ++upper;
-    const std::size_t high = std::min(upper, levels.size() - 1), low = upper > 0 ? upper - 1 : 0;
-    if (low == high) return {low, high, 0.0};
-    const double from = levels[low].ln_dryness;
-    return {low, high, (dryness - from) / (levels[high].ln_dryness - from)};
-}
 
 void negative_exponentials(std::span<double> values) {
     double* const v = values.data();
@@ -61,11 +34,14 @@ void Amounts::add(const Amounts& other) {
 }
 
 Medium::Medium(const BandModel& model, BinRange bins)
-    : tables_(band_model_tables()), model_(model), bins_(bins), no_depth_(bins.size(), 0.0) {
+    : tables_(band_model_tables()),
+      model_(model),
+      bins_(bins),
+      haze_(model),
+      no_depth_(bins.size(), 0.0) {
     constexpr auto carbon_dioxide = static_cast<std::size_t>(Gas::carbon_dioxide);
     const double profile_co2 = model.profile.mixing_ratio_ppm[carbon_dioxide].front();
     co2_scale_ = profile_co2 > 0.0 ? model.co2_ppm / profile_co2 : 0.0;
-    if (model.rain_mm_h > 0.0) rain_extinction_ = 0.365 * std::pow(model.rain_mm_h, 0.63);
     for (const Tables::Run& run : tables_.runs) {  // runs stand in the order of their groups
         const bool absorbs = run.first < bins.last && run.first + run.bins > bins.first;
         const bool listed = !active_.empty() && active_.back() == run.group;
@@ -77,68 +53,18 @@ Medium::Medium(const BandModel& model, BinRange bins)
     }
     pressure_power_.resize(active_.size() + group_lanes, 0.0);
     temperature_power_.resize(active_.size() + group_lanes, 0.0);
-    if (model.aerosol == "none") return;
-    boundary_ = &tables_.aerosols.at(model.aerosol);
-    tropospheric_ = &tables_.aerosols.at("tropospheric");
-    const bool winter = model.profile.name == "MLW" || model.profile.name == "SAW";
-    const std::vector<Tables::Haze>& season = tables_.haze[winter ? 1 : 0];
-    // Between tabulated visibilities linear in 1 / visibility, as the ground's extinction is.
-    std::size_t high = 1;
-    while (high + 1 < season.size() && season[high].visibility_km < model.visibility_km) ++high;
-    const Tables::Haze &a = season[high - 1], &b = season[high];
-    const double t = (1.0 / model.visibility_km - 1.0 / a.visibility_km) /
-                     (1.0 / b.visibility_km - 1.0 / a.visibility_km);
-    const double ground = std::max(0.0, std::log(50.0) / model.visibility_km - 0.01159);
-    haze_height_km_ = a.height_km;
-    for (std::size_t zone = 0; zone < zones; ++zone) {
-        haze_[zone] = a.extinction[zone];
-        for (std::size_t i = 0; i < haze_[zone].size(); ++i) {
-            // Beyond the tabulated visibilities the ground's extinction alone goes on.
-            const double inside = std::clamp(t, 0.0, 1.0);
-            haze_[zone][i] += inside * (b.extinction[zone][i] - a.extinction[zone][i]);
-        }
-    }
-    const double scale = ground / haze_[0].front();
-    // Thick haze fills the lowest kilometre evenly; thin haze thins at all its heights.
-    const std::size_t filled = model.visibility_km > 10.0 ? 3 : 2;
-    for (std::size_t i = 0; i < filled; ++i) haze_[0][i] *= scale;
 }
 
 Amounts Medium::none() const {
     Amounts amounts;
     amounts.gas.assign(tables_.groups.size(), 0.0);
-    if (boundary_ != nullptr || rain_extinction_ > 0.0) amounts.aerosol.assign(bins_.size(), 0.0);
-    if (boundary_ != nullptr) {
-        amounts.haze = {std::vector<double>(boundary_->node.size(), 0.0),
-                        std::vector<double>(tropospheric_->node.size(), 0.0)};
+    const bool aerosol = haze_.boundary() != nullptr;
+    if (aerosol || haze_.rains()) amounts.aerosol.assign(bins_.size(), 0.0);
+    if (aerosol) {
+        amounts.haze = {std::vector<double>(haze_.boundary()->node.size(), 0.0),
+                        std::vector<double>(haze_.tropospheric()->node.size(), 0.0)};
     }
     return amounts;
-}
-
-std::array<double, Medium::zones> Medium::haze(double height_km) const {
-    std::array<double, zones> extinction{};
-    if (boundary_ == nullptr) return extinction;
-    double z = height_km;
-    if (z < haze_squeezed_below_km) {
-        z = haze_squeezed_below_km * (z - model_.ground_km) /
-            (haze_squeezed_below_km - model_.ground_km);
-    }
-    if (z >= haze_height_km_.back()) return extinction;
-    if (z <= 0.0) {
-        for (std::size_t zone = 0; zone < zones; ++zone) extinction[zone] = haze_[zone].front();
-        return extinction;
-    }
-    const auto above = std::upper_bound(haze_height_km_.begin(), haze_height_km_.end(), z);
-    const auto i = static_cast<std::size_t>(above - haze_height_km_.begin());
-    const double t = (z - haze_height_km_[i - 1]) / (haze_height_km_[i] - haze_height_km_[i - 1]);
-    for (std::size_t zone = 0; zone < zones; ++zone) {
-        extinction[zone] = between(haze_[zone][i - 1], haze_[zone][i], t);
-    }
-    return extinction;
-}
-
-double Medium::rain(double height_km) const {
-    return height_km < model_.ground_km + model_.rain_top_km ? rain_extinction_ : 0.0;
 }
 
 void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double depth,
@@ -174,7 +100,7 @@ void Medium::spread(Amounts& amounts) const {
     double* const depth = amounts.aerosol.data();
     for (std::size_t part = 0; part < amounts.haze.size(); ++part) {
         std::vector<double>& weight = amounts.haze[part];
-        const auto& node = (part == 0 ? boundary_ : tropospheric_)->node;
+        const auto& node = (part == 0 ? haze_.boundary() : haze_.tropospheric())->node;
         constexpr std::size_t group = Tables::interval_nodes;
         for (std::size_t k = 0; k < weight.size(); k += group) {
             if (weight.size() == 1) {
@@ -203,11 +129,9 @@ void Medium::spread(Amounts& amounts) const {
     }
 }
 
-double Medium::add_gases(double height_km, double length_km, Amounts& amounts,
-                         AirSample& air) const {
-    air = air_at(model_.profile, height_km);
+void Medium::add_gases(const AirSample& air, double length_km, Amounts& amounts) const {
     const double pressure = air.pressure_hPa / standard_pressure_hPa;
-    const double temperature = standard_temperature / air.temperature;
+    const double temperature = zero_celsius / air.temperature;
     const double amagat = pressure * temperature;  // density over that at 0 °C, 1 atm
 
     std::array<double, gas_count> amount;  // [cm at STP], water [g cm⁻²]
@@ -235,8 +159,7 @@ double Medium::add_gases(double height_km, double length_km, Amounts& amounts,
     }
 
     const double molecules = water_cm * loschmidt * 1e-20;  // [1e20 cm⁻²]
-    const double vapour_hPa =
-        air.pressure_hPa * air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] * 1e-6;
+    const double vapour_hPa = air.vapour_pressure_hPa();
     const double reference = 296.0 / air.temperature / standard_pressure_hPa;
     const double self = molecules * vapour_hPa * reference;
     const double foreign = molecules * (air.pressure_hPa - vapour_hPa) * reference;
@@ -250,39 +173,35 @@ double Medium::add_gases(double height_km, double length_km, Amounts& amounts,
         of(Gas::ozone),
         of(Gas::nitric_acid)};
     for (std::size_t i = 0; i < linear.size(); ++i) amounts.linear[i] += linear[i];
-
-    return air.temperature;
 }
 
-double Medium::add(double height_km, double length_km, std::span<const double> aerosol,
-                   Amounts& amounts) const {
-    AirSample air;
+void Medium::add(double height_km, double length_km, std::span<const double> aerosol,
+                 Amounts& amounts) const {
     for (std::size_t i = 0; i < amounts.aerosol.size(); ++i) {
         amounts.aerosol[i] += aerosol[i] * length_km;
     }
-    return add_gases(height_km, length_km, amounts, air);
+    add_gases(air_at(model_.profile, height_km), length_km, amounts);
 }
 
-double Medium::add(double height_km, double length_km, Amounts& amounts) const {
-    AirSample air;
-    add_gases(height_km, length_km, amounts, air);
-    const double drops = rain(height_km);
-    if (boundary_ != nullptr) {
-        const auto [boundary, troposphere, above] = haze(height_km);
+void Medium::add(double height_km, double length_km, Amounts& amounts) const {
+    const AirSample air = air_at(model_.profile, height_km);
+    add_gases(air, length_km, amounts);
+    const double drops = haze_.rain(height_km);
+    if (haze_.boundary() != nullptr) {
+        const auto [boundary, troposphere, above] = haze_.extinction(height_km);
         // Rain saturates the air.
         const double dryness = drops > 0.0 ? 0.0 : ln_dryness(air);
         if (boundary > 0.0) {
-            add_aerosol(*boundary_, dryness, boundary * length_km, amounts.haze[0]);
+            add_aerosol(*haze_.boundary(), dryness, boundary * length_km, amounts.haze[0]);
         }
         if (troposphere > 0.0) {
-            add_aerosol(*tropospheric_, dryness, troposphere * length_km, amounts.haze[1]);
+            add_aerosol(*haze_.tropospheric(), dryness, troposphere * length_km, amounts.haze[1]);
         }
         if (above > 0.0) {
-            add_aerosol(*tropospheric_, std::log(100.0), above * length_km, amounts.haze[1]);
+            add_aerosol(*haze_.tropospheric(), std::log(100.0), above * length_km, amounts.haze[1]);
         }
     }
     amounts.rain += drops * length_km;
-    return air.temperature;
 }
 
 void Medium::add(const SightLine& line, std::size_t segment, Amounts& amounts) const {
@@ -320,7 +239,7 @@ void Medium::find_depths(const Amounts& amounts, bool scattering, std::span<doub
         tables_.linear[4].data() + bins_.first, tables_.linear[5].data() + bins_.first,
         tables_.linear[6].data() + bins_.first};
     std::array<double, Tables::linear_count> w = amounts.linear;
-    if (!scattering) w[rayleigh_term] = 0.0;
+    if (!scattering) w[Tables::rayleigh] = 0.0;
     const std::size_t count = bins_.size();
     // Gases eight bins at a time, past the end of their runs and of the range: runs are filled up
     // with values that count nothing.

@@ -19,8 +19,11 @@ struct MieEfficiency {
 /// (tests/materials/mie_test.cpp).
 MieEfficiency mie(std::complex<double> index, double size_parameter);
 
-/// A mode of a size distribution: dN/d ln r = number · exp(−ln²(r/r₀) / 2 ln²10 σ²) / (√2π σ ln
-/// 10), or the modified gamma distribution dN/d ln r ∝ r^(α+1) exp(−(α/γ) (r/r₀)^γ).
+/// A mode of a size distribution, lognormal or modified gamma:
+///
+///     dN/d ln r = number · exp(−ln²(r/r₀) / 2 s²) / (√2π s),  s = σ ln 10
+///
+///     dN/d ln r ∝ r^(α+1) exp(−(α/γ) (r/r₀)^γ)
 struct SizeMode {
     double number = 1.0;
     double radius_um = 0.1;  // r₀

@@ -3,32 +3,22 @@
 #include <span>
 #include <vector>
 
-#include "materials/atmosphere/band_model.hpp"
-#include "materials/atmosphere/path_grid.hpp"
-#include "materials/modtran/modtran.hpp"
+#include "materials/atmosphere/bins.hpp"
+#include "materials/atmosphere/path_spectrum.hpp"
 
 namespace diurna {
 
-/// What is stored of a path, smooth along the axes: optical depth, and the temperature of the black
-/// body whose light times 1 − τ is the path's.
-struct Stored {
+/// What a table keeps of a path, smooth along the table's axes: optical depth, and the temperature
+/// [K] of the black body whose light times 1 − τ is the path's.
+struct StoredPath {
     std::vector<double> depth, temperature;  // (bin)
 };
-Stored stored(const BinPath& path, BinRange bins, double fallback);
-BinPath restored(std::span<const double> depth, std::span<const double> temperature,
-                 std::span<const double> node_um, BinRange bins);
 
-/// Zenith angles crowd towards the horizon: v = 1 − √(1 − zenith / 90°).
-double variable_of(double zenith_deg);
+/// From the path's spectrum at the middles of bins; `fallback` is the temperature of one as good as
+/// empty.
+StoredPath stored(const PathSpectrum& path, BinRange bins, double fallback);
 
-/// Means of a run over bins' wavenumbers. Throws std::runtime_error for a bin without a row.
-BinPath binned(const Tape7Run& run, BinRange bins);
-
-/// Lookups in the paths of a file.
-struct FileGrid;
-BinPath file_path(const FileGrid& grid, double from_km, double to_km, double range_km,
-                  std::span<const double> node_um);
-BinPath file_sky(const FileGrid& grid, double height_km, double zenith_deg,
-                 std::span<const double> node_um);
+/// Its spectrum at nodes. Throws InputError for nodes outside the bins.
+PathSpectrum restored(const StoredPath& path, BinRange bins, std::span<const double> node_um);
 
 }  // namespace diurna

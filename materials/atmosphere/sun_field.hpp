@@ -4,16 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/air/sight_line.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/sunlit_air.hpp"
 
 namespace diurna {
-
-/// The sun as a scene's air and ground receive it.
-struct SunLight {
-    double zenith_deg = 180.0;  // at the ground, as seen through the air
-    double distance_au = 1.0;
-    double ground_albedo = 0.2;  // of the land all around, at every wavelength
-};
 
 /// Fluxes of sunlight at a height, per node [W m⁻² µm⁻¹].
 struct SunFlux {
@@ -48,11 +43,11 @@ class SunField {
                              double azimuth_from_sun_deg) const;
     /// The same taken apart for tables: at_angle[k] + cos(zenith) · by_cosine, where angle k lies
     /// between the line and the direction to the sun. Several angles cost little more than one.
-    struct Apart {
+    struct ByTurn {
         std::vector<std::vector<double>> at_angle;  // (angle)(node)
         std::vector<double> by_cosine;              // (node)
     };
-    Apart path_apart(const SightLine& line, std::span<const double> angle_deg) const;
+    ByTurn path_by_turn(const SightLine& line, std::span<const double> angle_deg) const;
     /// That angle [deg].
     double angle_from_sun_deg(double zenith_deg, double azimuth_from_sun_deg) const;
 
@@ -65,25 +60,8 @@ class SunField {
 
     SunFlux flux(double height_km) const;
 
-    struct State;  // sun_field_state.hpp
-
  private:
-    std::shared_ptr<const State> state_;
+    std::shared_ptr<const SunlitAir> air_;
 };
-
-/// What falls on open level ground [W m⁻²]: all the heat balance needs of the air, from the object
-/// the camera looks through.
-struct GroundFluxes {
-    double sun_direct = 0.0;   // on a plane facing the sun, 0.3 to 5 µm
-    double sun_diffuse = 0.0;  // on the horizontal, from the sky
-    double thermal = 0.0;      // on the horizontal, from air and clouds, 3.5 to 100 µm
-};
-
-/// Beyond 20 µm, where the model has no bins, the air has the transmittance of its last one (500 to
-/// 525 cm⁻¹), and beyond 28 µm it is black; below 0.351 µm it has that of its first. Thermal flux
-/// is within 6 % of Dilley and O'Brien's fit for clear skies, subarctic winter (-5.6 %) to tropics;
-/// two-stream diffuse sunlight within 15 % of the sum of SunField::sky over the hemisphere
-/// (tests/materials/sun_field_test.cpp). Vacuum: no diffuse light, thermal flux of space.
-GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
 
 }  // namespace diurna

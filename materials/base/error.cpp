@@ -1,5 +1,7 @@
 #include "materials/base/error.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -43,6 +45,11 @@ InputError::InputError(std::string where, std::string problem, std::string hint)
 
 InputError::InputError(std::vector<Mistake> mistakes)
     : std::runtime_error(joined(mistakes)), mistakes_(std::move(mistakes)) {}
+
+void check_within(const std::string& where, double value, double least, double most) {
+    if (value >= least && value <= most) return;
+    throw InputError(where, fmt::format("found {:g}, expected {:g} to {:g}", value, least, most));
+}
 
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
     std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;

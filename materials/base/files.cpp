@@ -3,10 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -67,96 +64,6 @@ void write_whole_file(const fs::path& path, std::string_view text) {
 fs::path data_folder() {
     const char* named = std::getenv("DIURNA_DATA");
     return named != nullptr ? fs::path(named) : fs::path(DIURNA_SOURCE_DIR) / "materials";
-}
-
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-/// Splits at commas; a cell may stand in double quotes, within which commas do not count.
-std::vector<std::string> cells(std::string_view line) {
-    std::vector<std::string> found;
-    std::size_t begin = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i <= line.size(); ++i) {
-        if (i < line.size() && line[i] == '"') quoted = !quoted;
-        if (i < line.size() && (line[i] != ',' || quoted)) continue;
-        std::string_view cell = trimmed(line.substr(begin, i - begin));
-        if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
-            cell = cell.substr(1, cell.size() - 2);
-        }
-        found.emplace_back(cell);
-        begin = i + 1;
-    }
-    return found;
-}
-
-}  // namespace
-
-bool parse_number(std::string_view text, double& value) {
-    const char* const end = text.data() + text.size();
-    const auto [stop, code] = std::from_chars(text.data(), end, value);
-    return code == std::errc{} && stop == end && std::isfinite(value);
-}
-
-bool CsvTable::has(std::string_view name) const {
-    return std::find(header.begin(), header.end(), name) != header.end();
-}
-
-std::size_t CsvTable::column(std::string_view name) const {
-    const auto found = std::find(header.begin(), header.end(), name);
-    if (found == header.end()) {
-        throw InputError(path.string(), "no column '" + std::string(name) + "' in the header",
-                         did_you_mean(name, header));
-    }
-    return static_cast<std::size_t>(found - header.begin());
-}
-
-std::string CsvTable::where(std::size_t row, std::size_t column) const {
-    return path.string() + ":" + std::to_string(line.at(row)) + ":" + std::to_string(column + 1);
-}
-
-double CsvTable::number(std::size_t row, std::size_t column) const {
-    double value = 0.0;
-    const std::string& cell = rows.at(row).at(column);
-    if (!parse_number(cell, value)) {
-        throw InputError(where(row, column) + ": " + header.at(column),
-                         "found '" + cell.substr(0, 40) + "', expected a finite number",
-                         cell.find(',') != std::string::npos ? "the decimal separator is '.'" : "");
-    }
-    return value;
-}
-
-CsvTable read_csv(const fs::path& path) {
-    const std::string text = read_text(path);
-    CsvTable table{.path = path, .header = {}, .rows = {}, .line = {}};
-    int line_number = 0;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
-        begin = end + 1;
-        if (++line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-        if (line.empty() || line.front() == '#') continue;
-        std::vector<std::string> row = cells(line);
-        if (table.header.empty()) {
-            table.header = std::move(row);
-            continue;
-        }
-        if (row.size() != table.header.size()) {
-            throw InputError(path.string() + ":" + std::to_string(line_number),
-                             "found " + std::to_string(row.size()) + " cells, expected " +
-                                 std::to_string(table.header.size()) + " as in the header");
-        }
-        table.rows.push_back(std::move(row));
-        table.line.push_back(line_number);
-    }
-    if (table.header.empty())
-        throw InputError(path.string(), "empty table, expected a header line");
-    return table;
 }
 
 }  // namespace diurna

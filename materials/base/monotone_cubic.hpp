@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "materials/base/interval.hpp"
+
 namespace diurna {
 
 /// Slopes of the curve through values at ascending places that is monotone wherever they are:
@@ -53,9 +55,8 @@ struct HermiteWeights {
 };
 inline HermiteWeights hermite_weights(std::span<const double> place, double x) {
     x = std::clamp(x, place.front(), place.back());
-    const auto above = std::upper_bound(place.begin() + 1, place.end() - 1, x);
     HermiteWeights w;
-    w.low = static_cast<std::size_t>(above - place.begin()) - 1;
+    w.low = interval_of(place, x);
     const double step = place[w.low + 1] - place[w.low];
     const double t = w.t = (x - place[w.low]) / step, u = 1.0 - t;
     w.value_low = u * u * (1.0 + 2.0 * t);

@@ -6,9 +6,6 @@
 /// Constants (CODATA 2018, exact since the 2019 SI) and conversions at the edges of the program.
 namespace diurna {
 
-inline constexpr double planck_constant = 6.62607015e-34;         // [J s]
-inline constexpr double light_speed = 299792458.0;                // [m s⁻¹]
-inline constexpr double boltzmann_constant = 1.380649e-23;        // [J K⁻¹]
 inline constexpr double stefan_boltzmann = 5.670374419184429e-8;  // [W m⁻² K⁻⁴]
 inline constexpr double first_radiation_um = 119104297.2397188;   // 2hc² [W µm⁴ m⁻² sr⁻¹]
 inline constexpr double second_radiation_um = 14387.76877503934;  // hc/k [µm K]

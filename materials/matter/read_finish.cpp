@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/library.hpp"
 

@@ -1,3 +1,5 @@
+#include "materials/modtran/run.hpp"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -13,7 +15,6 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "materials/modtran/deck.hpp"
 
 namespace diurna {
 
@@ -61,10 +62,10 @@ std::uintmax_t bytes_in(const fs::path& folder) {
 /// A child that is its process group's leader; killed with all of the group unless it was reaped.
 class Child {
  public:
-    Child(const fs::path& executable, const std::vector<std::string>& arguments,
-          const std::vector<std::string>& environment, const fs::path& folder) {
-        std::vector<char*> argv, envp;
-        for (const std::string& each : arguments) argv.push_back(const_cast<char*>(each.c_str()));
+    Child(const fs::path& executable, const std::vector<std::string>& environment,
+          const fs::path& folder) {
+        std::string name = executable.string();
+        std::vector<char*> argv = {name.data()}, envp;
         for (const std::string& each : environment) envp.push_back(const_cast<char*>(each.c_str()));
         argv.push_back(nullptr);
         envp.push_back(nullptr);
@@ -108,6 +109,31 @@ class Child {
     bool reaped_ = false;
 };
 
+/// Runs the program in a folder until it ends, and returns its status; throws where it takes longer
+/// or writes more than allowed.
+int wait_for(const ModtranRunner& runner, const std::vector<std::string>& environment,
+             const fs::path& folder) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    const std::string name = runner.executable.string();
+    Child child(runner.executable, environment, folder);
+    int status = 0;
+    for (auto nap = std::chrono::milliseconds(1); !child.ended(status);
+         nap = std::min(2 * nap, std::chrono::milliseconds(50))) {
+        if (Clock::now() - begin > runner.time_limit) {
+            throw std::runtime_error(
+                fmt::format("{}: stopped after {:.1f} s without an end", name,
+                            std::chrono::duration<double>(runner.time_limit).count()));
+        }
+        if (bytes_in(folder) > runner.output_limit) {
+            throw std::runtime_error(fmt::format("{}: stopped after writing more than {} bytes",
+                                                 name, runner.output_limit));
+        }
+        std::this_thread::sleep_for(nap);
+    }
+    return status;
+}
+
 }  // namespace
 
 std::optional<ModtranRunner> modtran_runner(const std::string& command_line_word) {
@@ -129,55 +155,28 @@ std::optional<ModtranRunner> modtran_runner(const std::string& command_line_word
     return runner;
 }
 
-std::string run_modtran(const ModtranRunner& runner, const std::string& input_file,
-                        const std::string& input, const std::string& result_file) {
-    using Clock = std::chrono::steady_clock;
-    for (const std::string& name : {input_file, result_file}) {
-        if (name.empty() || name.find('/') != std::string::npos || name.starts_with('.')) {
-            throw InputError("MODTRAN file", fmt::format("'{}' is not a plain file name", name));
-        }
-    }
+std::string run_modtran(const ModtranRunner& runner, const std::string& tape5) {
     const TemporaryFolder folder;
-    write_whole_file(folder.path() / input_file, input);
+    write_whole_file(folder.path() / "tape5", tape5);
+    const fs::path tape7 = folder.path() / "tape7";
     std::vector<std::string> environment = {"PATH=/usr/bin:/bin", "LANG=C"};
     if (!runner.data.empty()) environment.push_back("MODTRAN_DATA=" + runner.data.string());
-    std::vector<std::string> arguments = {runner.executable.string()};
-    if (input_file != "tape5") arguments.push_back(input_file);
-    int status = 0;
-    {
-        const auto begin = Clock::now();
-        Child child(runner.executable, arguments, environment, folder.path());
-        for (auto nap = std::chrono::milliseconds(1); !child.ended(status);
-             nap = std::min(2 * nap, std::chrono::milliseconds(50))) {
-            if (Clock::now() - begin > runner.time_limit) {
-                throw std::runtime_error(fmt::format(
-                    "{}: stopped after {:.1f} s without an end", runner.executable.string(),
-                    std::chrono::duration<double>(runner.time_limit).count()));
-            }
-            if (bytes_in(folder.path()) > runner.output_limit) {
-                throw std::runtime_error(fmt::format("{}: stopped after writing more than {} bytes",
-                                                     runner.executable.string(),
-                                                     runner.output_limit));
-            }
-            std::this_thread::sleep_for(nap);
-        }
-    }
+    const int status = wait_for(runner, environment, folder.path());
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         throw std::runtime_error(
             fmt::format("{}: ended with {} {}", runner.executable.string(),
                         WIFEXITED(status) ? "code" : "signal",
                         WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status)));
     }
-    if (!fs::is_regular_file(fs::symlink_status(folder.path() / result_file))) {
-        throw std::runtime_error(
-            fmt::format("{}: left no file {}", runner.executable.string(), result_file));
+    if (!fs::is_regular_file(fs::symlink_status(tape7))) {
+        throw std::runtime_error(fmt::format("{}: left no file tape7", runner.executable.string()));
     }
-    return read_text(folder.path() / result_file, runner.output_limit);
+    return read_text(tape7, runner.output_limit);
 }
 
 std::vector<Tape7Run> run_decks(const ModtranRunner& runner,
                                 const std::vector<ModtranDeck>& decks) {
-    const std::string text = run_modtran(runner, "tape5", write_tape5(decks), "tape7");
+    const std::string text = run_modtran(runner, write_tape5(decks));
     std::vector<Tape7Run> runs = read_tape7_text("tape7 of " + runner.executable.string(), text);
     if (runs.size() != decks.size()) {
         throw std::runtime_error(

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "materials/base/quadrature.hpp"
 
 namespace diurna {
@@ -133,6 +133,17 @@ std::vector<Band> channel_bands(double from_um, double to_um, int count,
             flat_band(fmt::format("{:.6g}um", 0.5 * (low + high)), low, high, breakpoints_um));
     }
     return bands;
+}
+
+double band_sum_nodes(const Band& band, std::span<const double> per_node) {
+    assert(per_node.size() == band.weight.size());
+    double sum = 0.0;
+    for (std::size_t i = 0; i < per_node.size(); ++i) sum += band.weight[i] * per_node[i];
+    return sum;
+}
+
+double band_mean_nodes(const Band& band, std::span<const double> per_node) {
+    return band_sum_nodes(band, per_node) / band.width_um();
 }
 
 Band parse_band(const std::string& text, std::span<const double> breakpoints_um) {

@@ -43,6 +43,10 @@ Spectrum read_response(const std::filesystem::path& path);
 std::vector<Band> channel_bands(double from_um, double to_um, int count,
                                 std::span<const double> breakpoints_um = {});
 
+/// Σ weight · value over a band's nodes: ∫ response · f dλ; and the mean weighted by the response.
+double band_sum_nodes(const Band& band, std::span<const double> per_node);
+double band_mean_nodes(const Band& band, std::span<const double> per_node);
+
 /// Parses "3:5" or "3-5" [µm]; throws InputError if it is not an ascending range in 0.2 to 100.
 Band parse_band(const std::string& text, std::span<const double> breakpoints_um = {});
 

@@ -19,6 +19,11 @@ double planck(double wavelength_um, double temperature) {
     return first_radiation_um / (fifth_power(wavelength_um) * std::expm1(x));
 }
 
+double planck_temperature(double wavelength_um, double radiance) {
+    const double x = std::log1p(first_radiation_um / (fifth_power(wavelength_um) * radiance));
+    return second_radiation_um / (wavelength_um * x);
+}
+
 double planck_derivative(double wavelength_um, double temperature) {
     const double x = second_radiation_um / (wavelength_um * temperature);
     const double radiance = planck(wavelength_um, temperature);

@@ -16,6 +16,10 @@ namespace diurna {
 /// Source: CODATA 2018 constants.
 double planck(double wavelength_um, double temperature);
 
+/// The temperature [K] whose black body has the spectral radiance: the inverse of planck(), for a
+/// radiance above zero.
+double planck_temperature(double wavelength_um, double radiance);
+
 /// ∂B/∂T [W m⁻² sr⁻¹ µm⁻¹ K⁻¹]; finite everywhere, zero where B underflows.
 double planck_derivative(double wavelength_um, double temperature);
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 
 namespace diurna {
 
@@ -89,10 +89,7 @@ Spectrum read_spectrum(const std::filesystem::path& path, double least, double m
                                          "ascending ones",
                                          x));
         }
-        if (y < least || y > most) {
-            throw InputError(table.where(row, value) + ": " + table.header[value],
-                             fmt::format("found {:g}, expected {:g} to {:g}", y, least, most));
-        }
+        check_within(table.where(row, value) + ": " + table.header[value], y, least, most);
         s.wavelength_um.push_back(x);
         s.value.push_back(y);
     }

@@ -114,7 +114,7 @@ std::vector<double> background_at(const RadianceInput& input, double height_km, 
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
         return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
     }
-    NodeSpectrum path = path_at_nodes(
+    PathSpectrum path = path_at_nodes(
         input.atmosphere,
         chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
         node_um);
@@ -143,7 +143,7 @@ std::vector<std::vector<double>> scattered_backgrounds_at(
     for (const double azimuth : azimuth_from_sun_deg) {
         angle_deg.push_back(scattered.angle_from_sun_deg(zenith_deg, azimuth));
     }
-    SunField::Apart light = scattered.path_apart(
+    SunField::ByTurn light = scattered.path_by_turn(
         chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
         angle_deg);
     const double cosine = std::cos(radians(zenith_deg));
@@ -153,39 +153,6 @@ std::vector<std::vector<double>> scattered_backgrounds_at(
         }
     }
     return std::move(light.at_angle);
-}
-
-int chord_segments(double height_change_km) {
-    return 24 + static_cast<int>(12.0 * std::abs(height_change_km));
-}
-
-SightLine chord(double from_height_km, double to_height_km, double range_km, int segments) {
-    if (segments <= 0) segments = chord_segments(to_height_km - from_height_km);
-    // Height over the part t of the way: from + rise t + sag t².
-    const double sag = range_km * range_km / (2.0 * earth_radius_km);
-    const double rise = to_height_km - from_height_km - sag;
-    std::vector<double> edge;
-    for (int i = 0; i <= segments; ++i) {
-        edge.push_back(double(i) * i / (double(segments) * segments));
-    }
-    // No segment lies across the top of the aerosol (sight_line.hpp).
-    const double below = aerosol_top_km - from_height_km;
-    const double root = std::sqrt(std::max(0.0, rise * rise + 4.0 * sag * below));
-    for (const double denominator : {rise + root, rise - root}) {
-        const double t = 2.0 * below / denominator;
-        if (t > 1e-9 && t < 1.0) edge.push_back(t);
-    }
-    std::sort(edge.begin(), edge.end());
-
-    const auto height = [&](double t) { return from_height_km + t * (rise + t * sag); };
-    SightLine line;
-    line.edge_km.push_back(from_height_km);
-    for (std::size_t i = 1; i < edge.size(); ++i) {
-        line.height_km.push_back(height(0.5 * (edge[i - 1] + edge[i])));
-        line.length_km.push_back((edge[i] - edge[i - 1]) * range_km);
-        line.edge_km.push_back(height(edge[i]));
-    }
-    return line;
 }
 
 namespace {
@@ -274,7 +241,7 @@ std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const
                                                const SunField* scattered) {
     const double from_km = input.ground_height_km + 1e-3 * observer_height;
     const double to_km = input.ground_height_km + 1e-3 * height;
-    const NodeSpectrum path = path_at_nodes(
+    const PathSpectrum path = path_at_nodes(
         input.atmosphere, chord(from_km, to_km, 1e-3 * range, segments), band.node_um);
     const auto leaving = leaving_radiance(input, facet, band.node_um, 2, scattered);
     std::array<double, term_count> sum{};

@@ -75,15 +75,6 @@ std::vector<std::vector<double>> scattered_backgrounds_at(
     const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
     std::span<const double> azimuth_from_sun_deg);
 
-/// A line from a height to another over a range, in segments that grow from the observer: heights
-/// on the straight chord over a spherical earth. Defined and smooth for any two heights, which
-/// sight_line() in terms of an angle is not.
-///
-/// segments  0: as chord_segments() says, converged to 2 mK in every band
-///           (tests/render/radiance_test.cpp)
-SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 0);
-int chord_segments(double height_change_km);
-
 /// Spectral radiance that leaves a facet, term by term, summed node by node: the reference that
 /// the tables of tracer.hpp are measured against.
 ///

@@ -89,7 +89,7 @@ PathTable::Node PathTable::make_node(double u, double height_km) const {
     const SightLine line = chord(extent_.observer_height_km, height_km, u * u * u, segments_);
     Node node;
     for (std::size_t b = 0; b < bands_.size(); ++b) {
-        const NodeSpectrum path = path_at_nodes(atmosphere_, line, bands_[b].node_um);
+        const PathSpectrum path = path_at_nodes(atmosphere_, line, bands_[b].node_um);
         std::vector<float> transmittance(channels_[b].padded(), 0.0f);
         for (std::size_t c = 0; c < channels_[b].size(); ++c) {
             transmittance[c] = static_cast<float>(path.transmittance[channels_[b].first[c]]);

@@ -78,7 +78,7 @@ std::vector<double> ScatteredPath::angle_nodes(std::size_t count) const {
 
 ScatteredPath::Node ScatteredPath::make_node(double root, double height_km,
                                              const std::vector<double>& angle_deg) const {
-    const SunField::Apart light = field_.path_apart(
+    const SunField::ByTurn light = field_.path_by_turn(
         chord(extent_.observer_height_km, height_km, root * root * root, segments_), angle_deg);
     Node node;
     for (const auto& spectrum : light.at_angle) {

@@ -114,11 +114,11 @@ double hop_radiance(const Hops& hops, std::size_t pixel, std::span<const Plume> 
     const std::size_t nodes = band.node_um.size();
     const double eye_km = input.ground_height_km + 1e-3 * observer_height;
     std::vector<std::vector<double>> filter;
-    std::vector<NodeSpectrum> air;
+    std::vector<PathSpectrum> air;
     double sum = 0.0;
     for (const Hop& hop : list) {
         std::vector<double> past(nodes, 1.0);
-        const NodeSpectrum* from = nullptr;
+        const PathSpectrum* from = nullptr;
         if (hop.before >= 0) {
             const auto j = static_cast<std::size_t>(hop.before);
             const Hop& before = list[j];
@@ -141,7 +141,7 @@ double hop_radiance(const Hops& hops, std::size_t pixel, std::span<const Plume> 
         }
         std::vector<double> light(nodes, 0.0);
         const double height_km = input.ground_height_km + 1e-3 * double{hop.height};
-        NodeSpectrum path;
+        PathSpectrum path;
         if (hop.kind == Hop::Kind::sky) {
             const Eigen::Vector3d to = hop.direction.cast<double>();
             const double from_km = hop.straight ? eye_km : height_km;

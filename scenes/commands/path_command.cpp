@@ -11,8 +11,8 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
-#include "materials/modtran/deck.hpp"
-#include "materials/modtran/modtran.hpp"
+#include "materials/modtran/run.hpp"
+#include "materials/modtran/tape7.hpp"
 #include "materials/radiation/spectrum.hpp"
 #include "scenes/commands/raster_commands.hpp"
 
@@ -67,7 +67,7 @@ std::vector<BandResult> by_band_model(const PathArguments& a, const BandModel& m
                                       const SightLine& line, std::span<const Band> bands) {
     std::vector<BandResult> results;
     for (const Band& band : bands) {
-        const NodeSpectrum path = path_at_nodes(model, line, band.node_um);
+        const PathSpectrum path = path_at_nodes(model, line, band.node_um);
         BandResult& result = results.emplace_back();
         result.transmittance = band_mean_nodes(band, path.transmittance);
         result.thermal = band_sum_nodes(band, path.radiance);
@@ -123,7 +123,7 @@ ModtranDeck deck_of(const PathArguments& a, const BandModel& model, const SightL
 
 std::vector<BandResult> by_modtran(const ModtranRunner& runner, const ModtranDeck& deck,
                                    std::span<const Band> bands) {
-    const FilePath path = path_of(run_decks(runner, {deck}).front());
+    const Tape7Spectra path = spectra_of(run_decks(runner, {deck}).front());
     std::vector<BandResult> results;
     for (const Band& band : bands) {
         const double from = band.from_um(), to = band.to_um();
@@ -144,7 +144,7 @@ std::vector<BandResult> by_modtran(const ModtranRunner& runner, const ModtranDec
 /// The embedded model's spectrum, bin by bin.
 void write_spectrum(const std::filesystem::path& file, const BandModel& model,
                     const SightLine& line) {
-    const PathSpectrum spectrum = path_spectrum(model, line);
+    const PathSpectrum spectrum = path_at_nodes(model, line, bin_middles_um());
     const auto edges = bin_edges_um();
     std::string text = "from_um,to_um,transmittance,thermal_path_radiance_W_m2_sr_um\n";
     for (std::size_t bin = 0; bin + 1 < edges.size(); ++bin) {

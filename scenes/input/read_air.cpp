@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "materials/atmosphere/path_file.hpp"
+
 namespace diurna {
 
 namespace {
@@ -51,7 +53,7 @@ AirInput read_air(const Section& section, const Reading& reading) {
 void check_table_bands(const Section& section, const Scene& scene) {
     if (!scene.air.table) return;
     constexpr double least_um = 3.0;
-    const TableSpan span = table_span(*scene.air.table);
+    const TableSpan span = scene.air.table->span;
     const auto check = [&](const std::string& name, double from_um, double to_um) {
         if (from_um < least_um) {
             section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "

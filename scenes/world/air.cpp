@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/atmosphere/sun_field.hpp"
+#include "materials/atmosphere/ground_fluxes.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
@@ -55,16 +55,11 @@ Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& 
     if (air.vacuum) return Vacuum{};
     const Forcing forcing = weather.at(instant);
     const double ground_km = world.sea_level_height / 1000.0;
-    if (air.table) {
-        Tabulated table = *air.table;
-        table.profile = std::make_shared<const Profile>(
-            with_surface(afgl_profile(air.profile), ground_km, forcing.air.temperature,
-                         forcing.air.vapour_pressure / 100.0));
-        return table;
-    }
+    Profile profile = with_surface(afgl_profile(air.profile), ground_km, forcing.air.temperature,
+                                   forcing.air.vapour_pressure / 100.0);
+    if (air.table) return Tabulated{air.table, std::make_shared<const Profile>(std::move(profile))};
     BandModel model;
-    model.profile = with_surface(afgl_profile(air.profile), ground_km, forcing.air.temperature,
-                                 forcing.air.vapour_pressure / 100.0);
+    model.profile = std::move(profile);
     model.aerosol = air.aerosol;
     model.visibility_km = air.visibility_km;
     model.co2_ppm = air.co2_ppm;
@@ -77,7 +72,7 @@ Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& 
 
 void check_table(const Scene& scene, const World& world, const std::vector<Observer>& observers) {
     if (!scene.air.table) return;
-    const TableSpan span = table_span(*scene.air.table);
+    const TableSpan span = scene.air.table->span;
     const std::string where = scene.file.string() + ": atmosphere.table";
     constexpr double slack = 1e-3;  // [km]
     const auto inside = [&](const char* what, double low, double high, double least, double most) {
@@ -97,12 +92,11 @@ void check_table(const Scene& scene, const World& world, const std::vector<Obser
         low = std::min(low, height_km(vertex));
         high = std::max(high, height_km(vertex));
     }
-    inside("surfaces lie", low, high, span.extent.least_to_km, span.extent.most_to_km);
+    inside("surfaces lie", low, high, span.least_to_km, span.most_to_km);
     inside("surfaces that see the sky lie", low, high, span.least_sky_km, span.most_sky_km);
     for (const Observer& observer : observers) {
         const double eye_km = height_km(observer.position);
-        inside("observers look", eye_km, eye_km, span.extent.least_from_km,
-               span.extent.most_from_km);
+        inside("observers look", eye_km, eye_km, span.least_from_km, span.most_from_km);
         inside("observers see the sky", eye_km, eye_km, span.least_sky_km, span.most_sky_km);
         for (const Eigen::Vector3f& vertex : world.facets.vertex) {
             farthest = std::max(farthest, (vertex.cast<double>() - observer.position).norm());
@@ -113,7 +107,7 @@ void check_table(const Scene& scene, const World& world, const std::vector<Obser
             farthest, 1e3 * std::sqrt(above_km * (2.0 * (earth_radius_km + sea_km) + above_km)));
     }
     inside("lines of sight, to the plain's horizon, go", 0.0, 1e-3 * farthest, 0.0,
-           span.extent.most_range_km);
+           span.most_range_km);
 }
 
 std::vector<std::string> table_notes(const Scene& scene) {
@@ -122,7 +116,7 @@ std::vector<std::string> table_notes(const Scene& scene) {
         fmt::format("the air is a table of {} paths of {}, the same at every instant: weather's "
                     "rain and cloud and scattered sunlight are not in the pictures' air; error "
                     "of interpolation between its paths not measured",
-                    table_span(*scene.air.table).paths, scene.air.table_file.filename().string())};
+                    scene.air.table->span.paths, scene.air.table_file.filename().string())};
 }
 
 Weather scene_weather(const Scene& scene, const World& world) {

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "materials/atmosphere/atmosphere.hpp"
+#include "materials/atmosphere/band_transmittance.hpp"
+#include "materials/atmosphere/solar_spectrum.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
@@ -38,6 +40,8 @@ SightLine equal_segments(double height_km, double zenith_deg, double range_km, i
     }
     return line;
 }
+
+BinRange every_bin() { return {0, bin_count()}; }
 
 Band band(double from, double to) { return flat_band("", from, to, bin_edges_um()); }
 
@@ -159,34 +163,31 @@ TEST_CASE("paths agree with the definition of the model to 0.1 %", "[materials][
 TEST_CASE("some bins alone are the same as all of them", "[materials][atmosphere]") {
     const BandModel air = model("MLS", "rural");
     const SightLine line = sight_line(0.0, 60.0, 20.0);
-    const std::vector<double> all = transmittance(air, line, all_bins());
+    const std::vector<double> all = transmittance(air, line, every_bin());
     const BinRange part{bin_of(8.0), bin_of(12.0) + 1};
     const std::vector<double> some = transmittance(air, line, part);
-    const CumulativeTransmittance rows = cumulative_transmittance(air, line, part);
     for (std::size_t i = 0; i < part.size(); ++i) {
         CHECK(some[i] == Approx(all[part.first + i]).epsilon(1e-14));
-        CHECK(rows.row(line.size() - 1)[i] == Approx(some[i]).epsilon(1e-14));
     }
 }
 
 TEST_CASE("transmittance falls along the path, between one and zero", "[materials][atmosphere]") {
     const BandModel air = model("TROP", "rural", 5.0);
-    const CumulativeTransmittance path =
-        cumulative_transmittance(air, sight_line(0.0, 85.0), all_bins());
+    const SightLine line = sight_line(0.0, 85.0);
     std::vector<double> before(bin_count(), 1.0);
     bool falls = true;
-    for (std::size_t segment = 0; segment < path.segments(); ++segment) {
+    for (std::size_t segments = 1; segments <= line.size(); ++segments) {
+        const std::vector<double> now = transmittance(air, line.first(segments), every_bin());
         for (std::size_t bin = 0; bin < bin_count(); ++bin) {
-            const double now = path.row(segment)[bin];
-            falls = falls && now >= 0.0 && now <= before[bin];
-            before[bin] = now;
+            falls = falls && now[bin] >= 0.0 && now[bin] <= before[bin];
         }
+        before = now;
     }
     CHECK(falls);
 }
 
 TEST_CASE("a path of no length is clear", "[materials][atmosphere]") {
-    for (const double tau : transmittance(model("TROP", "urban", 2.0), level(0, 0), all_bins())) {
+    for (const double tau : transmittance(model("TROP", "urban", 2.0), level(0, 0), every_bin())) {
         CHECK(tau == 1.0);
     }
 }
@@ -215,7 +216,7 @@ TEST_CASE("haze thins with height as LOWTRAN7's own profile does", "[materials][
     const auto extinction = [](const char* aerosol, double height) {
         Spectrum depth;
         for (const char* kind : {aerosol, "none"}) {
-            const auto tau = transmittance(model("MLS", kind), level(height, 1.0), all_bins());
+            const auto tau = transmittance(model("MLS", kind), level(height, 1.0), every_bin());
             for (std::size_t i = 0; i < tau.size(); ++i) {
                 if (depth.wavelength_um.size() < tau.size()) {
                     depth.wavelength_um.push_back(bin_middles_um()[i]);
@@ -241,13 +242,13 @@ TEST_CASE("rain thins all wavelengths alike, by its rate", "[materials][atmosphe
     // LOWTRAN7: 0.365 R^0.63 per km; at 25 mm/h 2.774 per km.
     BandModel wet = model("MLS");
     wet.rain_mm_h = 25.0;
-    const auto dry = transmittance(model("MLS"), level(1.0, 0.5), all_bins());
-    const auto tau = transmittance(wet, level(1.0, 0.5), all_bins());
+    const auto dry = transmittance(model("MLS"), level(1.0, 0.5), every_bin());
+    const auto tau = transmittance(wet, level(1.0, 0.5), every_bin());
     for (const std::size_t bin : {std::size_t{5}, std::size_t{200}, std::size_t{400}}) {
         CHECK(tau[bin] / dry[bin] == Approx(std::exp(-0.5 * 0.365 * std::pow(25.0, 0.63))));
     }
-    CHECK(transmittance(wet, level(3.5, 0.5), all_bins()) ==
-          transmittance(model("MLS"), level(3.5, 0.5), all_bins()));
+    CHECK(transmittance(wet, level(3.5, 0.5), every_bin()) ==
+          transmittance(model("MLS"), level(3.5, 0.5), every_bin()));
 }
 
 TEST_CASE("over high ground the haze begins there", "[materials][atmosphere]") {
@@ -266,8 +267,8 @@ TEST_CASE("over high ground the haze begins there", "[materials][atmosphere]") {
 TEST_CASE("more carbon dioxide darkens its own bands alone", "[materials][atmosphere]") {
     BandModel now = model("US76");
     now.co2_ppm = 420.0;
-    const auto then_tau = transmittance(model("US76"), level(0, 1), all_bins());
-    const auto now_tau = transmittance(now, level(0, 1), all_bins());
+    const auto then_tau = transmittance(model("US76"), level(0, 1), every_bin());
+    const auto now_tau = transmittance(now, level(0, 1), every_bin());
     CHECK(now_tau[bin_of(4.18)] < 0.995 * then_tau[bin_of(4.18)]);
     CHECK(now_tau[bin_of(13.2)] < 0.995 * then_tau[bin_of(13.2)]);
     CHECK(now_tau[bin_of(0.55)] == then_tau[bin_of(0.55)]);

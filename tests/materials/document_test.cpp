@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 
 using namespace diurna;
 

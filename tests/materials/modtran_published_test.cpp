@@ -1,4 +1,4 @@
-#include "materials/modtran/modtran.hpp"
+#include "materials/modtran/tape7.hpp"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
     for (const char* name : {"tape7-01", "tape7-01b", "horizon5kmtropical.fl7"}) {
         for (const Tape7Run& run : read_tape7(sample(*folder, name))) {
             REQUIRE(run.emission == 0);
-            const SpectralTable& t = run.table;
+            const Tape7Table& t = run.table;
             // Line by line the parts are correlated; in the mean over a band they multiply.
             double depth = 0.0;
             for (const auto& [from, to] :
@@ -28,8 +28,8 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
                   std::pair{2439.0, 2857.0}, std::pair{4000.0, 5000.0}, std::pair{5556.0, 6667.0},
                   std::pair{14286.0, 25000.0}}) {
                 double totals = 0.0, products = 0.0;
-                for (std::size_t i = 0; i < t.axis.size(); ++i) {
-                    if (t.axis[i] < from || t.axis[i] > to) continue;
+                for (std::size_t i = 0; i < t.wavenumber.size(); ++i) {
+                    if (t.wavenumber[i] < from || t.wavenumber[i] > to) continue;
                     double product = 1.0;
                     for (const char* part :
                          {"H2O_TRANS", "UMIX_TRANS", "O3_TRANS", "TRACE_TRANS", "N2_CONT",
@@ -43,7 +43,7 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
                 CAPTURE(name, from);
                 CHECK(products / totals == Approx(1.0).epsilon(0.0017));
             }
-            for (std::size_t i = 0; i < t.axis.size(); ++i) {
+            for (std::size_t i = 0; i < t.wavenumber.size(); ++i) {
                 const double total = t.column("TOT_TRANS")[i];
                 if (total > 0.01) {
                     depth = std::max(
@@ -62,19 +62,19 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
         for (const Tape7Run& run : read_tape7(sample(*folder, name))) {
             ++radiance_runs;
             REQUIRE((run.emission == 1 || run.emission == 2));
-            const SpectralTable& t = run.table;
+            const Tape7Table& t = run.table;
             double black = 0.0, sum = 0.0, depth = 0.0, surface = 0.0;
-            for (std::size_t i = 0; i < t.axis.size(); ++i) {
+            for (std::size_t i = 0; i < t.wavenumber.size(); ++i) {
                 const auto of = [&](const char* column) {
                     const double value = t.column(column)[i];
                     return std::isnan(value) ? 0.0 : value;
                 };
                 const double total = of("TOTAL_RAD"), kelvins = of("BBODY_T[K]");
                 // B(T) magnifies the last printed digit of T by x / T; its c2 was 1.4388.
-                const double slack = 5e-4 * 1.4388 * t.axis[i] / (kelvins * kelvins) + 5e-5 +
-                                     1e-5 * 1.4388 * t.axis[i] / kelvins;
-                black = std::max(black,
-                                 std::abs(planck_per_cm(t.axis[i], kelvins) / total - 1.0) - slack);
+                const double slack = 5e-4 * 1.4388 * t.wavenumber[i] / (kelvins * kelvins) + 5e-5 +
+                                     1e-5 * 1.4388 * t.wavenumber[i] / kelvins;
+                black = std::max(
+                    black, std::abs(planck_per_cm(t.wavenumber[i], kelvins) / total - 1.0) - slack);
                 const double parts =
                     of("PTH_THRML") + of("SURF_EMIS") + of("SOL_SCAT") + of("GRND_RFLT");
                 sum = std::max(sum, std::abs(parts / total - 1.0));
@@ -85,7 +85,7 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
                 CHECK(of("DEPTH") <= 99.990);
                 if (of("SURF_EMIS") > 0.0) {
                     const double emitted =
-                        tau * of("DIR_EM") * planck_per_cm(t.axis[i], run.ground_temperature);
+                        tau * of("DIR_EM") * planck_per_cm(t.wavenumber[i], run.ground_temperature);
                     surface = std::max(surface, std::abs(of("SURF_EMIS") / emitted - 1.0));
                 }
                 CHECK(of("THRML_SCT") <= of("PTH_THRML") * 1.0001);
@@ -104,7 +104,7 @@ TEST_CASE("published tape7 files keep MODTRAN's own identities",
         for (const Tape7Run& run : read_tape7(sample(*folder, name))) {
             REQUIRE(run.emission == 3);
             double worst = 0.0;
-            for (std::size_t i = 0; i < run.table.axis.size(); ++i) {
+            for (std::size_t i = 0; i < run.table.wavenumber.size(); ++i) {
                 const double direct = std::exp(-run.table.column("DEPTH")[i]);
                 const double ratio = run.table.column("SOL_TR")[i] / run.table.column("SOLAR")[i];
                 if (direct > 1e-3) worst = std::max(worst, std::abs(ratio / direct - 1.0));
@@ -143,7 +143,7 @@ TEST_CASE("published tape7 files have the columns and headers that FORMATS.md te
     const std::vector<double>& total = level.table.column("TOT_TRANS");
     CHECK(*std::max_element(total.begin(), total.end()) > 0.5);
     const auto all_blank = [&](const char* name, const char* column) {
-        const SpectralTable table = read_tape7(sample(*folder, name))[0].table;
+        const Tape7Table table = read_tape7(sample(*folder, name))[0].table;
         const std::vector<double>& value = table.column(column);
         return std::all_of(value.begin(), value.end(), [](double v) { return std::isnan(v); });
     };
@@ -158,11 +158,11 @@ TEST_CASE("published tape7 files have the columns and headers that FORMATS.md te
     CHECK_FALSE(all_blank("tape7-02", "THRML_SCT"));
     // DRCT_RFLT = REF_SOL (1 - DIR_EM) cos(sun) / pi: these grounds are black, and reflect none.
     for (const char* name : {"tape7-03b", "tape7-05b", "tape7.MWIRSun"}) {
-        const SpectralTable t = read_tape7(sample(*folder, name))[0].table;
-        for (std::size_t i = 0; i < t.axis.size(); ++i) {
+        const Tape7Table t = read_tape7(sample(*folder, name))[0].table;
+        for (std::size_t i = 0; i < t.wavenumber.size(); ++i) {
             CHECK(t.column("DIR_EM")[i] == 1.0);
             CHECK(t.column("DRCT_RFLT")[i] == 0.0);
-            CHECK((i == 0 || t.axis[i] > t.axis[i - 1]));
+            CHECK((i == 0 || t.wavenumber[i] > t.wavenumber[i - 1]));
         }
     }
 }
@@ -184,7 +184,7 @@ TEST_CASE("the embedded model keeps to MODTRAN 5's published paths",
                           Path{"horizon5kmtropical.fl7", 23, false, 8.0, 14.0, 0.03},
                           Path{"tape7.MWIRSun", 23, true, 3.52, 4.1, 0.03},
                           Path{"tape7.LWIRSun", 23, true, 8.3, 11.6, 0.04}}) {
-        const FilePath path = path_of(read_tape7(sample(*folder, p.file))[0]);
+        const Tape7Spectra path = spectra_of(read_tape7(sample(*folder, p.file))[0]);
         const BandModel air{.profile = afgl_profile("TROP"),
                             .aerosol = "rural",
                             .visibility_km = p.visibility_km,

@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "materials/air/saturation.hpp"
+
 using namespace diurna;
 
 TEST_CASE("saturation vapour pressure follows the steam tables", "[materials][air]") {
@@ -16,9 +18,11 @@ TEST_CASE("saturation vapour pressure follows the steam tables", "[materials][ai
 TEST_CASE("the slope of saturation is its derivative", "[materials][air]") {
     const double t = GENERATE(235.0, 273.15, 300.0, 340.0);
     const double d = 0.001;
-    const double slope =
+    const double difference =
         (saturation_vapour_pressure(t + d) - saturation_vapour_pressure(t - d)) / (2.0 * d);
-    CHECK(saturation_vapour_pressure_derivative(t) == Approx(slope).epsilon(1e-7));
+    double slope = 0.0;
+    CHECK(saturation_over_water(t, slope) == Approx(saturation_vapour_pressure(t)).epsilon(1e-14));
+    CHECK(slope == Approx(difference).epsilon(1e-7));
 }
 
 TEST_CASE("air is saturated at its dew point", "[materials][air]") {
@@ -31,7 +35,6 @@ TEST_CASE("dew point and saturation stay finite at the ends", "[materials][air][
     CHECK(dew_point(0.0) < 200.0);
     CHECK(saturation_vapour_pressure(0.0) >= 0.0);
     CHECK(saturation_vapour_pressure(35.86) < 1e-10);
-    CHECK(saturation_vapour_pressure_derivative(35.86) == 0.0);
 }
 
 TEST_CASE("moist air is lighter than dry", "[materials][air]") {
@@ -42,12 +45,6 @@ TEST_CASE("moist air is lighter than dry", "[materials][air]") {
     const double expected = (99325.0 * 0.0289647 + 2000.0 * 0.0180153) / (8.31446 * 300.0);
     CHECK(air_density({.temperature = 300, .pressure = 101325, .vapour_pressure = 2000}) ==
           Approx(expected).epsilon(1e-4));
-}
-
-TEST_CASE("specific humidity is the mass fraction of vapour", "[materials][air]") {
-    const double vapour = 2000.0 * 18.0153, dry = 99325.0 * 28.9647;
-    CHECK(specific_humidity({.temperature = 300, .pressure = 101325, .vapour_pressure = 2000}) ==
-          Approx(vapour / (vapour + dry)).epsilon(1e-4));
 }
 
 TEST_CASE("latent heat follows the steam tables", "[materials][air]") {

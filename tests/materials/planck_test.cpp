@@ -135,6 +135,15 @@ TEST_CASE("brightness temperature undoes band radiance", "[materials][planck]") 
     }
 }
 
+TEST_CASE("the temperature of a spectral radiance undoes Planck's law", "[materials][planck]") {
+    for (const double um : {0.35, 1.0, 3.9, 10.0, 20.0}) {
+        for (const double kelvins : {180.0, 300.0, 1500.0, 6000.0}) {
+            CAPTURE(um, kelvins);
+            CHECK(planck_temperature(um, planck(um, kelvins)) == Approx(kelvins).epsilon(1e-13));
+        }
+    }
+}
+
 TEST_CASE("extremes of temperature and wavelength survive", "[materials][planck][stress]") {
     CHECK(planck(0.35, 200) == Approx(1.23280141708e-79).epsilon(1e-11));
     CHECK(planck(0.4, 250) == Approx(3.80488570317e-53).epsilon(1e-11));

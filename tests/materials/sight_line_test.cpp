@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <random>
 
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/base/units.hpp"
@@ -98,4 +100,109 @@ TEST_CASE("a bent line ends on the ground exactly when the horizon says so",
         CHECK(refracted_line(air, height, low - 0.01).height_km.back() > 90.0);
         CHECK(refracted_line(air, height, high + 0.01).height_km.back() < 0.1);
     }
+}
+
+TEST_CASE("sight lines end at the ground, at the top of the air, or after their range",
+          "[materials][sight_line]") {
+    CHECK(sight_line(2.0, 180.0).range_km() == Approx(2.0));
+    CHECK(sight_line(0.0, 0.0).range_km() == Approx(atmosphere_top_km));
+    CHECK(sight_line(1.0, 80.0, 7.0).range_km() == Approx(7.0));
+    CHECK(sight_line(0.0, 90.0, 5.0).size() == 1);
+    CHECK(sight_line(0.0, 90.0, 0.0).size() == 0);
+    // From the geometry of a sphere: the horizon of 10 km height is sqrt(h (2R + h)) away.
+    const double to_horizon = std::sqrt(10.0 * (2.0 * earth_radius_km + 10.0));
+    const double dip_deg =
+        std::acos(earth_radius_km / (earth_radius_km + 10.0)) * 180.0 / 3.14159265358979;
+    CHECK(sight_line(10.0, 90.0 + dip_deg + 1e-4).range_km() == Approx(to_horizon).epsilon(0.01));
+    CHECK(meets_ground(10.0, 90.0 + dip_deg + 1e-4));
+    CHECK_FALSE(meets_ground(10.0, 90.0 + dip_deg - 1e-4));
+    CHECK(sight_line(10.0, 90.0 + dip_deg - 1e-4).range_km() > 2.0 * to_horizon);
+    // From space: straight down through the whole air; past the earth: nothing.
+    CHECK(sight_line(700.0, 180.0).range_km() == Approx(atmosphere_top_km));
+    CHECK(sight_line(700.0, 0.0).size() == 0);
+    CHECK(sight_line(700.0, 110.0).size() == 0);
+    CHECK(sight_line(700.0, 180.0, 500.0).size() == 0);
+    // Below the sea a finite path goes on, an endless one has arrived.
+    CHECK(sight_line(0.05, 95.0, 2.0).range_km() == Approx(2.0));
+    CHECK(sight_line(-0.4, 91.0, 1.0).range_km() == Approx(1.0));
+    CHECK(sight_line(-0.4, 91.0).size() == 0);
+}
+
+TEST_CASE("heights along a sight line are those of a sphere", "[materials][sight_line]") {
+    const double zenith = GENERATE(0.0, 60.0, 89.0, 90.0, 91.0, 120.0);
+    const SightLine line = sight_line(3.0, zenith, 40.0);
+    const double r = earth_radius_km + 3.0, mu = std::cos(zenith * 3.14159265358979 / 180.0);
+    double s = 0.0, worst = 0.0, worst_between = 0.0;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        for (const double share : {0.0, 0.25, 0.5, 1.0}) {
+            const double at = s + share * line.length_km[i];
+            const double height = std::sqrt(r * r + at * at + 2.0 * r * at * mu) - earth_radius_km;
+            const double found = share == 0.5 ? line.height_km[i] : line.height_within(i, share);
+            double& error = share == 0.25 ? worst_between : worst;
+            error = std::max(error, std::abs(height - found));
+        }
+        s += line.length_km[i];
+    }
+    CHECK(worst < 1e-9);
+    CHECK(worst_between < 3e-8);  // the parabola through them
+}
+
+TEST_CASE("no segment lies across the top of the aerosol", "[materials][sight_line]") {
+    // Rising from, falling through and turning below 2 km: the part below is as long as the chord.
+    struct Ray {
+        double height_km, zenith_deg;
+    };
+    for (const auto& [height, zenith] :
+         {Ray{0.3, 40.0}, Ray{0.3, 88.0}, Ray{5.0, 130.0}, Ray{3.0, 91.2}}) {
+        const SightLine line = sight_line(height, zenith);
+        const double r = earth_radius_km + height, mu = std::cos(zenith * 3.14159265358979 / 180.0);
+        double s = 0.0, closest = 1e9;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            s += line.length_km[i];
+            const double end = std::sqrt(r * r + s * s + 2.0 * r * s * mu) - earth_radius_km;
+            closest = std::min(closest, std::abs(end - aerosol_top_km));
+        }
+        CAPTURE(height, zenith);
+        CHECK(closest < 1e-6);
+    }
+}
+
+TEST_CASE("any sight line has few segments that add up to it", "[materials][sight_line][stress]") {
+    std::mt19937 random(20260715);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    std::size_t most = 0;
+    bool sound = true;
+    for (int i = 0; i < 20000; ++i) {
+        const double height = -0.4 + 120.0 * std::pow(unit(random), 3);
+        // Half of them within a degree of level, where a line falls, turns and rises.
+        const double zenith = i % 2 == 0 ? 180.0 * unit(random) : 89.0 + 2.0 * unit(random);
+        const double range = i % 3 == 0 ? 1e9 : 500.0 * unit(random);
+        CAPTURE(height, zenith, range);
+        const SightLine line = sight_line(height, zenith, range);
+        most = std::max(most, line.size());
+        sound = sound && line.range_km() <= range * (1.0 + 1e-9);
+        for (std::size_t k = 0; k < line.size(); ++k) {
+            sound = sound && line.length_km[k] > 0.0 && line.height_km[k] > -0.6 &&
+                    line.height_km[k] < atmosphere_top_km + 1e-6;
+        }
+    }
+    CHECK(sound);
+    CHECK(most < 300);
+}
+
+TEST_CASE("a chord is the sight line of that angle", "[materials][sight_line]") {
+    // 10 km at 2° down from 1 km: the end's height by the law of cosines.
+    const double range = 10.0, zenith = 92.0, from = 1.0;
+    const double r = earth_radius_km + from;
+    const double end =
+        std::sqrt(r * r + range * range + 2.0 * r * range * std::cos(radians(zenith))) -
+        earth_radius_km;
+    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    const BandModel summer{.profile = afgl_profile("MLS"), .aerosol = "rural"};
+    const auto a = path_at_nodes(summer, chord(from, end, range, 200), band.node_um);
+    const auto b = path_at_nodes(summer, sight_line(from, zenith, range), band.node_um);
+    CHECK(band_mean_nodes(band, a.transmittance) ==
+          Approx(band_mean_nodes(band, b.transmittance)).epsilon(5e-4));
+    CHECK(band_sum_nodes(band, a.radiance) ==
+          Approx(band_sum_nodes(band, b.radiance)).epsilon(2e-3));
 }

@@ -15,6 +15,7 @@
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/facet_views.hpp"
 #include "tests/support/hop_stage.hpp"
+#include "tests/support/isothermal.hpp"
 
 using namespace diurna;
 

@@ -192,22 +192,6 @@ TEST_CASE("the segments of a chord are fine enough for 2 mK", "[render][radiance
     CHECK(std::abs(temperature(0) - temperature(400)) < 2e-3);
 }
 
-TEST_CASE("a chord is the sight line of that angle", "[render][radiance]") {
-    // 10 km at 2° down from 1 km: the end's height by the law of cosines.
-    const double range = 10.0, zenith = 92.0, from = 1.0;
-    const double r = earth_radius_km + from;
-    const double end =
-        std::sqrt(r * r + range * range + 2.0 * r * range * std::cos(radians(zenith))) -
-        earth_radius_km;
-    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
-    const auto a = path_at_nodes(summer, chord(from, end, range, 200), band.node_um);
-    const auto b = path_at_nodes(summer, sight_line(from, zenith, range), band.node_um);
-    CHECK(band_mean_nodes(band, a.transmittance) ==
-          Approx(band_mean_nodes(band, b.transmittance)).epsilon(5e-4));
-    CHECK(band_sum_nodes(band, a.radiance) ==
-          Approx(band_sum_nodes(band, b.radiance)).epsilon(2e-3));
-}
-
 TEST_CASE("the mean sky agrees with a fine integral over the hemisphere", "[render][radiance]") {
     const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
     const RadianceInput input = summer_air(pair, summer);

@@ -6,6 +6,7 @@
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
 #include "terrain/texture/texture_levels.hpp"
+#include "tests/support/isothermal.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;

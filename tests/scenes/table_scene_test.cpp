@@ -5,12 +5,12 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "materials/modtran/modtran.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/world/air.hpp"
 #include "tests/support/small_scene.hpp"
+#include "tests/support/tape7_text.hpp"
 
 using namespace diurna;
 
@@ -20,77 +20,6 @@ std::string scene_text(const std::string& atmosphere) {
     return with(with(small_scene(), "\"3-5\", \"8-12\"", "\"8-12\""), "frame_every_s = 21600.0",
                 "frame_every_s = 43200.0") +
            "[atmosphere]\n" + atmosphere;
-}
-
-/// A MODTRAN 5 tape7 run of IEMSCT 1, two rows within each bin, values constant there.
-std::string run_text(const TablePath& path, const BinPath& values, BinRange bins) {
-    std::string text = fmt::format(
-        "T F 6    {}    1    0    6    6    6    6    6    6    1    0    0   0.000"
-        "   0.00\n",
-        path.to_space ? 3 : 2);
-    text += "    1    0    0    0    0    0  23.00000   0.00000   0.00000   0.00000   0.00000\n";
-    text += " -99.000 -99.000 -99.000\n";
-    text += " -99.00000 -99.00000 -99.00000  1.416445  0.000736 ! H2O & O3 COLUMNS [GM/CM2]\n";
-    text += "   36MODEL               \n";
-    text += fmt::format("{:10.5f}{:10.5f}{:10.5f}{:10.5f}   0.00000   0.00000    0\n", path.from_km,
-                        path.to_km, path.zenith_deg, path.range_km);
-    text += "  -99  -99  -99  -99\n";
-    text += " -99.00000 -99.00000 -99.00000 -99.00000 -99.00000 -99.00000 -99.00000 -99.00000\n";
-    text += "     830.0    1255.0       1.0       1.0NW              \n";
-    text += "    0   0    0.000  0    0.000  0    1.000\n";
-    text +=
-        "    FREQ  TOT_TRANS  PTH_THRML  THRML_SCT  SURF_EMIS   SOL_SCAT  SING_SCAT  GRND_RFLT  "
-        "DRCT_RFLT  TOTAL_RAD  REF_SOL  SOL@OBS   DEPTH DIR_EM    TOA_SUN BBODY_T[K]\n";
-    const auto edges = bin_edges_um();
-    for (std::size_t b = bins.last; b-- > bins.first;) {
-        const double low = 1e4 / edges[b + 1], high = 1e4 / edges[b];
-        const std::size_t i = b - bins.first;
-        const double middle = 1e4 / bin_middles_um()[b];
-        const double per_cm = values.radiance[i] / per_um_from_modtran(1.0, middle);
-        for (const double part : {0.25, 0.75}) {
-            text += fmt::format(
-                "{:8.2f}{:11.8f}{:11.4E}{:>11}{:11.4E}{:>11}{:>11}{:11.4E}{:>11}"
-                "{:11.4E}{:>9}{:>9}{:8.3f}{:7.4f}{:>11}{:11.3f}\n",
-                low + part * (high - low), values.transmittance[i], per_cm, "", 0.0, "", "", 0.0,
-                "", per_cm, "", "", std::min(99.99, -std::log(values.transmittance[i] + 1e-40)),
-                1.0, "", 250.0);
-        }
-    }
-    return text + " -9999.\n";
-}
-
-struct Heights {
-    std::vector<double> from, to;
-    double farthest_km;
-};
-
-/// Every path of a scene through one air, as MODTRAN would be asked for them.
-std::string tape7_of(const BandModel& air, const Heights& heights) {
-    const Band band = named_band({}, "8-12", bin_edges_um());
-    const BinRange bins = bins_of(band.node_um);
-    const auto middles = bin_middles_um().subspan(bins.first, bins.size());
-    std::vector<TablePath> paths;
-    constexpr int ranges = 28;
-    for (const double from : heights.from) {
-        for (const double to : heights.to) {
-            for (int i = 0; i < ranges; ++i) {
-                const double least = std::cbrt(0.05), most = std::cbrt(heights.farthest_km);
-                const double range = std::pow(least + (most - least) * i / (ranges - 1), 3);
-                paths.push_back({from, to, range, 0.0, false});
-            }
-        }
-    }
-    const std::vector<BinPath> found = path_source(air)(paths, bins);
-    std::string text;
-    for (std::size_t i = 0; i < paths.size(); ++i) text += run_text(paths[i], found[i], bins);
-    for (const double from : heights.to) {
-        for (const double zenith :
-             {0.0, 20.0, 35.0, 50.0, 60.0, 68.0, 74.0, 79.0, 83.0, 86.0, 88.0, 89.0, 89.6, 90.0}) {
-            const TablePath path{from, 0.0, 0.0, zenith, true};
-            text += run_text(path, path_source(air)({&path, 1}, bins).front(), bins);
-        }
-    }
-    return text;
 }
 
 std::string problem_of(const std::filesystem::path& folder, const std::string& text) {
@@ -103,11 +32,12 @@ std::string problem_of(const std::filesystem::path& folder, const std::string& t
     return "";
 }
 
-/// The small scene through the embedded air, what its lines of sight span, and that as a tape7.
+/// The small scene through the embedded air, what its lines of sight span, and that as a tape7 and
+/// as a convolved one.
 struct Pair {
     ScratchFolder folder{"table-scene"};
     Scene plain;
-    std::string tape;
+    std::string tape, convolved;
 
     Pair() {
         write_text(folder.path / "plain.toml", scene_text(""));
@@ -124,8 +54,14 @@ struct Pair {
         std::vector<double> to;
         for (int i = 0; i < 4; ++i) to.push_back(bottom + (top - bottom) * i / 3.0);
         Atmosphere air = atmosphere_at(plain, prepared.world, prepared.weather, plain.time.start);
-        tape = tape7_of(std::get<BandModel>(air), {{eye - 0.01, eye + 0.01}, to, 130.0});
+        const BinRange bins = bins_of(named_band({}, "8-12", bin_edges_um()).node_um);
+        for (const AskedPath& path : asked_paths({eye - 0.01, eye + 0.01}, to, 130.0)) {
+            const PathSpectrum spectrum = asked_spectrum(std::get<BandModel>(air), path, bins);
+            tape += tape7_run(path, spectrum, bins);
+            convolved += convolved_run(path, spectrum, bins);
+        }
         write_text(folder.path / "air.tp7", tape);
+        write_text(folder.path / "air.7sc", convolved);
     }
 };
 
@@ -143,9 +79,11 @@ TEST_CASE("a scene through a table of paths looks as through the air it was made
     };
     const JobReport plain = run_job(pair.plain, options("plain"));
     const JobReport table = run_job(read_scene(folder / "table.toml"), options("table"));
+    write_text(folder / "convolved.toml", scene_text("table = \"air.7sc\"\n"));
+    run_job(read_scene(folder / "convolved.toml"), options("convolved"));
     /// Worst difference of a frame's apparent temperatures [K].
-    const auto worst_of = [&](const std::string& file) {
-        const Frame a = read_exr(folder / "plain" / file), b = read_exr(folder / "table" / file);
+    const auto worst_of = [&](const std::string& file, const char* through = "table") {
+        const Frame a = read_exr(folder / "plain" / file), b = read_exr(folder / through / file);
         const Plane& expected = a["apparent_temperature.8-12"];
         const Plane& found = b["apparent_temperature.8-12"];
         REQUIRE(found.pixel.size() == 64 * 48);
@@ -163,6 +101,7 @@ TEST_CASE("a scene through a table of paths looks as through the air it was made
     fmt::print("  {}: worst {:.1f} mK; through midnight's air at noon {:.0f} mK\n", pictures.at(0),
                1e3 * midnight, 1e3 * noon);
     CHECK(midnight < 0.005);
+    CHECK(worst_of(pictures.at(0), "convolved") < 0.005);
     // The table stays midnight's air.
     CHECK(noon > 0.1);
     bool told = false;
@@ -185,6 +124,7 @@ TEST_CASE("what a table of paths cannot give a scene is refused in a line",
     const std::string table = "table = \"air.tp7\"\n";
     using Catch::Contains;
     CHECK(problem(table).empty());
+    CHECK(problem("table = \"air.7sc\"\n").empty());
     CHECK_THAT(problem("table = \"other.tp7\"\n"),
                Contains("scene.toml:47:9: ") && Contains("no such file"));
     CHECK_THAT(problem(table + "drives_heat = true\n"),

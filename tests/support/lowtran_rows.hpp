@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "materials/atmosphere/atmosphere.hpp"
-#include "materials/base/files.hpp"
+#include "materials/base/csv.hpp"
 #include "materials/base/units.hpp"
 
 /// The reference runs of LOWTRAN7 and how they are repeated here: shared by tests and benches.
@@ -121,7 +121,7 @@ Comparison compare(const std::vector<Row>& reference, Keep&& keep) {
         const SightLine line = row.line(air);
         for (std::size_t b = 0; b < ranges.size(); ++b) {
             const Band band = ranges[b].band();
-            const NodeSpectrum path = path_at_nodes(air, line, band.node_um);
+            const PathSpectrum path = path_at_nodes(air, line, band.node_um);
             if (row.transmittance[b] > 0.05) {
                 result.transmittance[b].add(band_mean_nodes(band, path.transmittance),
                                             row.transmittance[b]);

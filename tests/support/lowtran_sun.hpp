@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/atmosphere/sun_field.hpp"
+#include "materials/base/files.hpp"
 #include "tests/support/lowtran_rows.hpp"
 
 /// LOWTRAN7's scattered sunlight and its repetition here.

@@ -8,7 +8,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
-#include "materials/modtran/modtran.hpp"
+#include "materials/modtran/tape7.hpp"
 #include "materials/radiation/planck.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -67,7 +67,9 @@ TEST_CASE("films and vapour change with temperature as their derivatives say",
     double slope;
     const double pressure = vapour_pressure_of(temperature, slope);
     CHECK(pressure == Approx(saturation_vapour_pressure(temperature)).epsilon(1e-13));
-    CHECK(slope == Approx(saturation_vapour_pressure_derivative(temperature)).epsilon(1e-12));
+    const double difference =
+        saturation_vapour_pressure(temperature + d) - saturation_vapour_pressure(temperature - d);
+    CHECK(slope == Approx(difference / (2.0 * d)).epsilon(1e-7));
 }
 
 TEST_CASE("the cube root is the library's", "[thermal][turbulence]") {

@@ -49,9 +49,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"netcdf", {"thermal/temperature_field.cpp"}},
     {"tbb/", {"materials/base/parallel.cpp"}},
     {"openssl/", {"scenes/run/digest.cpp"}},
-    {"nlohmann/",
-     {"scenes/report/annotations.cpp", "scenes/run/manifest.cpp", "materials/modtran/modtran6.cpp",
-      "materials/modtran/deck.cpp"}},
+    {"nlohmann/", {"scenes/report/annotations.cpp", "scenes/run/manifest.cpp"}},
     {"CLI/", {"scenes/commands/main.cpp"}},
 };
 

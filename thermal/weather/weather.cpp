@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 
 namespace diurna {
 

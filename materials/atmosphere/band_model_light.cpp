@@ -1,0 +1,168 @@
+#include "materials/atmosphere/band_model_light.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "materials/atmosphere/band_transmittance.hpp"
+#include "materials/atmosphere/bins.hpp"
+#include "materials/atmosphere/medium.hpp"
+#include "materials/atmosphere/solar_spectrum.hpp"
+#include "materials/base/fast_exp.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Nodes with what does not depend on temperature worked out: Planck's law for many temperatures.
+struct Nodes {
+    std::vector<double> c1, c2;    // c₁ λ⁻⁵, c₂ / λ
+    std::vector<std::size_t> bin;  // of the node, counted from the first of the range
+    BinRange bins;
+
+    explicit Nodes(std::span<const double> node_um) : bins(bins_of(node_um)) {
+        for (const double um : node_um) {
+            c1.push_back(first_radiation_um / (um * um * um * um * um));
+            c2.push_back(second_radiation_um / um);
+            bin.push_back(bin_of(um) - bins.first);
+        }
+    }
+    std::size_t size() const { return bin.size(); }
+};
+
+/// Planck's law at the nodes. Air is no hotter than 1500 K, so that exp − 1 loses nothing below
+/// 20 µm.
+void black_bodies(const Nodes& nodes, double temperature, std::span<double> black) {
+    const double inverse = 1.0 / temperature;
+    const std::size_t count = nodes.size();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        black[i] = nodes.c1[i] / (fast_exp(nodes.c2[i] * inverse) - 1.0);
+    }
+}
+
+/// At the nodes, where a segment begins or ends.
+struct SegmentEnd {
+    std::vector<double> black, depth, transmittance;
+
+    explicit SegmentEnd(std::size_t nodes)
+        : black(nodes), depth(nodes, 0.0), transmittance(nodes, 1.0) {}
+};
+
+/// radiance += emission of one segment, Planck's law linear in optical depth x between its ends:
+/// (near + (far − near) f) (τ_near − τ_far), f = 1/x − 1/(eˣ − 1) to 1 % of far − near.
+void add_emission(const SegmentEnd& near, const SegmentEnd& far, std::span<double> radiance) {
+    const std::size_t count = radiance.size();
+    const double *const near_black = near.black.data(), *const far_black = far.black.data(),
+                        *const near_depth = near.depth.data(), *const far_depth = far.depth.data(),
+                        *const before = near.transmittance.data(),
+                        *const after = far.transmittance.data();
+#pragma omp simd
+    for (std::size_t i = 0; i < count; ++i) {
+        const double x = far_depth[i] - near_depth[i];
+        const double f = (0.5 + 0.06 * x) / (1.0 + x * ((1.0 / 6.0 + 0.12) + 0.06 * x));
+        radiance[i] +=
+            (near_black[i] + (far_black[i] - near_black[i]) * f) * (before[i] - after[i]);
+    }
+}
+
+/// What a line of infinite range sees of a cloudless sky or of the ground.
+std::vector<double> clear_sky(const BandModel& model, double height_km, double zenith_deg,
+                              std::span<const double> node_um) {
+    const bool ground = ends_on_ground(model, height_km, zenith_deg);
+    const double behind = ground ? model.profile.temperature.front() : model.space_temperature;
+    PathSpectrum path = band_model_path(model, line_of(model, height_km, zenith_deg), node_um);
+    for (std::size_t i = 0; i < node_um.size(); ++i) {
+        path.radiance[i] += path.transmittance[i] * planck(node_um[i], behind);
+    }
+    return std::move(path.radiance);
+}
+
+/// Distance along a straight line to a height above its start.
+double distance_to(double height_km, double zenith_deg, double top_km) {
+    const double r = earth_radius_km + height_km, mu = std::cos(radians(zenith_deg));
+    const double sphere = earth_radius_km + top_km;
+    return std::sqrt((sphere - r) * (sphere + r) + r * r * mu * mu) - r * mu;
+}
+
+}  // namespace
+
+/// A line that does not know its ends has in each segment the temperature of its middle.
+PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
+                             std::span<const double> node_um) {
+    const Nodes nodes(node_um);
+    const std::size_t count = nodes.size();
+    const Medium medium(model, nodes.bins);
+    const bool ends_known = !line.edge_km.empty();
+    const auto black_at = [&](double height_km, std::span<double> black) {
+        black_bodies(nodes, pressure_and_temperature_at(model.profile, height_km).second, black);
+    };
+    std::vector<double> radiance(count, 0.0), bin_depth(nodes.bins.size()),
+        bin_after(nodes.bins.size());
+    SegmentEnd near(count), far(count);
+    if (ends_known) black_at(line.edge_km[0], near.black);
+    Amounts amounts = medium.none();
+    for (std::size_t segment = 0; segment < line.size(); ++segment) {
+        medium.add(line, segment, amounts);
+        medium.spread(amounts);
+        medium.depths(amounts, bin_depth);
+        bin_after = bin_depth;
+        negative_exponentials(bin_after);
+        for (std::size_t i = 0; i < count; ++i) {
+            far.depth[i] = bin_depth[nodes.bin[i]];
+            far.transmittance[i] = bin_after[nodes.bin[i]];
+        }
+        black_at(ends_known ? line.edge_km[segment + 1] : line.height_km[segment], far.black);
+        if (!ends_known) near.black = far.black;
+        add_emission(near, far, radiance);
+        std::swap(near, far);
+    }
+    return {std::move(near.transmittance), std::move(radiance)};
+}
+
+std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,
+                                   std::span<const double> node_um) {
+    std::vector<double> sky = clear_sky(model, height_km, zenith_deg, node_um);
+    const CloudLayer& cloud = model.cloud;
+    if (cloud.fraction <= 0.0 || height_km >= cloud.base_km ||
+        ends_on_ground(model, height_km, zenith_deg)) {
+        return sky;
+    }
+    const double temperature = cloud.temperature > 0.0
+                                   ? cloud.temperature
+                                   : air_at(model.profile, cloud.base_km).temperature;
+    const double range = distance_to(height_km, zenith_deg, cloud.base_km);
+    const PathSpectrum below =
+        band_model_path(model, line_of(model, height_km, zenith_deg, range), node_um);
+    for (std::size_t i = 0; i < sky.size(); ++i) {
+        // What is behind the cloud, as seen from below it, shines through 1 − emissivity of it.
+        const double black = below.transmittance[i] * planck(node_um[i], temperature);
+        const double behind = sky[i] - below.radiance[i];
+        const double covered =
+            below.radiance[i] + cloud.emissivity * black + (1.0 - cloud.emissivity) * behind;
+        sky[i] += cloud.fraction * (covered - sky[i]);
+    }
+    return sky;
+}
+
+std::vector<double> band_model_sun(const BandModel& model, double height_km, double zenith_deg,
+                                   std::span<const double> node_um) {
+    std::vector<double> irradiance(node_um.size(), 0.0);
+    if (node_um.empty() || ends_on_ground(model, height_km, zenith_deg)) return irradiance;
+    const BinRange bins = bins_of(node_um);
+    const std::vector<double> tau =
+        transmittance(model, line_of(model, height_km, zenith_deg), bins);
+    double clear = 1.0;
+    if (height_km < model.cloud.base_km) {
+        const double mu = std::max(0.02, std::cos(radians(zenith_deg)));
+        clear -= model.cloud.fraction * -std::expm1(-model.cloud.optical_depth / mu);
+    }
+    for (std::size_t i = 0; i < node_um.size(); ++i) {
+        irradiance[i] = clear * solar_above_air(node_um[i]) * tau[bin_of(node_um[i]) - bins.first];
+    }
+    return irradiance;
+}
+
+}  // namespace diurna

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "materials/air/sight_line.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/path_spectrum.hpp"
+
+namespace diurna {
+
+/// What atmosphere.hpp tells of any air, of the band model's: a path's transmittance and emission,
+/// the sky with its clouds, the direct sun; each at given wavelengths.
+PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
+                             std::span<const double> node_um);
+std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,
+                                   std::span<const double> node_um);
+std::vector<double> band_model_sun(const BandModel& model, double height_km, double zenith_deg,
+                                   std::span<const double> node_um);
+
+}  // namespace diurna

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "materials/air/sight_line.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/bins.hpp"
+
+namespace diurna {
+
+/// Transmittance to the end of a line alone, (bin): the fastest way to it.
+std::vector<double> transmittance(const BandModel& model, const SightLine& line, BinRange bins);
+
+}  // namespace diurna

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "materials/atmosphere/medium.hpp"
+
+namespace diurna {
+
+/// How a cubic kilometre of air scatters sunlight, per bin.
+struct Scatterers {
+    std::vector<double> rayleigh;            // (bin) [km⁻¹]
+    std::vector<double> aerosol_extinction;  // (bin) [km⁻¹], rain included
+    std::vector<double> aerosol_scattering;  // (bin) [km⁻¹]
+    std::vector<double> asymmetry;           // (bin) of the aerosol
+    /// Scattering [km⁻¹] of the boundary layer's aerosol, the troposphere's, rain: (bin), or empty.
+    std::array<std::vector<double>, 3> part;
+};
+
+Scatterers scatterers(const Medium& medium, double height_km);
+
+/// Henyey and Greenstein's phase function of mean cosine g, mean 1 over the sphere.
+double henyey_greenstein(double g, double cosine);
+
+/// Phase function of each part of the scatterers at an angle, (bin).
+std::array<std::vector<double>, 3> phase_functions(const Medium& medium, double cosine);
+
+}  // namespace diurna

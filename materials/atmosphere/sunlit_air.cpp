@@ -1,0 +1,267 @@
+#include "materials/atmosphere/sunlit_air.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "materials/atmosphere/scaled_aerosol.hpp"
+#include "materials/atmosphere/solar_spectrum.hpp"
+#include "materials/atmosphere/two_stream.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Heights above the ground [km] between which the air is a plane layer.
+constexpr std::array<double, 29> level_km = {0.0, 0.1, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 2.5,
+                                             3.0, 4.0, 5.0,  6.0, 7.0,  8.0, 9.0,  10., 12., 14.,
+                                             16., 18., 20.,  25., 30.,  40., 50.,  70., 100.};
+constexpr double least_cosine = 0.01;
+
+using PerLevel = std::vector<std::vector<double>>;  // (level)(bin)
+
+/// What each level's line to the sun has met, and the beam that is left there with the aerosol's
+/// forward peak in it.
+struct Beam {
+    std::vector<Amounts> met;  // (level)
+    PerLevel irradiance;       // clear sky
+};
+
+Beam follow_beam(SunlitAir& air, const Medium& medium) {
+    const std::size_t levels = air.level.size(), count = air.bins.size();
+    Beam beam{std::vector<Amounts>(levels, medium.none()),
+              PerLevel(levels, std::vector<double>(count, 0.0))};
+    air.peak.assign(levels, count);
+    for (std::size_t i = 0; i < levels; ++i) {
+        const double z = air.level[i];
+        air.lit.push_back(!ends_on_ground(air.model, z, air.sun.zenith_deg));
+        if (!air.lit.back()) continue;
+        if (z < atmosphere_top_km) {
+            constexpr double no_end = std::numeric_limits<double>::infinity();
+            const SightLine line =
+                line_of(air.model, z, air.sun.zenith_deg, no_end, beam_segmentation);
+            for (std::size_t s = 0; s < line.size(); ++s) {
+                const ScaledAerosol here = scaled_aerosol(medium, line.height_km[s]);
+                medium.add(line.height_km[s], line.length_km[s], here.extinction, beam.met[i]);
+                for (std::size_t b = 0; b < count; ++b) {
+                    air.peak.value[i][b] += line.length_km[s] * here.peak(b);
+                }
+            }
+        }
+        medium.transmittances(beam.met[i], beam.irradiance[i]);
+        for (std::size_t b = 0; b < count; ++b) beam.irradiance[i][b] *= air.above_air[b];
+    }
+    return beam;
+}
+
+/// Curves through what the lines to the sun have met.
+void keep_amounts(SunlitAir& air, const std::vector<Amounts>& to_sun) {
+    const std::size_t levels = air.level.size();
+    const std::size_t gases = to_sun.front().gas.size();
+    air.ln_amount.assign(levels, gases + to_sun.front().linear.size());
+    air.aerosol.assign(levels, to_sun.front().aerosol.size());
+    const auto lowest =
+        static_cast<std::size_t>(std::find(air.lit.begin(), air.lit.end(), true) - air.lit.begin());
+    for (std::size_t i = 0; i < levels; ++i) {
+        const std::size_t from = std::max(i, std::min(lowest, levels - 1));
+        const Amounts& met = to_sun[from];
+        std::vector<std::vector<double>>& ln_amount = air.ln_amount.value;
+        // The top has nothing above it: a thousandth of the level below stands for none.
+        const auto ln = [&](std::size_t k, double amount) {
+            const double below = i > 0 ? ln_amount[i - 1][k] : -700.0;
+            return std::max(std::log(std::max(amount, 1e-304)), below - std::log(1e3));
+        };
+        for (std::size_t k = 0; k < gases; ++k) ln_amount[i][k] = ln(k, met.gas[k]);
+        for (std::size_t k = 0; k < met.linear.size(); ++k) {
+            ln_amount[i][gases + k] = ln(gases + k, met.linear[k]);
+        }
+        air.aerosol.value[i] = met.aerosol;
+        if (from != i) air.peak.value[i] = air.peak.value[from];
+    }
+    for (LevelCurves* curves : {&air.ln_amount, &air.aerosol, &air.peak}) {
+        curves->find_slopes(air.level);
+    }
+}
+
+/// Transmittance of gases and continua from the top of the air straight down to each level.
+PerLevel absorption_above(const SunlitAir& air, const Medium& medium) {
+    const std::size_t levels = air.level.size(), count = air.bins.size();
+    PerLevel absorption(levels, std::vector<double>(count, 1.0));
+    Amounts above = medium.none();
+    const std::vector<double> no_aerosol(count, 0.0);
+    for (std::size_t i = levels - 1; i-- > 0;) {
+        // Finer than the layers, so that amounts follow the profile.
+        constexpr int cuts = 4;
+        const double step = (air.level[i + 1] - air.level[i]) / cuts;
+        for (int k = 0; k < cuts; ++k) {
+            medium.add(air.level[i] + (k + 0.5) * step, step, no_aerosol, above);
+        }
+        medium.absorption_transmittances(above, absorption[i]);
+    }
+    return absorption;
+}
+
+/// What the layer between two levels holds, of one bin.
+struct LayerContent {
+    double depth;       // optical
+    double scattering;  // optical depth of it
+    double asymmetry;
+};
+
+/// The layers between levels, from which two streams follow.
+struct Layering {
+    const SunlitAir& air;
+    const PerLevel& beam;
+    PerLevel absorption;
+    std::vector<ScaledAerosol> edge, middle;  // at levels, and between them
+    double mu;                                // of the beam where it is scattered
+    double drops;                             // the clouds' scaled optical depth
+    std::size_t base;                         // the layer they lie in
+
+    Layering(const SunlitAir& lit_air, const Medium& medium, const PerLevel& irradiance)
+        : air(lit_air),
+          beam(irradiance),
+          absorption(absorption_above(lit_air, medium)),
+          mu(std::clamp(lit_air.cosine, least_cosine, 1.0)),
+          drops(lit_air.model.cloud.optical_depth * (1.0 - cloud_peak)),
+          base(lit_air.at_height(lit_air.model.cloud.base_km).low) {
+        for (const double z : air.level) edge.push_back(scaled_aerosol(medium, z));
+        for (std::size_t i = 0; i + 1 < air.level.size(); ++i) {
+            middle.push_back(scaled_aerosol(medium, 0.5 * (air.level[i] + air.level[i + 1])));
+        }
+    }
+
+    /// Mean extinction of a layer that thins exponentially is not that of its middle: Simpson's
+    /// rule.
+    LayerContent content(std::size_t i, std::size_t b) const {
+        const double thickness = air.level[i + 1] - air.level[i];
+        const auto depth = [&](auto&& of) {
+            return thickness * ((of(edge[i]) + 4.0 * of(middle[i]) + of(edge[i + 1])) / 6.0);
+        };
+        const double rayleigh = depth([&](const ScaledAerosol& s) { return s.whole.rayleigh[b]; });
+        const double extinction = depth([&](const ScaledAerosol& s) { return s.extinction[b]; });
+        const double scattering = depth([&](const ScaledAerosol& s) { return s.scattering[b]; });
+        const double gas =
+            std::log(std::max(absorption[i + 1][b], 1e-30) / std::max(absorption[i][b], 1e-30));
+        const double both = rayleigh + scattering;
+        return {std::max(1e-12, rayleigh + extinction + std::max(0.0, gas)), both,
+                both > 0.0 ? scattering * middle[i].asymmetry[b] / both : 0.0};
+    }
+    ScatteringLayer clear(const LayerContent& c, std::size_t i, std::size_t b) const {
+        return {c.depth, std::min(1.0, c.scattering / c.depth), c.asymmetry, beam[i + 1][b],
+                beam[i][b]};
+    }
+    /// The same layer where clouds stand in it or above.
+    ScatteringLayer clouded(const LayerContent& c, std::size_t i, ScatteringLayer layer) const {
+        if (i == base) {
+            const double sum = c.scattering + 0.9995 * drops;
+            layer.asymmetry =
+                (c.scattering * c.asymmetry + drops * cloud_asymmetry / (1.0 + cloud_asymmetry)) /
+                sum;
+            layer.depth = c.depth + drops;
+            layer.single_albedo = sum / layer.depth;
+            layer.beam_out *= std::exp(-drops / mu);
+        } else if (i < base) {
+            layer.beam_in *= std::exp(-drops / mu);
+            layer.beam_out *= std::exp(-drops / mu);
+        }
+        return layer;
+    }
+};
+
+/// Two streams of one bin into the fluxes at levels.
+void keep_flux(const std::vector<ScatteringLayer>& layers, double mu, double albedo, std::size_t b,
+               DiffuseField& field) {
+    const DiffuseFlux flux = two_stream(layers, mu, albedo);
+    for (std::size_t i = 0; i < flux.up.size(); ++i) {
+        field.up.value[flux.up.size() - 1 - i][b] = std::max(0.0, flux.up[i]);
+        field.down.value[flux.up.size() - 1 - i][b] = std::max(0.0, flux.down[i]);
+    }
+}
+
+void spread_light(SunlitAir& air, const Medium& medium, const PerLevel& beam) {
+    const std::size_t levels = air.level.size(), count = air.bins.size();
+    const Layering layering(air, medium, beam);
+    for (DiffuseField* field : {&air.clear, &air.cloudy}) {
+        field->up.assign(levels, count);
+        field->down.assign(levels, count);
+    }
+    const bool clouds = air.model.cloud.fraction > 0.0;
+    if (clouds) air.beam_through_cloud = std::exp(-air.model.cloud.optical_depth / layering.mu);
+    std::vector<ScatteringLayer> layers, covered;
+    for (std::size_t b = 0; b < count; ++b) {
+        if (!(air.above_air[b] > 0.0)) continue;
+        layers.clear();
+        covered.clear();
+        for (std::size_t i = levels - 1; i-- > 0;) {  // from the top down
+            const LayerContent content = layering.content(i, b);
+            layers.push_back(layering.clear(content, i, b));
+            if (clouds) covered.push_back(layering.clouded(content, i, layers.back()));
+        }
+        keep_flux(layers, layering.mu, air.sun.ground_albedo, b, air.clear);
+        if (clouds) keep_flux(covered, layering.mu, air.sun.ground_albedo, b, air.cloudy);
+    }
+    for (DiffuseField* field : {&air.clear, &air.cloudy}) {
+        field->up.find_slopes(air.level);
+        field->down.find_slopes(air.level);
+    }
+}
+
+}  // namespace
+
+std::vector<double> SunlitAir::per_node(const std::vector<double>& per_bin) const {
+    std::vector<double> values(node_bin.size());
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        values[n] = node_share[n] * per_bin[node_bin[n]];
+    }
+    return values;
+}
+
+SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<const double> node_um) {
+    check_within("sun zenith angle", sun.zenith_deg, 0.0, 180.0);
+    check_within("sun distance", sun.distance_au, 0.1, 100.0);
+    check_within("ground albedo", sun.ground_albedo, 0.0, 1.0);
+    check(model);
+    SunlitAir air;
+    air.model = model;
+    air.sun = sun;
+    air.bins = bins_of(node_um);
+    for (const double um : node_um) {
+        air.node_bin.push_back(bin_of(um) - air.bins.first);
+        air.node_share.push_back(solar_above_air(um) /
+                                 solar_above_air(bin_middles_um()[bin_of(um)]));
+    }
+    for (std::size_t b = air.bins.first; b < air.bins.last; ++b) {
+        air.above_air.push_back(solar_above_air(bin_middles_um()[b]) /
+                                (sun.distance_au * sun.distance_au));
+    }
+    for (const double z : level_km) {
+        // The highest levels stay; the lowest kilometres move up with the ground.
+        air.level.push_back(z + model.ground_km * (1.0 - z / level_km.back()));
+    }
+    air.cosine = std::cos(radians(sun.zenith_deg));
+    if (node_um.empty()) return air;
+    const Medium medium(air.model, air.bins);
+    const Beam beam = follow_beam(air, medium);
+    keep_amounts(air, beam.met);
+    spread_light(air, medium, beam.irradiance);
+    return air;
+}
+
+Amounts amounts_to_sun(const SunlitAir& air, const Medium& medium, const HermiteWeights& height) {
+    Amounts met = medium.none();
+    const std::size_t gases = met.gas.size();
+    for (std::size_t k = 0; k < gases; ++k) met.gas[k] = std::exp(air.ln_amount.at(height, k));
+    for (std::size_t k = 0; k < met.linear.size(); ++k) {
+        met.linear[k] = std::exp(air.ln_amount.at(height, gases + k));
+    }
+    for (std::size_t b = 0; b < met.aerosol.size(); ++b) {
+        met.aerosol[b] = air.aerosol.at(height, b);
+    }
+    return met;
+}
+
+}  // namespace diurna

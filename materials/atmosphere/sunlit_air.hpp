@@ -1,0 +1,61 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/bins.hpp"
+#include "materials/atmosphere/level_curves.hpp"
+#include "materials/atmosphere/medium.hpp"
+
+namespace diurna {
+
+/// The sun as a scene's air and ground receive it.
+struct SunLight {
+    double zenith_deg = 180.0;  // at the ground, as seen through the air
+    double distance_au = 1.0;
+    double ground_albedo = 0.2;  // of the land all around, at every wavelength
+};
+
+/// Drops of clouds: mean cosine of their scattering, and the share of it in the peak.
+inline constexpr double cloud_asymmetry = 0.85;
+inline constexpr double cloud_peak = cloud_asymmetry * cloud_asymmetry;
+
+/// Diffuse fluxes of sunlight [W m⁻² µm⁻¹] at each level, (bin).
+struct DiffuseField {
+    LevelCurves up, down;
+};
+
+/// Sunlight by height, per bin: what the beam has met on its way, and what two streams carry of the
+/// light it lost. All that a SunField keeps.
+struct SunlitAir {
+    BandModel model;
+    SunLight sun;
+    BinRange bins;
+    std::vector<std::size_t> node_bin;  // counted from the first of the range
+    std::vector<double> node_share;     // irradiance there over its bin's: not 1 below 0.351 µm
+    std::vector<double> above_air;  // (bin) irradiance [W m⁻² µm⁻¹] at the sun's distance
+    std::vector<double> level;      // [km], ascending
+    std::vector<bool> lit;          // (level)
+    /// Amounts on the way to the sun: logarithms of gases, then of the linear terms; optical
+    /// depths (bin) of scaled aerosol, and what scaling took from it. Levels the sun does not reach
+    /// have those of the lowest it does.
+    LevelCurves ln_amount, aerosol, peak;
+    DiffuseField clear, cloudy;  // under a sky without and with cloud
+    double beam_through_cloud = 1.0;
+    double cosine = 0.0;  // of the sun's zenith angle
+
+    HermiteWeights at_height(double height_km) const { return hermite_weights(level, height_km); }
+    bool sun_reaches(const HermiteWeights& w) const {
+        return lit[w.low + 1] && (lit[w.low] || w.t >= 0.5);
+    }
+    std::vector<double> per_node(const std::vector<double>& per_bin) const;
+};
+
+/// Throws InputError for a sun or a model out of range.
+SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<const double> node_um);
+
+/// What the beam has met on its way to a height.
+Amounts amounts_to_sun(const SunlitAir& air, const Medium& medium, const HermiteWeights& height);
+
+}  // namespace diurna

@@ -1,0 +1,279 @@
+#include "materials/atmosphere/sunlit_path.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "materials/atmosphere/scaled_aerosol.hpp"
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Mean over a stretch of a transmittance that falls exponentially, nearly.
+double mean_between(double before, double after) {
+    if (before + after < 1e-200) return 0.0;
+    before = std::max(before, 1e-200);
+    after = std::max(after, 1e-200);
+    const double x = std::log(before / after);
+    // (1 − e⁻ˣ) / x, by its series where it cancels.
+    return std::abs(x) < 0.01 ? before * (1.0 - x * (0.5 - x * (1.0 / 6.0))) : (before - after) / x;
+}
+
+/// One direction to the sun: how the line turns its light.
+struct Direction {
+    double turn;  // cosine of the angle by which light turns
+    /// Share of the forward peak that is spread out again: light of the peak that is scattered
+    /// into it once more. Close to the sun the peak is thinned by all extinction, far from it
+    /// (where it is no peak) by the scaled one.
+    double peaked;
+    std::array<std::vector<double>, 3> phase;  // of the parts of the aerosol, (bin)
+    std::vector<double> excess;                // (bin) light the peak loses on its way
+};
+
+Direction direction_of(const Medium& medium, double turn) {
+    Direction d;
+    d.turn = turn;
+    const double t = std::clamp((degrees(std::acos(d.turn)) - 20.0) / 40.0, 0.0, 1.0);
+    d.peaked = 1.0 - t * t * (3.0 - 2.0 * t);
+    d.phase = phase_functions(medium, d.turn);
+    d.excess.assign(medium.bins().size(), 0.0);
+    return d;
+}
+
+/// A stretch of the line: its middle and length, and how much of the beam a cloud lets through.
+struct Stretch {
+    double height_km, length, through;
+};
+
+/// Sunlight gathered along a line, stretch after stretch outward from the eye.
+class Gathering {
+ public:
+    Gathering(const SunlitAir& air, bool under_cloud, std::span<const double> turn,
+              double start_km);
+
+    /// A stretch and the height of its far end.
+    void add(double middle_km, double end_km, double length);
+    /// Whoever multiplies what is behind by the whole transmittance leaves out what its forward
+    /// peak brings: diffuse light of the end's own direction.
+    void add_peak_of_what_is_behind(double end_km);
+    ScatteredLight light() const;
+
+ private:
+    /// Transmittance of both ways: from the sun to a height, and on along the line.
+    void beam_at(double height_km, std::vector<double>& out) const;
+    void scatter_once(const ScaledAerosol& aerosol, const Stretch& stretch);
+    void scatter_often(const ScaledAerosol& aerosol, const Stretch& stretch);
+    void thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch);
+
+    const SunlitAir& air_;
+    const bool under_cloud_;
+    const DiffuseField& field_;
+    const Medium medium_;
+    const std::size_t count_;
+    std::vector<Direction> directions_;
+    bool any_peaked_ = false;
+    Amounts seen_;  // from the eye
+    // Once-scattered light per phase function: ∫ scattering · transmittance of both ways ds.
+    std::vector<double> by_air_;
+    std::array<std::vector<double>, 3> by_aerosol_;
+    std::vector<double> often_, by_cosine_;  // light scattered more often
+    std::vector<double> peak_seen_;          // optical depth that scaling took, from the eye
+    std::vector<double> both_before_, both_after_, tau_before_, tau_after_;
+    // Of a stretch: mean transmittance of both ways, times length; and that of the peak's light.
+    std::vector<double> single_, thinned_;
+};
+
+Gathering::Gathering(const SunlitAir& air, bool under_cloud, std::span<const double> turn,
+                     double start_km)
+    : air_(air),
+      under_cloud_(under_cloud),
+      field_(under_cloud ? air.cloudy : air.clear),
+      medium_(air.model, air.bins),
+      count_(air.bins.size()),
+      seen_(medium_.none()),
+      by_air_(count_, 0.0),
+      often_(count_, 0.0),
+      by_cosine_(count_, 0.0),
+      peak_seen_(count_, 0.0),
+      both_before_(count_),
+      both_after_(count_),
+      tau_before_(count_, 1.0),
+      tau_after_(count_),
+      single_(count_),
+      thinned_(count_) {
+    for (const double cosine : turn) {
+        directions_.push_back(direction_of(medium_, cosine));
+        any_peaked_ = any_peaked_ || directions_.back().peaked > 0.0;
+    }
+    beam_at(start_km, both_before_);
+}
+
+void Gathering::beam_at(double height_km, std::vector<double>& out) const {
+    const HermiteWeights w = air_.at_height(height_km);
+    if (!air_.sun_reaches(w)) {
+        std::fill(out.begin(), out.end(), 0.0);
+        return;
+    }
+    Amounts both = amounts_to_sun(air_, medium_, w);
+    both.add(seen_);
+    medium_.transmittances(both, out);
+}
+
+void Gathering::add(double middle_km, double end_km, double length) {
+    const ScaledAerosol aerosol = scaled_aerosol(medium_, middle_km);
+    medium_.add(middle_km, length, aerosol.extinction, seen_);
+    beam_at(end_km, both_after_);
+    medium_.transmittances(seen_, tau_after_);
+    const bool shaded = under_cloud_ && middle_km < air_.model.cloud.base_km;
+    const Stretch stretch{middle_km, length, shaded ? air_.beam_through_cloud : 1.0};
+    scatter_once(aerosol, stretch);
+    scatter_often(aerosol, stretch);
+    if (any_peaked_) thin_peak(aerosol, stretch);
+    for (std::size_t b = 0; b < count_; ++b) peak_seen_[b] += length * aerosol.peak(b);
+    both_before_.swap(both_after_);
+    tau_before_.swap(tau_after_);
+}
+
+void Gathering::scatter_once(const ScaledAerosol& aerosol, const Stretch& stretch) {
+    for (std::size_t b = 0; b < count_; ++b) {
+        single_[b] =
+            stretch.through * stretch.length * mean_between(both_before_[b], both_after_[b]);
+        by_air_[b] += aerosol.whole.rayleigh[b] * single_[b];
+    }
+    for (std::size_t k = 0; k < by_aerosol_.size(); ++k) {
+        const std::vector<double>& part = aerosol.whole.part[k];
+        if (part.empty()) continue;
+        if (by_aerosol_[k].empty()) by_aerosol_[k].assign(count_, 0.0);
+        for (std::size_t b = 0; b < count_; ++b) by_aerosol_[k][b] += part[b] * single_[b];
+    }
+}
+
+void Gathering::scatter_often(const ScaledAerosol& aerosol, const Stretch& stretch) {
+    const HermiteWeights w = air_.at_height(stretch.height_km);
+    for (std::size_t b = 0; b < count_; ++b) {
+        const double up = field_.up.at(w, b), down = field_.down.at(w, b);
+        // Eddington's radiance, scattered: light that comes down the line moves against it.
+        // Asymmetries are below a half, so that it is never negative.
+        const double mean_radiance = (up + down) * 0.5 * std::numbers::inv_pi;
+        const double tilt = 0.75 * std::numbers::inv_pi * (down - up);
+        const double reach = stretch.length * mean_between(tau_before_[b], tau_after_[b]);
+        often_[b] += reach * (aerosol.whole.rayleigh[b] + aerosol.scattering[b]) * mean_radiance;
+        by_cosine_[b] += reach * aerosol.scattering[b] * aerosol.asymmetry[b] * tilt;
+    }
+}
+
+void Gathering::thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch) {
+    const HermiteWeights w = air_.at_height(stretch.height_km);
+    for (std::size_t b = 0; b < count_; ++b) {
+        const double before = std::exp(-peak_seen_[b] - air_.peak.at(w, b));
+        const double after = before * std::exp(-stretch.length * aerosol.peak(b));
+        thinned_[b] = stretch.through * stretch.length *
+                      mean_between(both_before_[b] * before, both_after_[b] * after);
+    }
+    for (Direction& d : directions_) {
+        if (d.peaked <= 0.0) continue;
+        for (std::size_t b = 0; b < count_; ++b) {
+            double lobes = 0.0;
+            for (std::size_t k = 0; k < d.phase.size(); ++k) {
+                if (aerosol.whole.part[k].empty()) continue;
+                lobes += aerosol.whole.part[k][b] * d.phase[k][b];
+            }
+            if (lobes <= 0.0) continue;
+            const double smooth =
+                aerosol.scattering[b] * henyey_greenstein(aerosol.asymmetry[b], d.turn);
+            d.excess[b] += std::max(0.0, lobes - smooth) * (thinned_[b] - single_[b]);
+        }
+    }
+}
+
+void Gathering::add_peak_of_what_is_behind(double end_km) {
+    const HermiteWeights w = air_.at_height(end_km);
+    for (std::size_t b = 0; b < count_; ++b) {
+        const double up = field_.up.at(w, b), down = field_.down.at(w, b);
+        const double share =
+            tau_before_[b] * -std::expm1(-peak_seen_[b]) * 0.5 * std::numbers::inv_pi;
+        often_[b] += share * (up + down);
+        by_cosine_[b] += share * (down - up);
+    }
+}
+
+ScatteredLight Gathering::light() const {
+    ScatteredLight light{{}, by_cosine_};
+    for (const Direction& d : directions_) {
+        const double rayleigh_phase = 0.75 * (1.0 + d.turn * d.turn);
+        std::vector<double>& of_turn = light.at_turn.emplace_back(count_);
+        for (std::size_t b = 0; b < count_; ++b) {
+            double once = by_air_[b] * rayleigh_phase + d.peaked * d.excess[b];
+            for (std::size_t k = 0; k < by_aerosol_.size(); ++k) {
+                if (!by_aerosol_[k].empty()) once += by_aerosol_[k][b] * d.phase[k][b];
+            }
+            of_turn[b] = air_.above_air[b] * 0.25 * std::numbers::inv_pi * once + often_[b];
+        }
+    }
+    return light;
+}
+
+}  // namespace
+
+std::vector<double> turns(const SunLight& sun, double zenith_deg,
+                          std::span<const double> azimuth_from_sun_deg) {
+    const double view = std::cos(radians(zenith_deg)), sin_view = std::sin(radians(zenith_deg));
+    const double sun_up = std::cos(radians(sun.zenith_deg)),
+                 sun_aside = std::sin(radians(sun.zenith_deg));
+    std::vector<double> turn;
+    for (const double azimuth : azimuth_from_sun_deg) {
+        const double turned = view * sun_up + sin_view * sun_aside * std::cos(radians(azimuth));
+        turn.push_back(std::clamp(turned, -1.0, 1.0));
+    }
+    return turn;
+}
+
+std::vector<double> ScatteredLight::towards(std::size_t turn, double cosine) const {
+    std::vector<double> sum = at_turn[turn];
+    for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += cosine * by_cosine[b];
+    return sum;
+}
+
+ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
+                               std::span<const double> turn, bool under_cloud,
+                               bool something_behind) {
+    const std::vector<double> none(air.bins.size(), 0.0);
+    if (line.size() == 0 || none.empty()) {
+        return {std::vector<std::vector<double>>(turn.size(), none), none};
+    }
+    Gathering gathering(air, under_cloud, turn, line.height_within(0, 0.0));
+    // Few segments (level lines have one) are cut so that the product of both ways is followed.
+    const int cuts = line.size() < 12 ? static_cast<int>(16 / line.size()) + 1 : 1;
+    for (std::size_t segment = 0; segment < line.size(); ++segment) {
+        for (int cut = 0; cut < cuts; ++cut) {
+            gathering.add(line.height_within(segment, (cut + 0.5) / cuts),
+                          line.height_within(segment, (cut + 1.0) / cuts),
+                          line.length_km[segment] / cuts);
+        }
+    }
+    if (something_behind) {
+        gathering.add_peak_of_what_is_behind(line.height_within(line.size() - 1, 1.0));
+    }
+    return gathering.light();
+}
+
+ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
+                               std::span<const double> turn) {
+    ScatteredLight light = scattered_light(air, line, turn, false, true);
+    const double covered = air.model.cloud.fraction;
+    if (covered <= 0.0) return light;
+    const ScatteredLight under = scattered_light(air, line, turn, true, true);
+    const auto mix = [covered](std::vector<double>& clear_part, const std::vector<double>& other) {
+        for (std::size_t b = 0; b < clear_part.size(); ++b) {
+            clear_part[b] += covered * (other[b] - clear_part[b]);
+        }
+    };
+    for (std::size_t a = 0; a < turn.size(); ++a) mix(light.at_turn[a], under.at_turn[a]);
+    mix(light.by_cosine, under.by_cosine);
+    return light;
+}
+
+}  // namespace diurna

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "materials/air/sight_line.hpp"
+#include "materials/atmosphere/sunlit_air.hpp"
+
+namespace diurna {
+
+/// Cosines of the angles by which a line turns the sun's light, (azimuth): light comes from the sun
+/// and goes on towards the eye, so it turns by the angle between the direction to the sun and that
+/// of the line.
+std::vector<double> turns(const SunLight& sun, double zenith_deg,
+                          std::span<const double> azimuth_from_sun_deg);
+
+/// Sunlight scattered into a line, per bin: at_turn[k] + cos(zenith) · by_cosine
+/// [W m⁻² sr⁻¹ µm⁻¹].
+struct ScatteredLight {
+    std::vector<std::vector<double>> at_turn;  // (turn)(bin)
+    std::vector<double> by_cosine;             // (bin)
+
+    std::vector<double> towards(std::size_t turn, double cosine) const;
+};
+
+/// Under a sky without cloud, or all under it.
+///
+/// something_behind  whoever asks adds what is behind the line's end, times its transmittance
+ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
+                               std::span<const double> turn, bool under_cloud,
+                               bool something_behind);
+/// Mean of the parts of the sky without and with cloud above the line, with something behind.
+ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
+                               std::span<const double> turn);
+
+}  // namespace diurna

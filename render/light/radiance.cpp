@@ -8,6 +8,7 @@
 
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 

@@ -39,13 +39,6 @@ Stencil stencil(double x, std::size_t nodes) {
                        t * a * b * (1.0f / 6.0f)}};
 }
 
-std::array<float, 4> stencil_slopes(double x, const Stencil& s) {
-    const auto t = static_cast<float>(x - double(s.start));
-    const float a = t - 1.0f, b = t - 2.0f, c = t - 3.0f;
-    return {(a * b + a * c + b * c) * (-1.0f / 6.0f), (t * b + t * c + b * c) * 0.5f,
-            (t * a + t * c + a * c) * -0.5f, (t * a + t * b + a * b) * (1.0f / 6.0f)};
-}
-
 double interpolated(std::span<const double> value, double x) {
     const Stencil s = stencil(x, value.size());
     double sum = 0.0;

@@ -18,8 +18,6 @@ struct Stencil {
     std::array<float, 4> weight{};
 };
 Stencil stencil(double x, std::size_t nodes);
-/// Derivatives of those weights by x.
-std::array<float, 4> stencil_slopes(double x, const Stencil& s);
 
 /// What the nodes' values come to at the place x.
 double interpolated(std::span<const double> value, double x);

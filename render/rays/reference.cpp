@@ -10,6 +10,7 @@
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/microfacet.hpp"
 #include "materials/radiation/planck.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/matter/microfacet.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 

@@ -6,11 +6,11 @@
 #include <limits>
 #include <span>
 
-#include "materials/air/sight_line.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "render/view/tile_caster.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 
@@ -110,10 +110,6 @@ ViewExtent extent_of(const std::vector<TileView>& tiles) {
 }
 
 }  // namespace
-
-double level_height(const Eigen::Vector3d& place) {
-    return place.z() + place.head<2>().squaredNorm() / (2e3 * earth_radius_km);
-}
 
 double sample_angle(const Observer& observer, int samples) {
     const double root = std::sqrt(double(samples));

@@ -89,7 +89,4 @@ Blend blend_at(const TextureLevels& texture_levels, FacetId facet, const Observe
                double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
                double range);
 
-/// Height [m] of a place in the east-north-up frame above the level surface through the origin.
-double level_height(const Eigen::Vector3d& place);
-
 }  // namespace diurna

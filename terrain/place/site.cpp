@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "materials/air/sight_line.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -16,7 +17,7 @@ GeographicLib::LocalCartesian frame_of(const Site& site) {
     return {site.latitude_deg, site.longitude_deg, site.height};
 }
 
-constexpr double earth_radius = 6371e3;  // [m]
+constexpr double earth_radius = 6371e3;  // [m] mean, by which refraction's k is defined
 
 /// What refraction lifts a point by that is so far east and north.
 double lift(const Site& site, const Eigen::Vector3d& local) {
@@ -50,6 +51,10 @@ Geodetic to_geodetic(const Site& site, const Eigen::Vector3d& local) {
     frame_of(site).Reverse(local.x(), local.y(), local.z() - lift(site, local), place.latitude_deg,
                            place.longitude_deg, place.height);
     return place;
+}
+
+double level_height(const Eigen::Vector3d& place) {
+    return place.z() + place.head<2>().squaredNorm() / (2e3 * earth_radius_km);
 }
 
 Eigen::Vector3d direction(double azimuth_deg, double elevation_deg) {

@@ -30,6 +30,11 @@ void to_local(const Site& site, std::span<const Geodetic> places, std::span<Eige
 Eigen::Vector3d to_local(const Site& site, const Geodetic& place);
 Geodetic to_geodetic(const Site& site, const Eigen::Vector3d& local);
 
+/// Height [m] of a place in the east-north-up frame above the level surface through the origin:
+/// z + (x² + y²) / 2R with the radius of the atmosphere's shells (materials/air/sight_line.hpp).
+/// 5 µm more than over a sphere at 10 km, 5 cm at 100 km.
+double level_height(const Eigen::Vector3d& place);
+
 /// Unit vector towards an azimuth (clockwise from true north) and elevation, in east-north-up.
 Eigen::Vector3d direction(double azimuth_deg, double elevation_deg);
 

@@ -78,10 +78,16 @@ SunPosition sun_position(const Site& site, Instant instant) {
     const double outward = cos_lon * sun.x() + sin_lon * sun.y();
     const double north = cos_lat * sun.z() - sin_lat * outward;
     const double up = sin_lat * sun.z() + cos_lat * outward;
+    SunPosition position = sun_at({east, north, up});
+    position.distance_au = sun.norm();  // without the turn's rounding
+    return position;
+}
 
-    double azimuth_deg = degrees(std::atan2(east, north));
+SunPosition sun_at(const Eigen::Vector3d& place) {
+    double azimuth_deg = degrees(std::atan2(place.x(), place.y()));
     if (azimuth_deg < 0.0) azimuth_deg += 360.0;
-    return {azimuth_deg, degrees(std::atan2(up, std::hypot(east, north))), sun.norm()};
+    return {azimuth_deg, degrees(std::atan2(place.z(), std::hypot(place.x(), place.y()))),
+            place.norm()};
 }
 
 SunPosition sun_position(const Site& site, Instant instant, double pressure_hPa,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "materials/base/units.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 
@@ -27,9 +28,12 @@ SunPosition sun_position(const Site& site, Instant instant, double pressure_hPa,
 /// ones.
 SunPosition refracted(SunPosition sun, double pressure_hPa, double temperature_C);
 
+/// The sun at a place given by east, north, up [au] as seen from the site.
+SunPosition sun_at(const Eigen::Vector3d& place);
+
 /// Unit vector towards the sun in the site's east-north-up frame.
 Eigen::Vector3d sun_direction(const SunPosition& sun);
 
-inline constexpr double sun_angular_radius_deg = 0.2666;  // at 1 AU
+inline constexpr double sun_angular_radius = radians(0.2666);  // [rad] at 1 AU
 
 }  // namespace diurna

@@ -1,9 +1,5 @@
 #include "terrain/place/sun_path.hpp"
 
-#include <cmath>
-
-#include "materials/base/units.hpp"
-
 namespace diurna {
 
 namespace {
@@ -33,10 +29,7 @@ SunPosition SunPath::at(Instant instant) {
                                   (x + 1.0) * (x - 1.0) * (x - 2.0) / 2.0 * knot(before) -
                                   (x + 1.0) * x * (x - 2.0) / 2.0 * knot(before + 1) +
                                   (x + 1.0) * x * (x - 1.0) / 6.0 * knot(before + 2);
-    double azimuth_deg = degrees(std::atan2(place.x(), place.y()));
-    if (azimuth_deg < 0.0) azimuth_deg += 360.0;
-    return {azimuth_deg, degrees(std::atan2(place.z(), std::hypot(place.x(), place.y()))),
-            place.norm()};
+    return sun_at(place);
 }
 
 }  // namespace diurna

@@ -228,7 +228,7 @@ void horizon_near(const HeightField& field, const Eigen::Vector3d& direction, do
 }
 
 float disc_above(float horizon_tangent, double sun_elevation) {
-    const double radius = radians(sun_angular_radius_deg);
+    const double radius = sun_angular_radius;
     const double x = (sun_elevation - std::atan(double{horizon_tangent})) / radius;
     if (x >= 1.0) return 1.0f;
     if (x <= -1.0) return 0.0f;
@@ -239,7 +239,7 @@ void sun_fraction(const HeightField& field, const Eigen::Vector3d& direction,
                   std::span<float> fraction, double lift) {
     assert(fraction.size() == field.size());
     const double elevation = std::asin(std::clamp(direction.z(), -1.0, 1.0));
-    const double radius = radians(sun_angular_radius_deg);
+    const double radius = sun_angular_radius;
     horizon_near(field, direction, radius, fraction, lift);
     const auto lower = static_cast<float>(std::tan(std::max(0.0, elevation - radius)));
     const auto upper = static_cast<float>(std::tan(std::max(0.0, elevation + radius)));

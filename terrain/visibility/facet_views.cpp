@@ -255,7 +255,7 @@ void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Ve
     if (direction.z() <= 0.0) return;
 
     const auto [east, north] = tangents(direction);
-    const double disc_radius = std::tan(radians(sun_angular_radius_deg));
+    const double disc_radius = std::tan(sun_angular_radius);
     const auto samples = static_cast<std::size_t>(options.samples);
     const auto [columns, rows] = nearly_square(options.samples);
 

@@ -24,7 +24,7 @@ constexpr float coarse_cells = 2.0f;
 constexpr int sky_azimuths = 32;
 constexpr float sky_reach = 1e-3f;  // objects that hide less sky are left to the exchange's rays
 constexpr std::size_t facets_per_block = 1024;
-const double sun_radius = radians(sun_angular_radius_deg);
+const double sun_radius = sun_angular_radius;
 
 /// Share of the disc above a straight edge x radii below its centre.
 class DiscTable {

@@ -78,12 +78,6 @@ TEST_CASE("ranges and heights are those of the geometry", "[render][view]") {
     }
 }
 
-TEST_CASE("level height counts the earth's curvature", "[render][view]") {
-    // 10 km away the tangent plane is 7.85 m above the sphere.
-    CHECK(level_height({6000.0, 8000.0, 0.0}) == Approx(1e8 / (2.0 * 6371230.0)));
-    CHECK(level_height({0.0, 0.0, -5.0}) == -5.0);
-}
-
 TEST_CASE("the share of sky follows the height of the horizon", "[render][view]") {
     // A level camera over a wide plain: half of the picture is sky, to within the plain's edge.
     const FacetSet facets = plain(9e4, -10.0);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
 
 // Closed forms: radiative transfer texts for canyon, shaft and wall; Ingersoll et al. (1992) for
@@ -330,7 +331,7 @@ TEST_CASE("the sun shines on one side, and the disc fades over its width",
     // Centre on the horizon half a radius up: the disc's share above is 1 - (acos(h) - h√(1-h²))/π.
     const double h = 0.5;
     const double share = 1.0 - (std::acos(h) - h * std::sqrt(1.0 - h * h)) / pi;
-    CHECK(mean_at(h * sun_angular_radius_deg) == Approx(share).margin(5e-3));
+    CHECK(mean_at(h * degrees(sun_angular_radius)) == Approx(share).margin(5e-3));
 }
 
 TEST_CASE("a wall's shadow ends where the sun's ray over its top comes down",

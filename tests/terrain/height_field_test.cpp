@@ -209,7 +209,7 @@ TEST_CASE("on an even grid horizons are exact", "[terrain][height_field][rays]")
 }
 
 TEST_CASE("the disc sinks behind a horizon over its width", "[terrain][height_field][sun]") {
-    const double radius = radians(sun_angular_radius_deg);
+    const double radius = sun_angular_radius;
     CHECK(disc_above(0.0f, 2.0 * radius) == 1.0f);
     CHECK(disc_above(0.0f, 0.0) == Approx(0.5));
     CHECK(disc_above(0.0f, -1.1 * radius) == 0.0f);

@@ -26,6 +26,14 @@ TEST_CASE("places near the Alps have the local coordinates PROJ gives", "[terrai
     CHECK(back.height == Approx(place.height).margin(2e-6));
 }
 
+TEST_CASE("far places lie higher above the level surface", "[terrain][site]") {
+    // 10 km away the tangent plane is 7.85 m above the sphere.
+    CHECK(level_height({6000.0, 8000.0, 0.0}) == Approx(1e8 / (2.0 * 6371230.0)));
+    CHECK(level_height({0.0, 0.0, -5.0}) == -5.0);
+    const double beyond = std::hypot(6371230.0, 1e5) - 6371230.0;  // a sphere
+    CHECK(level_height({1e5, 0.0, 0.0}) == Approx(beyond).margin(0.05));
+}
+
 TEST_CASE("the Earth falls away below the horizontal plane", "[terrain][site]") {
     // Drop of a sphere of 6371 km at 50 km: 196.2 m; the ellipsoid's radius differs by 0.5 %.
     const Site site{0.0, 0.0, 0.0};

@@ -11,6 +11,8 @@
 #include <map>
 
 #include "terrain/ground/ground_mesh.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
 
 using namespace diurna;

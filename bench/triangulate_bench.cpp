@@ -1,7 +1,9 @@
 // Elevation files to networks of a stated tolerance: time, triangles, and the worst error found by
 // rasterising the network anew. Arguments: elevation files (default: the sample scene's).
 
+#include "terrain/ground/tin_check.hpp"
 #include "terrain/ground/triangulate.hpp"
+#include "terrain/raster/read_dem.hpp"
 
 #include <fmt/format.h>
 

@@ -16,7 +16,9 @@
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
 #include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/tin_check.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/facet_views.hpp"
 #include "thermal/point/point_job.hpp"
 

@@ -2,7 +2,12 @@
 // sixteen times as many rays. Beside them the bare rate of occlusion rays, their limit. By the
 // processor's own clock, all threads together.
 
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/sky_rays.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +18,6 @@
 #include <functional>
 
 #include "materials/base/parallel.hpp"
-#include "terrain/ground/ground_mesh.hpp"
-#include "terrain/visibility/reciprocity.hpp"
-#include "terrain/visibility/sky_rays.hpp"
 
 using namespace diurna;
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "materials/base/error.hpp"
+#include "terrain/objects/mesh_check.hpp"
 
 namespace diurna {
 

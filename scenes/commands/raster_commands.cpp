@@ -11,11 +11,13 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
-#include "terrain/ground/triangulate.hpp"
-#include "terrain/objects/object_mesh.hpp"
+#include "terrain/ground/affordable_tin.hpp"
+#include "terrain/ground/tin_check.hpp"
+#include "terrain/objects/ply_file.hpp"
 #include "terrain/place/sun.hpp"
-#include "terrain/raster/dem.hpp"
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/geotiff.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "terrain/relief/height_field.hpp"
 #include "thermal/point/point_job.hpp"
 
@@ -44,7 +46,7 @@ void mesh_command(const MeshArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::fill, .centre = {}});
     const auto read = std::chrono::steady_clock::now();
-    const Tin tin = affordable_network(dem, arguments.tolerance_m);
+    const Tin tin = affordable_tin(dem, arguments.tolerance_m);
     const auto meshed = std::chrono::steady_clock::now();
     const TinCheck found = check_tin(dem, tin);
     if (!arguments.out.empty()) {

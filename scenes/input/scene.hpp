@@ -18,7 +18,7 @@
 #include "scenes/world/textures.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/raster/dem.hpp"
+#include "terrain/raster/dem_options.hpp"
 
 /// The whole input of a job as plain values: what a scene file says, with units converted, ranges
 /// checked and file names resolved. Places are east, north [m] from the site.

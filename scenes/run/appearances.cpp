@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "terrain/place/sun.hpp"
+#include "terrain/texture/level_values.hpp"
 
 namespace diurna {
 
@@ -27,7 +28,7 @@ std::vector<float> sunlit_appearance(const Prepared& prepared, const FacetViews&
     std::vector<float> fraction(world.facets.size());
     sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
                  {.samples = 1, .seed = prepared.scene.seed});
-    if (!world.texture_levels.empty()) fraction = for_copies(world.texture_levels, fraction);
+    if (!world.texture_levels.empty()) fraction = for_all_levels(world.texture_levels, fraction);
     const double middle = 0.5 * (band.from_um() + band.to_um());
     std::vector<float> reflectance;
     for (std::size_t m = 0; m < prepared.scene.materials.size(); ++m) {

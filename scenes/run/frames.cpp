@@ -18,6 +18,7 @@
 #include "scenes/report/annotations.hpp"
 #include "scenes/run/appearances.hpp"
 #include "scenes/world/air.hpp"
+#include "terrain/texture/level_values.hpp"
 
 namespace diurna {
 
@@ -189,7 +190,7 @@ std::size_t render_frames(const Prepared& prepared, const FacetViews& views,
                 sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
                              {.samples = scene.sun_samples, .seed = scene.seed});
                 if (!world.texture_levels.empty())
-                    fraction = for_copies(world.texture_levels, fraction);
+                    fraction = for_all_levels(world.texture_levels, fraction);
             }
             const std::vector<float> temperature = field.interpolate(instant);
             const Atmosphere atmosphere = atmosphere_at(scene, world, prepared.weather, instant);

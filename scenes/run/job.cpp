@@ -10,6 +10,8 @@
 #include "scenes/run/frames.hpp"
 #include "scenes/run/manifest.hpp"
 #include "scenes/world/air.hpp"
+#include "terrain/raster/read_dem.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
 #include "thermal/solve/shadow_edges.hpp"
@@ -88,7 +90,7 @@ FacetViews scene_sky_view(const Prepared& prepared) {
                                                       .seed = prepared.scene.seed});
     make_reciprocal(prepared.world.facets, view);
     const TextureLevels& texture_levels = prepared.world.texture_levels;
-    return texture_levels.empty() ? view : for_copies(texture_levels, view);
+    return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
 }
 
 /// Temperatures are kept at every frame and, for the curves of a day and where they cross, at least
@@ -133,7 +135,7 @@ SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
                {.tolerance = 20.0});
     const TextureLevels& texture_levels = prepared.world.texture_levels;
     if (texture_levels.empty()) return exposure;
-    exposure.fraction = for_copies(texture_levels, exposure.fraction);
+    exposure.fraction = for_all_levels(texture_levels, exposure.fraction);
     std::vector<ShadowEdge> edges;
     for (const ShadowEdge& edge : exposure.edge) {
         edges.push_back(edge);

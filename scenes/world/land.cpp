@@ -8,7 +8,8 @@
 
 #include "materials/base/document.hpp"
 #include "terrain/ground/rings.hpp"
-#include "terrain/raster/land_cover.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/land_shapes.hpp"
 
 namespace diurna {
 

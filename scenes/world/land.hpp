@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "terrain/ground/ground_mesh.hpp"
-#include "terrain/objects/object_mesh.hpp"
-#include "terrain/raster/dem.hpp"
+#include "terrain/objects/prism.hpp"
+#include "terrain/place/site.hpp"
 
 /// Ground cover and footprints that a scene takes from files of its own.
 namespace diurna {

@@ -8,7 +8,7 @@
 
 #include "scenes/input/scene.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/ground/triangulate.hpp"
+#include "terrain/ground/tin_check.hpp"
 #include "terrain/relief/height_field.hpp"
 #include "terrain/texture/texture_levels.hpp"
 

@@ -12,6 +12,8 @@
 #include "materials/base/error.hpp"
 #include "terrain/ground/post_scan.hpp"
 #include "terrain/ground/rings.hpp"
+#include "terrain/ground/triangulate.hpp"
+#include "terrain/raster/dem_places.hpp"
 
 namespace diurna {
 
@@ -35,8 +37,7 @@ class Cutting {
     Cutting(const Dem& dem, const Tin& tin)
         : dem_(dem),
           spacing_(post_spacing(dem)),
-          has_voids_(std::any_of(dem.height.begin(), dem.height.end(),
-                                 [](float h) { return std::isnan(h); })),
+          has_voids_(has_voids(dem)),
           is_vertex_(dem.height.size(), 0) {
         std::vector<std::pair<Kernel::Point_2, VertexNote>> points;
         points.reserve(tin.post.size());
@@ -82,9 +83,7 @@ class Cutting {
                 if (!is_ground(face)) continue;
                 const std::array<Eigen::Vector3d, 3> corner{
                     place(face->vertex(0)), place(face->vertex(1)), place(face->vertex(2))};
-                const WorstPost worst = weight.empty()
-                                            ? worst_post(dem_, corner)
-                                            : worst_post<true>(dem_, corner, weight.data());
+                const WorstPost worst = worst_post(dem_, corner, weight);
                 if (worst.error > std::max(tolerance, 1e-9)) {
                     missing.emplace_back(worst, face->vertex(0));
                 }
@@ -223,9 +222,7 @@ GroundMesh without_footprints(const Dem& dem, const Tin& tin) {
 
 GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footprint> footprints,
                        std::span<const float> slack) {
-    const Tin tin =
-        slack.empty() ? triangulate(dem, tolerance) : triangulate(dem, tolerance, slack);
-    return ground_mesh(dem, tin, tolerance, footprints, slack);
+    return ground_mesh(dem, triangulate(dem, tolerance, slack), tolerance, footprints, slack);
 }
 
 GroundMesh ground_mesh(const Dem& dem, const Tin& tin, double tolerance,
@@ -237,25 +234,6 @@ GroundMesh ground_mesh(const Dem& dem, const Tin& tin, double tolerance,
     for (std::size_t i = 0; i < footprints.size(); ++i) cutting.cut(footprints[i], i);
     cutting.restore(tolerance, weight);
     return cutting.result();
-}
-
-std::vector<float> level_of_detail(const Dem& dem, std::span<const Viewpoint> viewpoints,
-                                   double tolerance, double coarsest) {
-    const Eigen::Vector2d spacing = post_spacing(dem);
-    std::vector<float> slack(dem.height.size());
-    for (int row = 0; row < dem.rows; ++row) {
-        for (int column = 0; column < dem.columns; ++column) {
-            double seen = coarsest;
-            for (const Viewpoint& v : viewpoints) {
-                const Eigen::Vector2d across =
-                    (Eigen::Vector2d(column, row) - v.place).cwiseProduct(spacing);
-                seen = std::min(seen, v.angle * std::hypot(across.norm(), v.height));
-            }
-            slack[std::size_t(row) * dem.columns + column] =
-                static_cast<float>(std::max(1.0, seen / tolerance));
-        }
-    }
-    return slack;
 }
 
 }  // namespace diurna

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "terrain/ground/triangulate.hpp"
+#include "terrain/ground/tin.hpp"
 #include "terrain/raster/dem.hpp"
 
 namespace diurna {
@@ -56,21 +56,5 @@ GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footpri
 GroundMesh ground_mesh(const Dem& dem, const Tin& network, double tolerance,
                        std::span<const Footprint> footprints = {},
                        std::span<const float> slack = {});
-
-/// Someone who looks at the ground, or something on it that is looked at.
-struct Viewpoint {
-    Eigen::Vector2d place;  // (column, row)
-    double height = 0.0;    // above the ground there [m]
-    double angle = 1e-3;    // that one pixel sees [rad]
-};
-
-/// Slack (row, column) for `ground_mesh`: at each post what a pixel of the nearest viewpoint sees,
-/// angle × distance, over `tolerance`; at least 1 and at most `coarsest` / `tolerance`. So the mesh
-/// errs by a pixel at most where someone looks, and far relief keeps what its shadows need.
-std::vector<float> level_of_detail(const Dem& dem, std::span<const Viewpoint> viewpoints,
-                                   double tolerance, double coarsest);
-
-/// Checks a mesh by rasterising each triangle anew, as for a network of posts.
-TinCheck check_ground_mesh(const Dem& dem, const GroundMesh& mesh);
 
 }  // namespace diurna

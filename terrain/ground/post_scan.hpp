@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "terrain/raster/dem.hpp"
 
@@ -16,12 +17,9 @@ struct WorstPost {
     int column = 0, row = 0;
 };
 
-/// Scans the posts under a triangle of (column, row, height) corners, border included. Posts
-/// without height must not lie under it. Where several are equally far, the first row by row.
-/// `weight` (row, column), if given, multiplies the error of each post.
-template <bool weighted = false>
-WorstPost worst_post(const Dem& dem, std::array<Eigen::Vector3d, 3> corner,
-                     const float* weight = nullptr) {
+/// The scan with or without weights; the loops over a row are vector code.
+template <bool weighted>
+WorstPost scan_posts(const Dem& dem, std::array<Eigen::Vector3d, 3> corner, const float* weight) {
     std::sort(corner.begin(), corner.end(),
               [](const auto& a, const auto& b) { return a.y() < b.y(); });
     const auto& [top, middle, bottom] = corner;
@@ -74,6 +72,15 @@ WorstPost worst_post(const Dem& dem, std::array<Eigen::Vector3d, 3> corner,
         }
     }
     return worst;
+}
+
+/// Scans the posts under a triangle of (column, row, height) corners, border included. Posts
+/// without height must not lie under it. Where several are equally far, the first row by row.
+/// `weight` (row, column), if not empty, multiplies the error of each post.
+inline WorstPost worst_post(const Dem& dem, const std::array<Eigen::Vector3d, 3>& corner,
+                            std::span<const float> weight) {
+    return weight.empty() ? scan_posts<false>(dem, corner, nullptr)
+                          : scan_posts<true>(dem, corner, weight.data());
 }
 
 }  // namespace diurna

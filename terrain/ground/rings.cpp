@@ -148,4 +148,30 @@ Ring lattice_inside(const Ring& corners, const Ring& border, double largest_edge
     return points;
 }
 
+Ring ribbon(std::span<const Eigen::Vector2d> line, double width) {
+    std::vector<Eigen::Vector2d> way;
+    for (const auto& p : line) {
+        if (way.empty() || (p - way.back()).norm() > 1e-6) way.push_back(p);
+    }
+    if (way.size() < 2) return {};
+    Ring left, right;
+    const auto side = [&](std::size_t i) -> Eigen::Vector2d {
+        const Eigen::Vector2d along = (way[i + 1] - way[i]).normalized();
+        return {-along.y(), along.x()};
+    };
+    for (std::size_t i = 0; i < way.size(); ++i) {
+        const Eigen::Vector2d before = side(i > 0 ? i - 1 : 0);
+        const Eigen::Vector2d after = side(std::min(i, way.size() - 2));
+        const Eigen::Vector2d middle = before + after;
+        // The mitre reaches 1/cos of half the bend.
+        const double reach = middle.norm() > 1.0 ? 2.0 / middle.squaredNorm() : 1.0;
+        const Eigen::Vector2d off =
+            0.5 * width * (middle.norm() > 1.0 ? Eigen::Vector2d(reach * middle) : after);
+        left.push_back(way[i] + off);
+        right.push_back(way[i] - off);
+    }
+    left.insert(left.end(), right.rbegin(), right.rend());
+    return left;
+}
+
 }  // namespace diurna

@@ -1,12 +1,21 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 namespace diurna {
 
-/// Corners of a polygon in fractional (column, row) of a raster, not closed.
+/// Corners of a polygon in plan, not closed: fractional (column, row) of a raster, or east and
+/// north.
 using Ring = std::vector<Eigen::Vector2d>;
+
+/// Twice the area of a triangle, more than 0 where it turns from x to y: left in (east, north),
+/// right in (column, row).
+template <class Point>
+auto turn(const Point& a, const Point& b, const Point& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
+}
 
 /// The smallest upright rectangle round a ring.
 struct Extent {
@@ -30,5 +39,9 @@ Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spaci
 /// clear of it, for triangles with edges of about `largest_edge` [m].
 Ring lattice_inside(const Ring& corners, const Ring& border, double largest_edge,
                     const Eigen::Vector2d& spacing);
+
+/// The area within half a width [m] of a line given by east and north, as a ring; bends are mitred,
+/// at most to twice the width.
+Ring ribbon(std::span<const Eigen::Vector2d> line, double width);
 
 }  // namespace diurna

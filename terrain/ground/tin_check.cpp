@@ -1,8 +1,9 @@
+#include "terrain/ground/tin_check.hpp"
+
 #include <algorithm>
 #include <cmath>
 
-#include "terrain/ground/ground_mesh.hpp"
-#include "terrain/ground/triangulate.hpp"
+#include "terrain/ground/rings.hpp"
 
 namespace diurna {
 
@@ -26,12 +27,6 @@ std::vector<std::uint8_t> coverable_posts(const Dem& dem) {
     return coverable;
 }
 
-/// Twice the area of a triangle in (column, row), positive where it turns right there, which is
-/// left seen from above.
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    return (c.x() - a.x()) * (b.y() - a.y()) - (b.x() - a.x()) * (c.y() - a.y());
-}
-
 TinCheck check(const Dem& dem, std::span<const Eigen::Vector2d> place,
                std::span<const float> height,
                std::span<const std::array<std::uint32_t, 3>> triangles) {
@@ -39,7 +34,8 @@ TinCheck check(const Dem& dem, std::span<const Eigen::Vector2d> place,
     std::vector<float> error(dem.height.size(), -1.0f);
     for (const auto& [i, j, k] : triangles) {
         const Eigen::Vector2d &a = place[i], &b = place[j], &c = place[k];
-        const double area = turn(a, b, c);
+        // Rows run south: what turns left seen from above turns right in (column, row).
+        const double area = turn(a, c, b);
         if (!(area > 0.0)) {
             ++result.flipped_triangles;
             continue;
@@ -49,7 +45,7 @@ TinCheck check(const Dem& dem, std::span<const Eigen::Vector2d> place,
         for (int row = static_cast<int>(std::ceil(low.y())); row <= high.y(); ++row) {
             for (int column = static_cast<int>(std::ceil(low.x())); column <= high.x(); ++column) {
                 const Eigen::Vector2d post(column, row);
-                const double wa = turn(post, b, c), wb = turn(a, post, c), wc = turn(a, b, post);
+                const double wa = turn(post, c, b), wb = turn(a, c, post), wc = turn(a, post, b);
                 if (std::min({wa, wb, wc}) < -1e-9) continue;
                 const double surface =
                     (wa * height[i] + wb * height[j] + wc * height[k]) / (wa + wb + wc);

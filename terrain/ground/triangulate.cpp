@@ -43,17 +43,12 @@ class GreedyInsertion {
     GreedyInsertion(const Dem& dem, double tolerance, std::span<const float> slack)
         : dem_(dem),
           tolerance_(std::max(tolerance, 1e-9)),  // below a nanometre lies only rounding
-          has_voids_(std::any_of(dem.height.begin(), dem.height.end(),
-                                 [](float h) { return std::isnan(h); })) {
+          has_voids_(has_voids(dem)) {
         for (const float s : slack) weight_.push_back(1.0f / s);
     }
 
-    explicit GreedyInsertion(const Dem& dem, double tolerance)
-        : GreedyInsertion(dem, tolerance, {}) {}
-
-    std::optional<Tin> run(std::span<const std::array<std::int32_t, 2>> keep,
-                           double most_bytes = 1e30) {
-        start(keep);
+    std::optional<Tin> run(double most_bytes = 1e30) {
+        start();
         while (!queue_.empty()) {
             if (bytes() > most_bytes) return std::nullopt;
             const Candidate next = queue_.top();
@@ -74,7 +69,7 @@ class GreedyInsertion {
     /// integer lattice the edges of that border are then Delaunay whatever else is inserted (no
     /// post lies inside the circle on an edge of length 1 as diameter, nor inside the circle of a
     /// half cell), so no triangle ever crosses from ground into a void.
-    void start(std::span<const std::array<std::int32_t, 2>> keep) {
+    void start() {
         std::vector<Kernel::Point_2> points;
         const int right = dem_.columns - 1, bottom = dem_.rows - 1;
         for (const auto& [column, row] :
@@ -86,12 +81,6 @@ class GreedyInsertion {
                 if (!std::isnan(dem_.at(row, column)) && beside_void(row, column)) {
                     points.emplace_back(column, row);
                 }
-            }
-        }
-        for (const auto& [column, row] : keep) {
-            if (column >= 0 && row >= 0 && column < dem_.columns && row < dem_.rows &&
-                !std::isnan(dem_.at(row, column))) {
-                points.emplace_back(column, row);
             }
         }
         mesh_.insert(points.begin(), points.end());
@@ -131,8 +120,7 @@ class GreedyInsertion {
         if (mesh_.is_infinite(face) || !is_ground(face)) return;
         const std::array<Eigen::Vector3d, 3> corner{place(face->vertex(0)), place(face->vertex(1)),
                                                     place(face->vertex(2))};
-        note.worst = weight_.empty() ? worst_post(dem_, corner)
-                                     : worst_post<true>(dem_, corner, weight_.data());
+        note.worst = worst_post(dem_, corner, weight_);
         if (note.worst.error > tolerance_) queue_.push({note.worst.error, note.stamp, face});
     }
 
@@ -165,17 +153,12 @@ class GreedyInsertion {
 
 }  // namespace
 
-Tin triangulate(const Dem& dem, double tolerance,
-                std::span<const std::array<std::int32_t, 2>> keep) {
-    return *GreedyInsertion(dem, tolerance).run(keep);
-}
-
 Tin triangulate(const Dem& dem, double tolerance, std::span<const float> slack) {
-    return *GreedyInsertion(dem, tolerance, slack).run({});
+    return *GreedyInsertion(dem, tolerance, slack).run();
 }
 
 std::optional<Tin> triangulate_within(const Dem& dem, double tolerance, double most_bytes) {
-    return GreedyInsertion(dem, tolerance).run({}, most_bytes);
+    return GreedyInsertion(dem, tolerance, {}).run(most_bytes);
 }
 
 }  // namespace diurna

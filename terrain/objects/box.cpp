@@ -1,15 +1,15 @@
+#include "terrain/objects/box.hpp"
+
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
-#include <fstream>
 #include <map>
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
-#include "terrain/objects/object_mesh.hpp"
 
 namespace diurna {
 
@@ -78,13 +78,6 @@ class BoxBuilder {
     ObjectMesh mesh_;
 };
 
-static_assert(std::endian::native == std::endian::little, "write_ply writes memory as it is");
-
-template <class T>
-void put(std::ostream& out, T value) {
-    out.write(reinterpret_cast<const char*>(&value), sizeof value);
-}
-
 }  // namespace
 
 ObjectMesh box(const BoxSpec& spec) {
@@ -103,23 +96,6 @@ ObjectMesh box(const BoxSpec& spec) {
     builder.face(1, 2, true, 0, spec.wall);
     builder.face(0, 1, false, up, spec.roof);
     return builder.result();
-}
-
-void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3d> vertex,
-               std::span<const std::array<std::uint32_t, 3>> triangle) {
-    std::ofstream out(file, std::ios::binary);
-    out << "ply\nformat binary_little_endian 1.0\nelement vertex " << vertex.size()
-        << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
-        << triangle.size() << "\nproperty list uchar uint vertex_indices\nend_header\n";
-    for (const auto& v : vertex) {
-        for (int k = 0; k < 3; ++k) put(out, v[k]);
-    }
-    for (const auto& corners : triangle) {
-        put(out, std::uint8_t{3});
-        for (const std::uint32_t corner : corners) put(out, corner);
-    }
-    out.flush();
-    if (!out) throw InputError(file.string(), "cannot be written");
 }
 
 }  // namespace diurna

@@ -1,10 +1,12 @@
+#include "terrain/objects/placed_mesh.hpp"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "materials/base/units.hpp"
-#include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/mesh_check.hpp"
 
 namespace diurna {
 

@@ -1,20 +1,15 @@
+#include "terrain/objects/prism.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "materials/base/error.hpp"
-#include "terrain/objects/object_mesh.hpp"
 
 namespace diurna {
 
 namespace {
-
-using Ring = std::vector<Eigen::Vector2d>;
-
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y());
-}
 
 /// Counterclockwise, without repeated corners.
 Ring tidy(const Ring& given) {

@@ -1,3 +1,5 @@
+#include "terrain/raster/dem_file.hpp"
+
 #include <fmt/format.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
@@ -8,7 +10,12 @@
 
 #include "materials/base/error.hpp"
 #include "terrain/raster/ascii_grid.hpp"
-#include "terrain/raster/dem_parts.hpp"
+#include "terrain/raster/crs.hpp"
+#include "terrain/raster/dem_notes.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/dem_window.hpp"
+#include "terrain/raster/gdal_file.hpp"
+#include "terrain/raster/geotransform.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
 
 namespace diurna {
@@ -16,7 +23,6 @@ namespace diurna {
 namespace {
 
 constexpr double lowest = -12e3, highest = 10e3;  // heights on Earth [m], with some room
-constexpr double best_compression = 1100.0;       // DEFLATE cannot do better than 1032 : 1
 
 const char* const allowed_drivers[] = {"GTiff",   "DTED", "SRTMHGT", "USGSDEM",
                                        "AAIGrid", "ENVI", "netCDF",  nullptr};
@@ -89,10 +95,9 @@ void check_size(GDALDataset& raster, const std::filesystem::path& file) {
     }
     const int post_bytes = GDALGetDataTypeSizeBytes(raster.GetRasterBand(1)->GetRasterDataType());
     std::error_code problem;
-    const double bytes = static_cast<double>(std::filesystem::file_size(file, problem));
-    if (posts * post_bytes > bytes * best_compression) {
-        throw InputError(where, fmt::format("claims {} x {} posts but has only {:.0f} bytes",
-                                            columns, rows, bytes));
+    if (claims_too_much(posts * post_bytes, file)) {
+        throw InputError(where, fmt::format("claims {} x {} posts but has only {} bytes", columns,
+                                            rows, std::filesystem::file_size(file, problem)));
     }
 }
 
@@ -102,7 +107,7 @@ void read_georeference(GDALDataset& raster, Dem& dem) {
     }
     const auto& t = dem.transform;
     const bool finite = std::all_of(t.begin(), t.end(), [](double x) { return std::isfinite(x); });
-    const double cell = t[1] * t[5] - t[2] * t[4];
+    const double cell = pixel_area(t);
     const double shape = std::max({std::abs(t[1]), std::abs(t[2]), std::abs(t[4]), std::abs(t[5])});
     if (!finite || std::abs(cell) <= 1e-12 * shape * shape) {
         throw InputError(dem.source,
@@ -118,11 +123,7 @@ void read_georeference(GDALDataset& raster, Dem& dem) {
         throw InputError(dem.source, "names no coordinate reference system",
                          "gdal_translate -a_srs EPSG:... writes one");
     }
-    char* wkt = nullptr;
-    const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
-    reference->exportToWkt(&wkt, options);
-    dem.crs_wkt = wkt ? wkt : "";
-    CPLFree(wkt);
+    dem.crs_wkt = wkt_of(*reference);
 }
 
 /// The corners must be places on Earth: HGT and hand-made headers can say 91° north.
@@ -183,7 +184,7 @@ void read_heights(GDALDataset& raster, const PostWindow& window, const DemOption
 /// Turns a raster over that is stored south first.
 void put_north_first(Dem& dem) {
     auto& t = dem.transform;
-    if (t[1] * t[5] - t[2] * t[4] < 0.0) return;
+    if (pixel_area(t) < 0.0) return;
     for (int row = 0; row < dem.rows / 2; ++row) {
         const auto upper = dem.height.begin() + std::ptrdiff_t(row) * dem.columns;
         const auto lower = dem.height.begin() + std::ptrdiff_t(dem.rows - 1 - row) * dem.columns;
@@ -214,11 +215,7 @@ Dem read_tile(const std::filesystem::path& file, const DemOptions& options, bool
 
     const PostWindow window =
         whole ? PostWindow{0, 0, dem.columns, dem.rows} : window_of(dem, options);
-    auto& t = dem.transform;
-    t[0] += t[1] * window.column + t[2] * window.row;
-    t[3] += t[4] * window.column + t[5] * window.row;
-    dem.columns = window.columns;
-    dem.rows = window.rows;
+    move_to_window(dem, window);
     read_heights(*raster, window, options, dem, gdal);
     put_north_first(dem);
     note_datum(dem);

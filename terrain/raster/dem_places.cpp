@@ -1,8 +1,11 @@
-#include <algorithm>
+#include "terrain/raster/dem_places.hpp"
+
 #include <cmath>
 #include <limits>
 
-#include "terrain/raster/dem.hpp"
+#include "terrain/raster/crs.hpp"
+#include "terrain/raster/geotransform.hpp"
+#include "terrain/raster/quiet_gdal.hpp"
 
 namespace diurna {
 
@@ -10,40 +13,49 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-Geodetic place_of(const Dem& dem, const Eigen::Vector2d& place, double height) {
-    const auto h = static_cast<float>(height);
-    return geodetic_places(dem, {&place, 1}, {&h, 1}).front();
-}
-
-/// The valid post nearest to a place, searched in growing squares.
-double nearest_height(const Dem& dem, int row, int column) {
-    for (int reach = 0; reach < std::max(dem.rows, dem.columns); ++reach) {
-        double best = unknown;
-        int best_squared = std::numeric_limits<int>::max();
-        for (int r = std::max(0, row - reach); r <= std::min(dem.rows - 1, row + reach); ++r) {
-            for (int c = std::max(0, column - reach);
-                 c <= std::min(dem.columns - 1, column + reach); ++c) {
-                const int squared = (r - row) * (r - row) + (c - column) * (c - column);
-                if (squared < best_squared && !std::isnan(dem.at(r, c))) {
-                    best_squared = squared;
-                    best = dem.at(r, c);
-                }
-            }
-        }
-        if (!std::isnan(best)) return best;
-    }
-    return unknown;
-}
-
 }  // namespace
 
-std::vector<Geodetic> post_places(const Dem& dem) {
-    std::vector<Eigen::Vector2d> place;
-    place.reserve(dem.height.size());
-    for (int row = 0; row < dem.rows; ++row) {
-        for (int column = 0; column < dem.columns; ++column) place.emplace_back(column, row);
+std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vector2d> place,
+                                      std::span<const float> height) {
+    const QuietGdal gdal;
+    std::vector<double> x(place.size()), y(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        const Eigen::Vector2d pixel = place[i].array() + 0.5;  // posts are pixel centres
+        const Eigen::Vector2d at = map_place(dem.transform, pixel);
+        x[i] = at.x();
+        y[i] = at.y();
     }
-    return geodetic_places(dem, place, dem.height);
+    const Projection& projection = projection_of(dem.crs_wkt, dem.source);
+    const std::vector<int> good = transform(*projection.to_geodetic, x, y);
+    std::vector<Geodetic> geodetic(place.size());
+    for (std::size_t i = 0; i < place.size(); ++i) {
+        geodetic[i] = {good[i] ? y[i] : unknown, good[i] ? x[i] : unknown, height[i]};
+    }
+    return geodetic;
+}
+
+std::vector<Eigen::Vector2d> raster_places(const Dem& dem, std::span<const Geodetic> places) {
+    const QuietGdal gdal;
+    const Projection& projection = projection_of(dem.crs_wkt, dem.source);
+    std::vector<double> x(places.size()), y(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        x[i] = places[i].longitude_deg;
+        y[i] = places[i].latitude_deg;
+    }
+    const std::vector<int> good = transform(*projection.from_geodetic, x, y);
+    const auto& t = dem.transform;
+    const double middle = t[0] + 0.5 * (t[1] * dem.columns + t[2] * dem.rows);
+    std::vector<Eigen::Vector2d> raster(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!good[i]) {
+            raster[i].setConstant(unknown);
+            continue;
+        }
+        // Across the date line the same meridian has two numbers: take the one near the raster.
+        if (projection.geographic) x[i] += 360.0 * std::round((middle - x[i]) / 360.0);
+        raster[i] = pixel_at(t, x[i], y[i]).array() - 0.5;
+    }
+    return raster;
 }
 
 std::vector<Eigen::Vector3d> local_vertices(const Dem& dem, const Site& site,
@@ -91,27 +103,8 @@ Eigen::Vector2d post_spacing(const Dem& dem) {
 
 Geodetic dem_centre(const Dem& dem) {
     const Eigen::Vector2d middle(0.5 * (dem.columns - 1), 0.5 * (dem.rows - 1));
-    return place_of(dem, middle, nearest_height(dem, dem.rows / 2, dem.columns / 2));
-}
-
-double height_at(const Dem& dem, const Eigen::Vector2d& place) {
-    const double x = place.x(), y = place.y();
-    if (!(x >= 0.0 && y >= 0.0 && x <= dem.columns - 1 && y <= dem.rows - 1)) return unknown;
-    const int column = std::min(static_cast<int>(x), dem.columns - 2);
-    const int row = std::min(static_cast<int>(y), dem.rows - 2);
-    const double u = x - column, v = y - row;
-    const double a = dem.at(row, column), b = dem.at(row, column + 1);
-    const double c = dem.at(row + 1, column), d = dem.at(row + 1, column + 1);
-    const int voids = std::isnan(a) + std::isnan(b) + std::isnan(c) + std::isnan(d);
-    if (voids == 0) return (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d);
-    if (voids > 1) return unknown;
-    // One corner is void: the plane through the three others, on their half of the cell.
-    constexpr double rounding = 1e-9;
-    if (std::isnan(a))
-        return u + v >= 1.0 - rounding ? d + (1 - u) * (c - d) + (1 - v) * (b - d) : unknown;
-    if (std::isnan(d)) return u + v <= 1.0 + rounding ? a + u * (b - a) + v * (c - a) : unknown;
-    if (std::isnan(b)) return v >= u - rounding ? c + u * (d - c) + (1 - v) * (a - c) : unknown;
-    return u >= v - rounding ? b + (1 - u) * (a - b) + v * (d - b) : unknown;
+    const auto height = static_cast<float>(nearest_height(dem, dem.rows / 2, dem.columns / 2));
+    return geodetic_places(dem, {&middle, 1}, {&height, 1}).front();
 }
 
 double height_at(const Dem& dem, double latitude_deg, double longitude_deg) {

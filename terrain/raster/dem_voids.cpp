@@ -1,50 +1,27 @@
 #include "terrain/raster/dem_voids.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/grid.hpp"
 
 namespace diurna {
 
 namespace {
 
-struct Grid {
-    int columns, rows;
-    std::vector<float> value;
-    float& at(int row, int column) { return value[std::size_t(row) * columns + column]; }
-};
-
-/// Means over 2 × 2 cells of what is valid there.
-Grid halved(Grid& fine) {
-    Grid coarse{(fine.columns + 1) / 2, (fine.rows + 1) / 2, {}};
-    coarse.value.resize(std::size_t(coarse.columns) * coarse.rows);
-    for (int row = 0; row < coarse.rows; ++row) {
-        for (int column = 0; column < coarse.columns; ++column) {
-            double sum = 0.0;
-            int count = 0;
-            for (int r = 2 * row; r < std::min(fine.rows, 2 * row + 2); ++r) {
-                for (int c = 2 * column; c < std::min(fine.columns, 2 * column + 2); ++c) {
-                    if (std::isnan(fine.at(r, c))) continue;
-                    sum += fine.at(r, c);
-                    ++count;
-                }
-            }
-            coarse.at(row, column) = count > 0 ? static_cast<float>(sum / count)
-                                               : std::numeric_limits<float>::quiet_NaN();
-        }
-    }
-    return coarse;
-}
-
 /// Bilinear between the centres of the coarse cells.
-float interpolated(Grid& coarse, int fine_row, int fine_column) {
+float interpolated(const Grid& coarse, int fine_row, int fine_column) {
     const double y = std::clamp(0.5 * fine_row - 0.25, 0.0, coarse.rows - 1.0);
     const double x = std::clamp(0.5 * fine_column - 0.25, 0.0, coarse.columns - 1.0);
     const int r0 = static_cast<int>(y), c0 = static_cast<int>(x);
     const int r1 = std::min(r0 + 1, coarse.rows - 1), c1 = std::min(c0 + 1, coarse.columns - 1);
     const double v = y - r0, u = x - c0;
-    return static_cast<float>((1 - v) * ((1 - u) * coarse.at(r0, c0) + u * coarse.at(r0, c1)) +
-                              v * ((1 - u) * coarse.at(r1, c0) + u * coarse.at(r1, c1)));
+    return static_cast<float>(
+        bilinear(coarse.at(r0, c0), coarse.at(r0, c1), coarse.at(r1, c0), coarse.at(r1, c1), u, v));
 }
 
 void fill(Grid& grid) {
@@ -66,6 +43,27 @@ void fill_voids(int columns, int rows, std::vector<float>& height) {
     Grid grid{columns, rows, std::move(height)};
     fill(grid);
     height = std::move(grid.value);
+}
+
+void apply_void_policy(Dem& dem, VoidPolicy policy) {
+    dem.voids = static_cast<std::size_t>(
+        std::count_if(dem.height.begin(), dem.height.end(), [](float h) { return std::isnan(h); }));
+    if (dem.voids == dem.height.size()) {
+        throw InputError(dem.source, "has no elevation at all: every post is void");
+    }
+    if (dem.voids > 0) {
+        dem.is_void.resize(dem.height.size());
+        std::transform(dem.height.begin(), dem.height.end(), dem.is_void.begin(),
+                       [](float h) { return std::uint8_t{std::isnan(h)}; });
+    }
+    if (dem.voids == 0 || policy == VoidPolicy::leave) return;
+    if (policy == VoidPolicy::refuse) {
+        const double percent = 100.0 * double(dem.voids) / double(dem.height.size());
+        throw InputError(dem.source,
+                         fmt::format("{} posts ({:.2g} %) have no elevation", dem.voids, percent),
+                         "let voids be filled");
+    }
+    fill_voids(dem.columns, dem.rows, dem.height);
 }
 
 }  // namespace diurna

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "terrain/raster/dem_places.hpp"
 
 namespace diurna {
 

@@ -1,51 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <limits>
-#include <memory>
-#include <span>
 #include <variant>
-#include <vector>
 
 #include "terrain/texture/clutter.hpp"
+#include "terrain/texture/raster_texture.hpp"
 
 namespace diurna {
-
-/// A picture whose texels say a value, laid on a plane.
-class RasterTexture {
- public:
-    struct Layout {
-        int columns = 0, rows = 0;
-        std::vector<float> value;  // (row, column), the first row on top; NaN: none
-        bool nearest = false;      // a texel's value all over it; else linear between their middles
-        bool repeat = false;       // again and again in both directions; else none outside
-        /// Place in texels (0, 0 the first one's outer corner) as a polynomial in x and y [m]:
-        /// 1, x, y, x², xy, y².
-        std::array<Eigen::Vector2d, 6> to_texel{};
-    };
-    explicit RasterTexture(Layout layout);
-
-    /// Value at a place [m]; NaN where there is none. Texels finer than `spacing` [m], that to the
-    /// next place asked for, are averaged in squares of 2, 4, 8 ... texels.
-    double at(double x, double y, double spacing = 0.0) const;
-    /// Least and greatest within a rectangle about the given places, with a texel around; both NaN
-    /// where there is nothing else.
-    std::array<double, 2> range(std::span<const Eigen::Vector2d> places) const;
-    double texel() const { return texel_; }  // [m] at the middle of the picture
-
- private:
-    struct Level {
-        int columns, rows;
-        std::vector<float> value;
-    };
-    Eigen::Vector2d texel_at(double x, double y) const;
-    double look_up(const Level& level, double column, double row) const;
-
-    Layout layout_;
-    std::vector<Level> level_;  // each half as fine as the one before
-    double texel_ = 1.0;
-};
 
 /// Statistical: mean + standard deviation · field.
 struct ClutterTexture {
@@ -65,6 +26,8 @@ struct TextureFrame {
 Eigen::Vector2d texture_place(const TextureFrame& frame, const Eigen::Vector3d& place,
                               const Eigen::Vector3f& normal);
 
+/// Value at a place of the texture's plane [m]; NaN where a picture has none. Detail finer than
+/// `spacing` [m], that to the next place asked for, is averaged away.
 double texture_at(const Texture& texture, const Eigen::Vector2d& place, double spacing = 0.0);
 
 }  // namespace diurna

@@ -2,14 +2,14 @@
 
 #include <fmt/format.h>
 #include <gdal_priv.h>
-#include <ogr_spatialref.h>
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <memory>
 
 #include "materials/base/error.hpp"
-#include "terrain/raster/quiet_gdal.hpp"
+#include "terrain/raster/crs.hpp"
+#include "terrain/raster/gdal_file.hpp"
 
 namespace diurna {
 
@@ -21,19 +21,12 @@ const char* const drivers[] = {"GTiff", "PNG", "JPEG", "ENVI", "netCDF", "AAIGri
 }  // namespace
 
 TextureImage read_texture_image(const std::filesystem::path& file, int channel) {
-    const QuietGdal quiet;
+    const QuietGdal gdal;
     TextureImage image;
     image.source = file.string();
-    if (!std::filesystem::is_regular_file(file)) {
-        throw InputError(image.source, "there is no such file");
-    }
-    const std::string name = std::filesystem::absolute(file).lexically_normal().string();
-    const GDALDatasetUniquePtr data(
-        GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
-    if (!data) {
-        throw InputError(image.source, "cannot be read" + quiet.because(),
-                         "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII");
-    }
+    const auto data =
+        open_gdal_file(file, GDAL_OF_RASTER, drivers,
+                       "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII", gdal);
     image.columns = data->GetRasterXSize();
     image.rows = data->GetRasterYSize();
     const double texels = double(image.columns) * image.rows;
@@ -43,7 +36,8 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel) 
     }
     GDALRasterBand& band = *data->GetRasterBand(channel);
     const double bytes = texels * GDALGetDataTypeSizeBytes(band.GetRasterDataType());
-    if (texels > most_texels || bytes > 1100.0 * double(std::filesystem::file_size(file)) + 1e6) {
+    constexpr double small = 1e6;  // pictures of one colour may be packed better
+    if (texels > most_texels || claims_too_much(bytes - small, file)) {
         throw InputError(image.source,
                          fmt::format("claims {} x {} texels but has only {} bytes", image.columns,
                                      image.rows, std::filesystem::file_size(file)));
@@ -51,7 +45,7 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel) 
     image.value.resize(std::size_t(image.columns) * std::size_t(image.rows));
     if (band.RasterIO(GF_Read, 0, 0, image.columns, image.rows, image.value.data(), image.columns,
                       image.rows, GDT_Float32, 0, 0) != CE_None) {
-        throw InputError(image.source, "cannot be read" + quiet.because());
+        throw InputError(image.source, "cannot be read" + gdal.because());
     }
     int has_nodata = 0;
     const double nodata = band.GetNoDataValue(&has_nodata);
@@ -69,17 +63,12 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel) 
 
 std::array<Eigen::Vector2d, 6> texels_from_site(const TextureImage& image, const Site& site,
                                                 double reach, double* worst) {
-    const QuietGdal quiet;
-    OGRSpatialReference from, to;
-    from.SetWellKnownGeogCS("WGS84");
-    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    to.importFromWkt(image.crs_wkt.c_str());
-    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const std::unique_ptr<OGRCoordinateTransformation> shift(
-        OGRCreateCoordinateTransformation(&from, &to));
-    std::array<double, 6> inverse{}, forward = image.transform;
-    if (!shift || !GDALInvGeoTransform(forward.data(), inverse.data())) {
-        throw InputError(image.source, "its CRS or place cannot be used" + quiet.because());
+    const QuietGdal gdal;
+    OGRCoordinateTransformation& from_geodetic =
+        *projection_of(image.crs_wkt, image.source).from_geodetic;
+    GeoTransform inverse{}, forward = image.transform;
+    if (!GDALInvGeoTransform(forward.data(), inverse.data())) {
+        throw InputError(image.source, "its place cannot be used: its texels have no area");
     }
     constexpr int half = 4;  // nine points across
     Eigen::Matrix<double, Eigen::Dynamic, 6> terms((2 * half + 1) * (2 * half + 1), 6);
@@ -90,12 +79,11 @@ std::array<Eigen::Vector2d, 6> texels_from_site(const TextureImage& image, const
             const double x = double(i) / half, y = double(j) / half;
             const Geodetic place = to_geodetic(site, {reach * x, reach * y, 0.0});
             double a = place.longitude_deg, b = place.latitude_deg;
-            if (!shift->Transform(1, &a, &b) || !std::isfinite(a) || !std::isfinite(b)) {
-                throw InputError(image.source, "its CRS does not reach the site" + quiet.because());
+            if (!from_geodetic.Transform(1, &a, &b) || !std::isfinite(a) || !std::isfinite(b)) {
+                throw InputError(image.source, "its CRS does not reach the site" + gdal.because());
             }
             terms.row(k) << 1.0, x, y, x * x, x * y, y * y;
-            texel.row(k) << inverse[0] + inverse[1] * a + inverse[2] * b,
-                inverse[3] + inverse[4] * a + inverse[5] * b;
+            texel.row(k) = map_place(inverse, {a, b}).transpose();
         }
     }
     const Eigen::Matrix<double, 6, 2> fit = terms.colPivHouseholderQr().solve(texel);

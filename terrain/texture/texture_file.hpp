@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "terrain/place/site.hpp"
+#include "terrain/raster/geotransform.hpp"
 #include "terrain/texture/texture.hpp"
 
 namespace diurna {
@@ -16,9 +17,9 @@ namespace diurna {
 struct TextureImage {
     std::string source;
     int columns = 0, rows = 0;
-    std::vector<float> value;           // (row, column), the first row on top; NaN: no data
-    bool georeferenced = false;         // has place and CRS
-    std::array<double, 6> transform{};  // GDAL's, of texels' outer corners
+    std::vector<float> value;    // (row, column), the first row on top; NaN: no data
+    bool georeferenced = false;  // has place and CRS
+    GeoTransform transform{};
     std::string crs_wkt;
 };
 

@@ -95,50 +95,51 @@ std::vector<double> shares_on(const Skin& skin, const FacetSet& facets, std::siz
 TextureLevels split_by_texture(const FacetSet& facets, std::vector<Skin> skins,
                                std::span<const std::uint16_t> skin_of) {
     assert(skin_of.size() == facets.size());
-    TextureLevels p;
-    p.solid = facets.size();
-    if (std::all_of(skin_of.begin(), skin_of.end(), [](auto s) { return s == no_skin; })) return p;
-    p.facets = facets;
-    p.skin = std::move(skins);
-    p.of_facet.resize(p.solid);
-    p.origin.resize(p.solid);
-    p.share.assign(p.solid, 1.0f);
-    for (std::size_t f = 0; f < p.solid; ++f) p.origin[f] = static_cast<std::uint32_t>(f);
+    TextureLevels made;
+    made.solid = facets.size();
+    if (std::all_of(skin_of.begin(), skin_of.end(), [](auto s) { return s == no_skin; }))
+        return made;
+    made.facets = facets;
+    made.skin = std::move(skins);
+    made.of_facet.resize(made.solid);
+    made.origin.resize(made.solid);
+    made.share.assign(made.solid, 1.0f);
+    for (std::size_t f = 0; f < made.solid; ++f) made.origin[f] = static_cast<std::uint32_t>(f);
 
-    std::vector<std::vector<double>> shares(p.solid);
+    std::vector<std::vector<double>> shares(made.solid);
     for_each_index(
-        p.solid,
+        made.solid,
         [&](std::size_t f) {
             if (skin_of[f] == no_skin) return;
-            const Skin& skin = p.skin[skin_of[f]];
+            const Skin& skin = made.skin[skin_of[f]];
             const auto levels = levels_on(skin, facets, f);
-            p.of_facet[f] = {.skin = skin_of[f],
-                             .first_level = static_cast<std::uint16_t>(levels[0]),
-                             .levels = static_cast<std::uint16_t>(levels[1] - levels[0] + 1)};
+            made.of_facet[f] = {.skin = skin_of[f],
+                                .first_level = static_cast<std::uint16_t>(levels[0]),
+                                .levels = static_cast<std::uint16_t>(levels[1] - levels[0] + 1)};
             shares[f] = shares_on(skin, facets, f, levels);
         },
         256);
-    for (std::size_t f = 0; f < p.solid; ++f) {
-        TextureLevels::OfFacet& of_facet = p.of_facet[f];
+    for (std::size_t f = 0; f < made.solid; ++f) {
+        TextureLevels::OfFacet& of_facet = made.of_facet[f];
         if (of_facet.skin == no_skin) continue;
-        const Skin& skin = p.skin[of_facet.skin];
+        const Skin& skin = made.skin[of_facet.skin];
         const float area = facets.area[f];
-        of_facet.first_copy = static_cast<std::uint32_t>(p.facets.size());
-        p.facets.material[f] = skin.material[of_facet.first_level];
-        p.facets.area[f] = static_cast<float>(shares[f][0]) * area;
-        p.share[f] = static_cast<float>(shares[f][0]);
+        of_facet.first_copy = static_cast<std::uint32_t>(made.facets.size());
+        made.facets.material[f] = skin.material[of_facet.first_level];
+        made.facets.area[f] = static_cast<float>(shares[f][0]) * area;
+        made.share[f] = static_cast<float>(shares[f][0]);
         for (std::size_t k = 1; k < of_facet.levels; ++k) {
-            p.facets.corner.push_back(facets.corner[f]);
-            p.facets.centroid.push_back(facets.centroid[f]);
-            p.facets.normal.push_back(facets.normal[f]);
-            p.facets.area.push_back(static_cast<float>(shares[f][k]) * area);
-            p.facets.material.push_back(skin.material[of_facet.first_level + k]);
-            p.facets.object.push_back(facets.object[f]);
-            p.origin.push_back(static_cast<std::uint32_t>(f));
-            p.share.push_back(static_cast<float>(shares[f][k]));
+            made.facets.corner.push_back(facets.corner[f]);
+            made.facets.centroid.push_back(facets.centroid[f]);
+            made.facets.normal.push_back(facets.normal[f]);
+            made.facets.area.push_back(static_cast<float>(shares[f][k]) * area);
+            made.facets.material.push_back(skin.material[of_facet.first_level + k]);
+            made.facets.object.push_back(facets.object[f]);
+            made.origin.push_back(static_cast<std::uint32_t>(f));
+            made.share.push_back(static_cast<float>(shares[f][k]));
         }
     }
-    return p;
+    return made;
 }
 
 Blend TextureLevels::at(FacetId facet, const Eigen::Vector3d& place, double spacing) const {
@@ -152,59 +153,6 @@ Blend TextureLevels::at(FacetId facet, const Eigen::Vector3d& place, double spac
         return k == 0 ? facet : FacetId{here.first_copy + k - 1};
     };
     return {surface(below), surface(below + 1), static_cast<float>(level - double(below))};
-}
-
-std::vector<float> for_copies(const TextureLevels& texture_levels, std::span<const float> solid) {
-    if (solid.empty()) return {};
-    const std::size_t rows = solid.size() / texture_levels.solid, n = texture_levels.origin.size();
-    assert(rows * texture_levels.solid == solid.size());
-    std::vector<float> all(rows * n);
-    for_each_index(
-        rows,
-        [&](std::size_t i) {
-            for (std::size_t f = 0; f < n; ++f) {
-                all[i * n + f] = solid[i * texture_levels.solid + texture_levels.origin[f]];
-            }
-        },
-        1);
-    return all;
-}
-
-FacetViews for_copies(const TextureLevels& texture_levels, const FacetViews& solid) {
-    FacetViews all{.sky = for_copies(texture_levels, solid.sky),
-                   .below = for_copies(texture_levels, solid.below),
-                   .others = {}};
-    const std::size_t n = texture_levels.origin.size();
-    if (!solid.rays.empty()) {
-        for (const std::uint32_t f : texture_levels.origin) all.rays.push_back(solid.rays[f]);
-    }
-    const ViewFactors& from = solid.others;
-    if (from.row.empty()) return all;
-    ViewFactors& to = all.others;
-    to.row.reserve(n + 1);
-    to.row.push_back(0);
-    std::vector<std::pair<std::uint32_t, float>> copies;
-    for (std::size_t f = 0; f < n; ++f) {
-        const std::size_t o = texture_levels.origin[f];
-        copies.clear();
-        for (std::uint32_t k = from.row[o]; k < from.row[o + 1]; ++k) {
-            const std::size_t source = index(from.facet[k]);
-            const TextureLevels::OfFacet& of_facet = texture_levels.of_facet[source];
-            to.facet.push_back(from.facet[k]);
-            to.factor.push_back(from.factor[k] * texture_levels.share[source]);
-            for (std::uint32_t c = 0; c + 1 < of_facet.levels; ++c) {
-                copies.emplace_back(of_facet.first_copy + c,
-                                    from.factor[k] * texture_levels.share[of_facet.first_copy + c]);
-            }
-        }
-        std::sort(copies.begin(), copies.end());
-        for (const auto& [source, factor] : copies) {
-            to.facet.push_back(FacetId{source});
-            to.factor.push_back(factor);
-        }
-        to.row.push_back(static_cast<std::uint32_t>(to.facet.size()));
-    }
-    return all;
 }
 
 }  // namespace diurna

@@ -7,7 +7,6 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/texture/texture.hpp"
-#include "terrain/visibility/facet_views.hpp"
 
 namespace diurna {
 
@@ -58,12 +57,5 @@ struct TextureLevels {
 /// skin_of  (facet) index into `skins`, or no_skin
 TextureLevels split_by_texture(const FacetSet& facets, std::vector<Skin> skins,
                                std::span<const std::uint16_t> skin_of);
-
-/// Values of solid facets for all facets; rows (instant, facet) one after the other.
-std::vector<float> for_copies(const TextureLevels& texture_levels, std::span<const float> solid);
-
-/// What all facets see: copies as the facet in whose place they are, and every facet each of its
-/// surroundings' levels by its share.
-FacetViews for_copies(const TextureLevels& texture_levels, const FacetViews& solid);
 
 }  // namespace diurna

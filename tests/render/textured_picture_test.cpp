@@ -5,6 +5,7 @@
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/texture/texture_levels.hpp"
 #include "tests/support/isothermal.hpp"
 #include "tests/support/render_scene.hpp"
@@ -53,7 +54,7 @@ struct Scenery {
         const Hops hops =
             follow_rays(view, rays, facets(), materials, PlumeScene({}), observer, options);
         const FacetViews sky =
-            texture_levels.empty() ? solid_sky : for_copies(texture_levels, solid_sky);
+            texture_levels.empty() ? solid_sky : for_all_levels(texture_levels, solid_sky);
         std::vector<float> temperature, lit;
         for (const MaterialId id : facets().material) temperature.push_back(kelvins[index(id)]);
         const double zenith = sun_zenith_deg * std::numbers::pi / 180.0;

@@ -9,7 +9,9 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/world/world.hpp"
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/geotiff.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "tests/support/small_scene.hpp"
 

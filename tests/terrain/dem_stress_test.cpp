@@ -6,7 +6,8 @@
 
 #include "materials/base/error.hpp"
 #include "terrain/ground/triangulate.hpp"
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/geotiff.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "terrain/relief/height_field.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"

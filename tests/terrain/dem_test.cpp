@@ -1,4 +1,4 @@
-#include "terrain/raster/dem.hpp"
+#include "terrain/raster/read_dem.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "materials/base/error.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "tests/support/post_places.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"
 

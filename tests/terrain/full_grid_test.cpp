@@ -2,8 +2,9 @@
 #include <cmath>
 #include <set>
 
+#include "terrain/ground/full_grid.hpp"
 #include "terrain/ground/ground_mesh.hpp"
-#include "terrain/ground/triangulate.hpp"
+#include "terrain/ground/tin_check.hpp"
 
 using namespace diurna;
 

@@ -1,4 +1,4 @@
-#include "terrain/raster/land_cover.hpp"
+#include "terrain/raster/land_shapes.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -6,8 +6,11 @@
 #include <fstream>
 
 #include "materials/base/error.hpp"
-#include "terrain/objects/object_mesh.hpp"
-#include "terrain/raster/dem.hpp"
+#include "terrain/ground/rings.hpp"
+#include "terrain/objects/prism.hpp"
+#include "terrain/raster/class_raster.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"
 

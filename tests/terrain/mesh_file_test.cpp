@@ -1,10 +1,11 @@
-#include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/placed_mesh.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 #include <map>
 
 #include "materials/base/error.hpp"
+#include "terrain/objects/mesh_check.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/small_scene.hpp"
 

@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "terrain/raster/dem.hpp"
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/geotiff.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"
 

@@ -5,8 +5,12 @@
 #include <fstream>
 
 #include "materials/base/error.hpp"
+#include "terrain/ground/tin_check.hpp"
 #include "terrain/ground/triangulate.hpp"
-#include "terrain/raster/dem.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/geoid.hpp"
+#include "terrain/raster/read_dem.hpp"
+#include "tests/support/post_places.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"
 

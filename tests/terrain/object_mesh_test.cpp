@@ -1,4 +1,4 @@
-#include "terrain/objects/object_mesh.hpp"
+#include "terrain/objects/box.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "materials/base/error.hpp"
+#include "terrain/objects/mesh_check.hpp"
+#include "terrain/objects/ply_file.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 using namespace diurna;

@@ -7,8 +7,10 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/ground/ground_mesh.hpp"
-#include "terrain/objects/object_mesh.hpp"
+#include "terrain/objects/box.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
 
 // The march over the grid against rays through the mesh, on the sample scene's relief.
 

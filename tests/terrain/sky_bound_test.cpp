@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "terrain/objects/object_mesh.hpp"
+#include "terrain/objects/box.hpp"
 #include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/sky_rays.hpp"

@@ -5,8 +5,9 @@
 #include <numeric>
 
 #include "materials/base/error.hpp"
-#include "terrain/raster/dem.hpp"
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/geotiff.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/texture/texture_file.hpp"
 #include "terrain/texture/texture_levels.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -171,7 +172,7 @@ TEST_CASE("copies see what their place sees, and are seen by their shares",
         }
         solid.others.row.push_back(std::uint32_t(solid.others.facet.size()));
     }
-    const FacetViews all = for_copies(p, solid);
+    const FacetViews all = for_all_levels(p, solid);
     REQUIRE(all.others.row.size() == p.facets.size() + 1);
     const auto sum = [](const ViewFactors& e, std::size_t f) {
         return std::accumulate(e.factor.begin() + e.row[f], e.factor.begin() + e.row[f + 1], 0.0);

@@ -12,7 +12,11 @@
 #include "materials/base/error.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/ground/ground_mesh.hpp"
-#include "terrain/objects/object_mesh.hpp"
+#include "terrain/ground/level_of_detail.hpp"
+#include "terrain/ground/tin_check.hpp"
+#include "terrain/objects/mesh_check.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "tests/support/shared_data.hpp"
 
 using namespace diurna;
@@ -93,14 +97,6 @@ TEST_CASE("voids stay holes and their rims are covered", "[terrain][tin]") {
     CHECK(check.worst_error <= tolerance + 1e-9);  // a void under a triangle counts as 1e30
     CHECK(check.uncovered_posts == 0);
     CHECK(check.flipped_triangles == 0);
-}
-
-TEST_CASE("posts to keep become vertices", "[terrain][tin]") {
-    const Dem dem = made_dem(30, 30, [](int, int) { return 7.0f; });
-    const std::vector<std::array<std::int32_t, 2>> keep{{3, 4}, {12, 20}, {99, 0}};
-    const Tin tin = triangulate(dem, 1.0, keep);
-    CHECK(tin.post.size() == 6);
-    CHECK(std::find(tin.post.begin(), tin.post.end(), keep[1]) != tin.post.end());
 }
 
 TEST_CASE("the check finds a network that is wrong", "[terrain][tin]") {

@@ -1,8 +1,8 @@
-#include "terrain/objects/object_mesh.hpp"
+#include "terrain/objects/mesh_check.hpp"
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/Utils/vector_cast.hh>
-#include <set>
+#include <vector>
 
 namespace diurna {
 

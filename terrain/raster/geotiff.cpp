@@ -1,4 +1,4 @@
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/geotiff.hpp"
 
 #include <cpl_vsi.h>
 #include <gdal_priv.h>

@@ -1,8 +1,9 @@
-#include "terrain/raster/raster_file.hpp"
+#include "terrain/raster/geotiff.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "terrain/raster/read_dem.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 using namespace diurna;

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/tin.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// Checks a network by rasterising each triangle anew, independent of how it was made.
+struct TinCheck {
+    double worst_error = 0.0;         // [m] vertical
+    double rms_error = 0.0;           // [m]
+    std::size_t uncovered_posts = 0;  // valid posts under no triangle
+    std::size_t flipped_triangles = 0;
+};
+TinCheck check_tin(const Dem& dem, const Tin& tin);
+TinCheck check_ground_mesh(const Dem& dem, const GroundMesh& mesh);
+
+}  // namespace diurna

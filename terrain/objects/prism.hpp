@@ -1,0 +1,19 @@
+#pragma once
+
+#include "terrain/ground/rings.hpp"
+#include "terrain/objects/object_mesh.hpp"
+
+namespace diurna {
+
+/// A building on a plan of any simple ring (east, north; either sense of turning): upright walls
+/// from `bottom` to `top` [m], divided into triangles with edges of about `largest_edge`, and a
+/// flat roof. Throws InputError for less than three corners and a ring that crosses itself.
+struct PrismSpec {
+    Ring ring;
+    double bottom = 0.0, top = 5.0;
+    double largest_edge = 3.0;
+    MaterialId wall{}, roof{};
+};
+ObjectMesh prism(const PrismSpec& spec);
+
+}  // namespace diurna

@@ -1,0 +1,62 @@
+#include "terrain/raster/dem_window.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/geotransform.hpp"
+
+namespace diurna {
+
+PostWindow window_of(const Dem& dem, const DemOptions& options) {
+    if (!options.centre) return {0, 0, dem.columns, dem.rows};
+    const Site site{options.centre->latitude_deg, options.centre->longitude_deg, 0.0};
+    std::vector<Geodetic> circle;
+    for (int azimuth_deg = 0; azimuth_deg < 360; azimuth_deg += 15) {
+        circle.push_back(to_geodetic(site, options.radius * direction(azimuth_deg, 0.0)));
+    }
+    Eigen::Vector2d low = Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector2d high = -low;
+    for (const Eigen::Vector2d& place : raster_places(dem, circle)) {
+        low = low.cwiseMin(place);
+        high = high.cwiseMax(place);
+    }
+    const auto clip = [](double x, int count) {
+        return static_cast<int>(std::clamp(x, 0.0, count - 1.0));
+    };
+    const int first_column = clip(std::floor(low.x()) - 1.0, dem.columns);
+    const int first_row = clip(std::floor(low.y()) - 1.0, dem.rows);
+    const int last_column = clip(std::ceil(high.x()) + 1.0, dem.columns);
+    const int last_row = clip(std::ceil(high.y()) + 1.0, dem.rows);
+    if (!low.allFinite() || !high.allFinite() || last_column - first_column < 1 ||
+        last_row - first_row < 1) {
+        throw InputError(dem.source, fmt::format("does not reach the place {:.5f}, {:.5f}",
+                                                 site.latitude_deg, site.longitude_deg));
+    }
+    return {first_column, first_row, last_column - first_column + 1, last_row - first_row + 1};
+}
+
+void move_to_window(Dem& dem, const PostWindow& window) {
+    dem.transform = shifted(dem.transform, window.column, window.row);
+    dem.columns = window.columns;
+    dem.rows = window.rows;
+}
+
+void crop(Dem& dem, const PostWindow& window) {
+    std::vector<float> kept;
+    kept.reserve(std::size_t(window.columns) * window.rows);
+    for (int row = 0; row < window.rows; ++row) {
+        const auto from =
+            dem.height.begin() + window.column + std::ptrdiff_t(row + window.row) * dem.columns;
+        kept.insert(kept.end(), from, from + window.columns);
+    }
+    move_to_window(dem, window);
+    dem.height = std::move(kept);
+}
+
+}  // namespace diurna

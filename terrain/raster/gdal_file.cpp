@@ -1,0 +1,28 @@
+#include "terrain/raster/gdal_file.hpp"
+
+#include <system_error>
+
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
+                                    const char* const* drivers, const char* formats,
+                                    const QuietGdal& gdal) {
+    if (!std::filesystem::is_regular_file(file)) {
+        throw InputError(file.string(), "there is no such file");
+    }
+    const std::string name = std::filesystem::absolute(file).lexically_normal().string();
+    GDALDatasetUniquePtr data(GDALDataset::Open(name.c_str(), kind | GDAL_OF_READONLY, drivers));
+    if (!data) throw InputError(file.string(), "cannot be read" + gdal.because(), formats);
+    return data;
+}
+
+bool claims_too_much(double bytes, const std::filesystem::path& file) {
+    constexpr double best_compression = 1100.0;
+    std::error_code problem;
+    return bytes >
+           best_compression * static_cast<double>(std::filesystem::file_size(file, problem));
+}
+
+}  // namespace diurna

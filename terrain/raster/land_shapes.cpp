@@ -1,0 +1,132 @@
+#include "terrain/raster/land_shapes.hpp"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/crs.hpp"
+#include "terrain/raster/gdal_file.hpp"
+#include "terrain/raster/quiet_gdal.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_corners = 1'000'000;
+const char* const drivers[] = {"GeoJSON", "ESRI Shapefile", "GPKG", nullptr};
+
+std::vector<Geodetic> corners_of(const OGRLineString& line, OGRCoordinateTransformation& shift) {
+    std::vector<double> x, y;
+    for (int i = 0; i < line.getNumPoints(); ++i) {
+        x.push_back(line.getX(i));
+        y.push_back(line.getY(i));
+    }
+    const std::vector<int> good = transform(shift, x, y);
+    std::vector<Geodetic> corners;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        if (good[i] && std::isfinite(x[i]) && std::abs(y[i]) <= 90.0) {
+            corners.push_back({y[i], x[i], 0.0});
+        }
+    }
+    return corners;
+}
+
+std::vector<Geodetic> ring_of(const OGRLineString& line, OGRCoordinateTransformation& shift) {
+    auto ring = corners_of(line, shift);
+    if (ring.size() > 1 && ring.front().latitude_deg == ring.back().latitude_deg &&
+        ring.front().longitude_deg == ring.back().longitude_deg) {
+        ring.pop_back();
+    }
+    return ring;
+}
+
+/// Appends the polygons and lines of a geometry, however nested.
+void append(std::vector<LandShape>& shapes, const OGRGeometry& geometry, const LandShape& like,
+            OGRCoordinateTransformation& shift) {
+    switch (wkbFlatten(geometry.getGeometryType())) {
+        case wkbPolygon: {
+            const OGRPolygon& polygon = *geometry.toPolygon();
+            LandShape shape = like;
+            if (polygon.getExteriorRing() == nullptr) return;
+            shape.ring = ring_of(*polygon.getExteriorRing(), shift);
+            for (int i = 0; i < polygon.getNumInteriorRings(); ++i) {
+                shape.hole.push_back(ring_of(*polygon.getInteriorRing(i), shift));
+            }
+            if (shape.ring.size() >= 3) shapes.push_back(std::move(shape));
+            return;
+        }
+        case wkbLineString: {
+            LandShape shape = like;
+            shape.line = true;
+            shape.ring = corners_of(*geometry.toLineString(), shift);
+            if (shape.ring.size() >= 2) shapes.push_back(std::move(shape));
+            return;
+        }
+        case wkbMultiPolygon:
+        case wkbMultiLineString:
+        case wkbGeometryCollection:
+            for (const OGRGeometry* part : *geometry.toGeometryCollection()) {
+                append(shapes, *part, like, shift);
+            }
+            return;
+        default:
+            return;  // points and curves lay down no ground
+    }
+}
+
+int field_index(OGRLayer& layer, const std::string& field, const std::string& where) {
+    if (field.empty()) return -1;
+    const int found = layer.GetLayerDefn()->GetFieldIndex(field.c_str());
+    if (found >= 0) return found;
+    std::vector<std::string> names;
+    for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i) {
+        names.emplace_back(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
+    }
+    const std::string hint = did_you_mean(field, names);
+    throw InputError(where, fmt::format("has no field \"{}\"", field),
+                     hint.empty() ? fmt::format("fields: {}", fmt::join(names, ", ")) : hint);
+}
+
+}  // namespace
+
+std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std::string& kind_field,
+                                   const std::string& height_field) {
+    const QuietGdal gdal;
+    const auto data = open_gdal_file(file, GDAL_OF_VECTOR, drivers,
+                                     "known formats: GeoJSON, ESRI Shapefile, GeoPackage", gdal);
+    std::vector<LandShape> shapes;
+    std::size_t corners = 0;
+    for (OGRLayer* layer : data->GetLayers()) {
+        const int kind = field_index(*layer, kind_field, file.string());
+        const int height = field_index(*layer, height_field, file.string());
+        const OGRSpatialReference* named = layer->GetSpatialRef();
+        if (!named || named->IsEmpty()) {
+            throw InputError(file.string(), "names no coordinate reference system");
+        }
+        OGRSpatialReference own = *named;
+        own.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+        const Transformation shift = transformation(own, wgs84());
+        if (!shift) throw InputError(file.string(), "its CRS cannot be brought to WGS84");
+        for (const auto& feature : *layer) {
+            if (feature->GetGeometryRef() == nullptr) continue;
+            LandShape like;
+            if (kind >= 0) like.kind = feature->GetFieldAsString(kind);
+            if (height >= 0 && feature->IsFieldSetAndNotNull(height)) {
+                like.height = feature->GetFieldAsDouble(height);
+            }
+            const std::size_t before = shapes.size();
+            append(shapes, *feature->GetGeometryRef(), like, *shift);
+            for (std::size_t i = before; i < shapes.size(); ++i) corners += shapes[i].ring.size();
+            if (corners > most_corners) {
+                throw InputError(file.string(), "has more than a million corners");
+            }
+        }
+    }
+    return shapes;
+}
+
+}  // namespace diurna

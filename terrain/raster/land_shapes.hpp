@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "terrain/place/site.hpp"
+
+namespace diurna {
+
+/// A polygon or line of a vector file, by geodetic corners (height 0), not closed.
+struct LandShape {
+    std::string kind;  // what the class field says; empty without one
+    double height = std::numeric_limits<double>::quiet_NaN();  // what the height field says [m]
+    bool line = false;
+    std::vector<Geodetic> ring;
+    std::vector<std::vector<Geodetic>> hole;
+};
+
+/// Reads all polygons and lines of a GeoJSON, ESRI Shapefile or GeoPackage; parts of a multi-shape
+/// one by one. Throws InputError for a missing or damaged file, one without CRS, a field that no
+/// layer has, or more than a million corners.
+std::vector<LandShape> read_shapes(const std::filesystem::path& file,
+                                   const std::string& kind_field = "",
+                                   const std::string& height_field = "");
+
+}  // namespace diurna

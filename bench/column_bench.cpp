@@ -17,7 +17,8 @@
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/job.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "thermal/solve/shadow_edges.hpp"
 #include "thermal/solve/solver.hpp"
 

@@ -4,6 +4,10 @@
 // share of wrong decisions (more or less than half of the sun) against Embree.
 
 #include "terrain/relief/height_field.hpp"
+#include "terrain/relief/horizon.hpp"
+#include "terrain/relief/relief_sky.hpp"
+#include "terrain/relief/relief_sun.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +21,7 @@
 #include "materials/base/units.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/place/sun.hpp"
-#include "terrain/visibility/ray_scene.hpp"
+#include "tests/support/even_field.hpp"
 
 using namespace diurna;
 
@@ -132,7 +136,7 @@ void row(const std::string& method, const std::string& setting, double cpu, doub
 int main() {
     set_thread_count(1);
     const std::vector<float> up = fractal(side, 1200.0);
-    const HeightField field(side, side, up, step);
+    const HeightField field = even_field(side, side, up, step);
     const RayScene rays(facets_of(field));
     const std::vector<double> azimuths{7.3, 33.1, 71.9, 122.4, 158.6, 203.7, 251.2, 301.8};
     std::vector<float> tangent(field.size());

@@ -13,6 +13,7 @@
 #include "terrain/ground/ground_mesh.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
+#include "terrain/relief/relief_sun.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
 
 using namespace diurna;

@@ -25,8 +25,10 @@
 #include "render/view/adaptive.hpp"
 #include "render/view/pixel_samples.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/ray_bundles.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 
 using namespace diurna;
 

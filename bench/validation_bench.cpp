@@ -19,7 +19,7 @@
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/raster/read_dem.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "thermal/point/point_job.hpp"
 
 using namespace diurna;

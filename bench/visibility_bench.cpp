@@ -5,9 +5,10 @@
 #include "terrain/ground/ground_mesh.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/hemisphere_rays.hpp"
 #include "terrain/visibility/reciprocity.hpp"
-#include "terrain/visibility/sky_rays.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 
 #include <fmt/format.h>
 
@@ -85,7 +86,7 @@ double bare_occlusion(const FacetSet& facets, const RayScene& scene) {
 
 /// The very rays of the sky view, drawn beforehand: what Embree alone needs for them.
 double drawn_occlusion(const FacetSet& facets, const RayScene& scene) {
-    const SkyRays sampler(16, 1);
+    const HemisphereRays sampler(16, 1);
     std::vector<RayPacket> rays(facets.size());
     for (std::size_t f = 0; f < facets.size(); ++f) sampler.fill(facets, f, 0, rays[f]);
     std::vector<std::uint8_t> open(facets.size());

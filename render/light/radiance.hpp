@@ -13,7 +13,7 @@
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 
 namespace diurna {
 

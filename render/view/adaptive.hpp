@@ -7,7 +7,8 @@
 #include "materials/matter/library.hpp"
 #include "materials/radiation/band.hpp"
 #include "render/view/view.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/view_factors.hpp"
 
 namespace diurna {
 

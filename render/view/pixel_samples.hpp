@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "render/view/observer.hpp"
+#include "terrain/visibility/ray_bundles.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "terrain/visibility/ray_bundles.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {

@@ -19,6 +19,8 @@
 #include "terrain/raster/geotiff.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/relief/height_field.hpp"
+#include "terrain/relief/relief_sky.hpp"
+#include "terrain/relief/relief_sun.hpp"
 #include "thermal/point/point_job.hpp"
 
 namespace diurna {

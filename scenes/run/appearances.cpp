@@ -4,6 +4,7 @@
 
 #include "terrain/place/sun.hpp"
 #include "terrain/texture/level_values.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 
 namespace diurna {
 

@@ -19,6 +19,7 @@
 #include "scenes/run/appearances.hpp"
 #include "scenes/world/air.hpp"
 #include "terrain/texture/level_values.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 
 namespace diurna {
 

@@ -9,8 +9,8 @@
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/world/world.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "thermal/solve/solver.hpp"
 #include "thermal/weather/weather.hpp"
 

@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace diurna {
-
 /// Coordinate reference systems by PROJ, through GDAL. Ours take longitude before latitude, easting
 /// before northing, whatever EPSG says.
+namespace diurna {
 
 /// Of a WKT or a name such as EPSG:32611; never of a file or an address.
 OGRSpatialReference reference_of(const std::string& wkt);

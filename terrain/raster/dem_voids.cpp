@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "materials/base/error.hpp"
 #include "terrain/raster/grid.hpp"
@@ -24,11 +25,14 @@ float interpolated(const Grid& coarse, int fine_row, int fine_column) {
         bilinear(coarse.at(r0, c0), coarse.at(r0, c1), coarse.at(r1, c0), coarse.at(r1, c1), u, v));
 }
 
-void fill(Grid& grid) {
+/// Each void takes the value of the finest grid of averages over 2 × 2, 4 × 4 ... cells that knows
+/// one, interpolated between that grid's centres: continuous at the void's border to about one
+/// post, smooth within. At least one value is valid.
+void fill_voids(Grid& grid) {
     const auto is_void = [](float h) { return std::isnan(h); };
     if (std::none_of(grid.value.begin(), grid.value.end(), is_void)) return;
     Grid coarse = halved(grid);
-    fill(coarse);
+    fill_voids(coarse);
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
             float& height = grid.at(row, column);
@@ -38,12 +42,6 @@ void fill(Grid& grid) {
 }
 
 }  // namespace
-
-void fill_voids(int columns, int rows, std::vector<float>& height) {
-    Grid grid{columns, rows, std::move(height)};
-    fill(grid);
-    height = std::move(grid.value);
-}
 
 void apply_void_policy(Dem& dem, VoidPolicy policy) {
     dem.voids = static_cast<std::size_t>(
@@ -63,7 +61,9 @@ void apply_void_policy(Dem& dem, VoidPolicy policy) {
                          fmt::format("{} posts ({:.2g} %) have no elevation", dem.voids, percent),
                          "let voids be filled");
     }
-    fill_voids(dem.columns, dem.rows, dem.height);
+    Grid grid{dem.columns, dem.rows, std::move(dem.height)};
+    fill_voids(grid);
+    dem.height = std::move(grid.value);
 }
 
 }  // namespace diurna

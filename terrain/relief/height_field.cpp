@@ -40,15 +40,6 @@ Eigen::Vector2d blend(const std::array<Eigen::Vector2d, 9>& plan, const std::arr
     return sum;
 }
 
-std::array<Eigen::Vector2d, 9> square_plan(int columns, int rows, double step) {
-    std::array<Eigen::Vector2d, 9> plan;
-    for (int k = 0; k < 9; ++k) {
-        plan[std::size_t(k)] = {step * (columns - 1) * (k % 3) / 2.0,
-                                -step * (rows - 1) * (k / 3) / 2.0};
-    }
-    return plan;
-}
-
 }  // namespace
 
 HeightField::HeightField(int columns, int rows, std::span<const float> up,
@@ -76,9 +67,6 @@ HeightField::HeightField(int columns, int rows, std::span<const float> up,
     }
     fill_windows();
 }
-
-HeightField::HeightField(int columns, int rows, std::span<const float> up, double step)
-    : HeightField(columns, rows, up, square_plan(columns, rows, step)) {}
 
 std::size_t HeightField::offset(int row, int column) const {
     return std::size_t(row + border_rows) * std::size_t(pitch_) +

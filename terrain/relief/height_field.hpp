@@ -13,11 +13,12 @@
 namespace diurna {
 
 /// Relief as heights over a regular grid, with exact answers to what stands between a post and the
-/// sky. The surface is the grid's triangles: every cell is cut from its first to its last corner,
-/// (column, row) to (column + 1, row + 1). The ways of one direction cross the grid's lines and
-/// diagonals at the same relative places whatever post they start from, so 64 neighbours are
-/// followed together (march.hpp); stretches of the way where nothing is high enough to matter are
-/// passed over. Exact up to float rounding: horizons within 0.0005° of robust rays.
+/// sky (horizon.hpp, relief_sun.hpp, relief_sky.hpp). The surface is the grid's triangles: every
+/// cell is cut from its first to its last corner, (column, row) to (column + 1, row + 1). The ways
+/// of one direction cross the grid's lines and diagonals at the same relative places whatever post
+/// they start from, so 64 neighbours are followed together (march.hpp); stretches of the way where
+/// nothing is high enough to matter are passed over. Exact up to float rounding: horizons within
+/// 0.0005° of robust rays.
 ///
 /// Heights are `up` of the scene's frame, so the curvature of the Earth is in them. The plan may be
 /// bent (a grid of latitudes and longitudes): a way starts in the right direction at each tile of
@@ -35,8 +36,6 @@ class HeightField {
     HeightField with_heights(std::span<const float> up) const {
         return {columns_, rows_, up, plan_};
     }
-    /// A grid of equal steps [m], first post in the north-west at the origin.
-    HeightField(int columns, int rows, std::span<const float> up, double step);
 
     int columns() const { return columns_; }
     int rows() const { return rows_; }
@@ -51,7 +50,7 @@ class HeightField {
     /// Unit normal at a post: the mean of its triangles', by area. Straight up over voids.
     Eigen::Vector3f normal(int row, int column) const;
 
-    /// For the algorithms below.
+    /// For the march over it (tile_march.hpp).
     MarchField march_field() const;
     std::ptrdiff_t pitch() const { return pitch_; }
 
@@ -70,34 +69,5 @@ class HeightField {
 
 /// The relief of a raster in the frame of a site.
 HeightField height_field(const Dem& dem, const Site& site);
-
-/// Tangent of the horizon's elevation at each post (row, column) towards an azimuth (clockwise from
-/// north): the highest of the relief, at least 0. The eye is `lift` [m] above the post.
-void horizon(const HeightField& field, double azimuth_deg, std::span<float> tangent,
-             double lift = 0.0);
-
-/// Tangent of the horizon's elevation towards the sun, exact where it is within `margin` [rad] of
-/// the sun's centre, else the nearest end of that interval: all that a shadow needs, and faster.
-void horizon_near(const HeightField& field, const Eigen::Vector3d& direction, double margin,
-                  std::span<float> tangent, double lift = 0.0);
-
-/// The share of the sun's disc above a horizon of the given tangent, 0 to 1. The horizon is taken
-/// as straight across the disc.
-float disc_above(float horizon_tangent, double sun_elevation);
-
-/// The share of the sun's disc seen from each post, (row, column); direction is a unit vector
-/// towards its centre. Zero while the whole disc is below the horizontal. Voids are in no shadow.
-void sun_fraction(const HeightField& field, const Eigen::Vector3d& direction,
-                  std::span<float> fraction, double lift = 0.0);
-
-/// What each post sees of the sky above the horizontal, cosine-weighted about its normal,
-/// (row, column), 0 to 1:
-///
-///     V = 1/π ∫ [n_z cos²h / 2 + n_φ (π/2 − h − sin h cos h) / 2] dφ
-///
-/// with h the horizon towards φ or where the post's own plane ends, whichever is higher, and n_φ
-/// the normal's component that way (Dozier & Frew 1990, eq. 7b). Error by number of azimuths, rms
-/// on real relief: 8: 1e-3, 16: 4e-4, 32: 1.3e-4. Voids have 1.
-void sky_view(const HeightField& field, int azimuths, std::span<float> sky_view);
 
 }  // namespace diurna

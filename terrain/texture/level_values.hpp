@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "terrain/texture/texture_levels.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 
 namespace diurna {
 

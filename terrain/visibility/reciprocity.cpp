@@ -23,30 +23,33 @@ struct Rows {
     std::size_t size() const { return first.size() - 1; }
 };
 
-Rows transposed(const ViewFactors& exchange) {
-    const std::size_t n = exchange.row.size() - 1;
+Rows transposed(const ViewFactors& factors) {
+    const std::size_t n = factors.row.size() - 1;
     Rows rows;
     rows.first.assign(n + 1, 0);
-    rows.partner.resize(exchange.facet.size());
-    rows.value.resize(exchange.facet.size());
-    for (const FacetId f : exchange.facet) ++rows.first[index(f) + 1];
+    rows.partner.resize(factors.facet.size());
+    rows.value.resize(factors.facet.size());
+    for (const FacetId f : factors.facet) ++rows.first[index(f) + 1];
     for (std::size_t f = 0; f < n; ++f) rows.first[f + 1] += rows.first[f];
     std::vector<std::uint32_t> next(rows.first.begin(), rows.first.end() - 1);
     for (std::size_t f = 0; f < n; ++f) {
-        for (auto k = exchange.row[f]; k < exchange.row[f + 1]; ++k) {
-            const std::uint32_t at = next[index(exchange.facet[k])]++;
+        for (auto k = factors.row[f]; k < factors.row[f + 1]; ++k) {
+            const std::uint32_t at = next[index(factors.facet[k])]++;
             rows.partner[at] = static_cast<std::uint32_t>(f);
-            rows.value[at] = exchange.factor[k];
+            rows.value[at] = factors.factor[k];
         }
     }
     return rows;
 }
 
+double rays_of(const FacetViews& views, std::size_t facet) {
+    return views.rays.empty() ? 1.0 : views.rays[facet];
+}
+
 /// Rays of either facet of a pair that met the other, for all pairs that have met.
-Rows hits_of_pairs(const FacetSet& facets, const FacetViews& view, double cut_off,
+Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_off,
                    ReciprocityReport& report) {
-    const ViewFactors& seen = view.others;
-    const auto rays = [&](std::size_t f) { return view.rays.empty() ? 1.0 : view.rays[f]; };
+    const ViewFactors& seen = views.others;
     const Rows seen_by = transposed(seen);
     Rows pairs;
     pairs.first.push_back(0);
@@ -62,11 +65,12 @@ Rows hits_of_pairs(const FacetSet& facets, const FacetViews& view, double cut_of
             const std::uint32_t from_b = b < seen_by.first[f + 1] ? seen_by.partner[b] : none;
             const std::uint32_t partner = std::min(from_a, from_b);
             double hits = 0.0;  // both ways
-            if (from_a == partner) hits += seen.factor[a++] * rays(f);
-            if (from_b == partner) hits += seen_by.value[b++] * rays(partner);
+            if (from_a == partner) hits += seen.factor[a++] * rays_of(views, f);
+            if (from_b == partner) hits += seen_by.value[b++] * rays_of(views, partner);
             if (partner == f) continue;
             const double mine = facets.area[f], theirs = facets.area[partner];
-            const double area = hits / (rays(f) / mine + rays(partner) / theirs);
+            const double area =
+                hits / (rays_of(views, f) / mine + rays_of(views, partner) / theirs);
             if (area < cut_off * std::min(mine, theirs)) {
                 report.left_out += partner > f;
                 continue;
@@ -80,75 +84,117 @@ Rows hits_of_pairs(const FacetSet& facets, const FacetViews& view, double cut_of
     return pairs;
 }
 
-}  // namespace
-
-ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& view,
-                                  const ReciprocityOptions& options) {
-    assert(view.others.row.size() == facets.size() + 1);
-    ReciprocityReport report;
-    const std::size_t n = facets.size();
-    const Rows pairs = hits_of_pairs(facets, view, options.cut_off, report);
-    std::vector<double> wanted(n), least(n), sum(n);
-    std::vector<double> density(n);  // rays per area, as the rows' sums would have them
-    for (std::size_t f = 0; f < n; ++f) {
-        const double rest = 1.0 - double{view.sky[f]} - view.below[f];
-        wanted[f] = std::max(0.0, rest) * facets.area[f];
-        density[f] = (view.rays.empty() ? 1.0 : view.rays[f]) / facets.area[f];
-        least[f] = density[f] / widest;
-    }
-    const auto area_of = [&](std::size_t f, std::size_t k) {
-        return pairs.value[k] / (density[f] + density[pairs.partner[k]]);
-    };
-    const auto add_up = [&] {
-        for_each_index(n, [&](std::size_t f) {
-            double row = 0.0;
-            for (auto k = pairs.first[f]; k < pairs.first[f + 1]; ++k) row += area_of(f, k);
-            sum[f] = row;
-        });
-    };
-    for (add_up(); report.passes < options.passes; ++report.passes) {
-        double worst = 0.0;
-        for (std::size_t f = 0; f < n; ++f) {
-            if (pairs.first[f] == pairs.first[f + 1]) continue;
-            worst = std::max(worst, std::abs(sum[f] - wanted[f]) / facets.area[f]);
-        }
-        if (worst <= options.closure) break;
-        for (std::size_t f = 0; f < n; ++f) {
-            if (!(sum[f] > 0.0)) continue;
-            density[f] = std::clamp(density[f] * sum[f] / std::max(wanted[f], 1e-3 * sum[f]),
-                                    least[f], least[f] * widest * widest);
+/// Exchange areas of pairs, hits / (density + density), by densities of rays that close the rows.
+class ExchangeAreas {
+ public:
+    ExchangeAreas(const FacetSet& facets, const FacetViews& views, const Rows& pairs)
+        : facets_(facets),
+          pairs_(pairs),
+          wanted_(facets.size()),
+          density_(facets.size()),
+          least_(facets.size()),
+          sum_(facets.size()) {
+        for (std::size_t f = 0; f < facets.size(); ++f) {
+            const double rest = 1.0 - double{views.sky[f]} - views.below[f];
+            wanted_[f] = std::max(0.0, rest) * facets.area[f];
+            density_[f] = rays_of(views, f) / facets.area[f];
+            least_[f] = density_[f] / widest;
         }
         add_up();
     }
-    // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`.
-    std::vector<double> shrink(n, 1.0);
-    for (std::size_t f = 0; f < n; ++f) {
-        const double excess = (sum[f] - wanted[f]) / facets.area[f];
-        if (excess <= 0.0) continue;
-        const double from_sky = std::min({excess, most_from_sky, double{view.sky[f]}});
-        view.sky[f] -= static_cast<float>(from_sky);
-        shrink[f] = (wanted[f] + from_sky * facets.area[f]) / sum[f];
+
+    double of(std::size_t f, std::size_t k) const {
+        return pairs_.value[k] / (density_[f] + density_[pairs_.partner[k]]);
     }
 
-    ViewFactors& exchange = view.others;
-    exchange.row = pairs.first;
-    exchange.facet.resize(pairs.partner.size());
-    exchange.factor.resize(pairs.partner.size());
+    /// Greatest share of a hemisphere by which a row misses its sum.
+    double worst_row() const {
+        double worst = 0.0;
+        for (std::size_t f = 0; f < sum_.size(); ++f) {
+            if (pairs_.first[f] == pairs_.first[f + 1]) continue;
+            worst = std::max(worst, std::abs(sum_[f] - wanted_[f]) / facets_.area[f]);
+        }
+        return worst;
+    }
+
+    /// Counts the rays of facets with too large rows for more, of those with too small ones for
+    /// less.
+    void improve() {
+        for (std::size_t f = 0; f < sum_.size(); ++f) {
+            if (!(sum_[f] > 0.0)) continue;
+            density_[f] = std::clamp(density_[f] * sum_[f] / std::max(wanted_[f], 1e-3 * sum_[f]),
+                                     least_[f], least_[f] * widest * widest);
+        }
+        add_up();
+    }
+
+    /// (facet) What its areas have to be multiplied with so that they do not exceed its row's sum,
+    /// once the sky has given what it may.
+    std::vector<double> shrink_to_fit(std::vector<float>& sky) const {
+        std::vector<double> shrink(sum_.size(), 1.0);
+        for (std::size_t f = 0; f < sum_.size(); ++f) {
+            const double excess = (sum_[f] - wanted_[f]) / facets_.area[f];
+            if (excess <= 0.0) continue;
+            const double from_sky = std::min({excess, most_from_sky, double{sky[f]}});
+            sky[f] -= static_cast<float>(from_sky);
+            shrink[f] = (wanted_[f] + from_sky * facets_.area[f]) / sum_[f];
+        }
+        return shrink;
+    }
+
+ private:
+    void add_up() {
+        for_each_index(sum_.size(), [&](std::size_t f) {
+            double row = 0.0;
+            for (auto k = pairs_.first[f]; k < pairs_.first[f + 1]; ++k) row += of(f, k);
+            sum_[f] = row;
+        });
+    }
+
+    const FacetSet& facets_;
+    const Rows& pairs_;
+    std::vector<double> wanted_;   // (facet) area that its row has to make up [m²]
+    std::vector<double> density_;  // rays per area, as the rows' sums would have them
+    std::vector<double> least_;    // of that
+    std::vector<double> sum_;      // of its row [m²]
+};
+
+}  // namespace
+
+ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
+                                  const ReciprocityOptions& options) {
+    assert(views.others.row.size() == facets.size() + 1);
+    ReciprocityReport report;
+    const std::size_t n = facets.size();
+    const Rows pairs = hits_of_pairs(facets, views, options.cut_off, report);
+    ExchangeAreas areas(facets, views, pairs);
+    while (report.passes < options.passes && areas.worst_row() > options.closure) {
+        areas.improve();
+        ++report.passes;
+    }
+    // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`.
+    const std::vector<double> shrink = areas.shrink_to_fit(views.sky);
+
+    ViewFactors& factors = views.others;
+    factors.row = pairs.first;
+    factors.facet.resize(pairs.partner.size());
+    factors.factor.resize(pairs.partner.size());
+    std::vector<double> sum(n);
     for_each_index(n, [&](std::size_t f) {
         double row = 0.0;
         for (auto k = pairs.first[f]; k < pairs.first[f + 1]; ++k) {
             const std::uint32_t partner = pairs.partner[k];
-            const double area = area_of(f, k) * std::min(shrink[f], shrink[partner]);
-            exchange.facet[k] = FacetId{partner};
-            exchange.factor[k] = static_cast<float>(area / facets.area[f]);
-            row += exchange.factor[k];
+            const double area = areas.of(f, k) * std::min(shrink[f], shrink[partner]);
+            factors.facet[k] = FacetId{partner};
+            factors.factor[k] = static_cast<float>(area / facets.area[f]);
+            row += factors.factor[k];
         }
         sum[f] = row;
     });
     for (std::size_t f = 0; f < n; ++f) {
-        const double whole = sum[f] + view.sky[f] + view.below[f];
+        const double whole = sum[f] + views.sky[f] + views.below[f];
         report.worst_closure = std::max(report.worst_closure, std::abs(1.0 - whole));
-        view.below[f] = std::max(0.0f, static_cast<float>(1.0 - sum[f] - view.sky[f]));
+        views.below[f] = std::max(0.0f, static_cast<float>(1.0 - sum[f] - views.sky[f]));
     }
     return report;
 }

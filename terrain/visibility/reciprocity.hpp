@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "terrain/facets.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 
 namespace diurna {
 
@@ -21,8 +21,8 @@ struct ReciprocityReport {
     int passes = 0;
 };
 
-/// Makes sampled view factors reciprocal, A_i F_ij = A_j F_ji to float rounding, with each row's
-/// sum kept: sky + below + Σ row = 1.
+/// Makes sampled view factors (view_factor_sampling.hpp) reciprocal, A_i F_ij = A_j F_ji to float
+/// rounding, with each row's sum kept: sky + below + Σ row = 1.
 ///
 /// Of n_i rays of one facet and n_j of the other, h meet: the likeliest exchange area is
 /// h / (λ_i/A_i + λ_j/A_j), with λ = n if rows were free, and with the λ that close the rows, since
@@ -35,7 +35,7 @@ struct ReciprocityReport {
 ///
 /// Ground under a building would meet the walls from behind, and they do not look back: it would
 /// lose most of its exchange to `below`. Scenes have no ground there (scenes/world/world).
-ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& view,
+ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
                                   const ReciprocityOptions& options = {});
 
 }  // namespace diurna

@@ -12,7 +12,7 @@
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;

@@ -13,7 +13,7 @@
 #include "render/rays/shading.hpp"
 #include "render/rays/walk.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/hop_stage.hpp"
 #include "tests/support/isothermal.hpp"
 

@@ -6,7 +6,6 @@
 #include "materials/base/error.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/rays/hops.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "tests/support/hop_stage.hpp"
 
 using namespace diurna;

@@ -7,7 +7,7 @@
 #include "render/view/observer.hpp"
 #include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 
 using namespace diurna;
 

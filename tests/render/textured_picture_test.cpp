@@ -7,6 +7,7 @@
 #include "render/tracer.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/texture/texture_levels.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/isothermal.hpp"
 #include "tests/support/render_scene.hpp"
 

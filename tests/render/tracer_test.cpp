@@ -11,7 +11,8 @@
 #include "materials/radiation/planck.hpp"
 #include "render/path/path_table.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;

@@ -13,6 +13,7 @@
 #include "terrain/raster/geotiff.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/small_scene.hpp"
 
 // From files on the ground to facets and pictures.

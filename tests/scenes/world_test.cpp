@@ -8,6 +8,8 @@
 #include "scenes/plan/plan.hpp"
 #include "scenes/run/frames.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

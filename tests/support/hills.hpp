@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "terrain/facets.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 #include "thermal/solve/solver.hpp"
 
 /// Rolling ground of `n` × `n` cells of two triangles, 30 m apart, 60 m from valley to ridge; the

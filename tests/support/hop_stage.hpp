@@ -11,7 +11,7 @@
 #include "render/rays/shading.hpp"
 #include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/render_scene.hpp"
 
 namespace diurna {

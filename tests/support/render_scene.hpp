@@ -9,7 +9,6 @@
 #include "render/light/radiance.hpp"
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 
 /// A small world for the renderer's tests, made by hand: hills with valleys, and a box of metal

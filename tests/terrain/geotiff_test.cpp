@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "tests/support/scratch_folder.hpp"
 

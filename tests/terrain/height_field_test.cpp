@@ -10,10 +10,17 @@
 #include "materials/base/units.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/read_dem.hpp"
+#include "terrain/relief/horizon.hpp"
+#include "terrain/relief/relief_sky.hpp"
+#include "terrain/relief/relief_sun.hpp"
+#include "terrain/relief/sun_disc.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "tests/support/even_field.hpp"
 
-// Closed forms as in visibility_test.cpp: every part of a bowl sees the same share of sky, a V
-// valley by its slope. Beside them robust rays, through the same triangles.
+// Closed forms as in view_factor_sampling_test.cpp: every part of a bowl sees the same share of
+// sky, a V valley by its slope. Beside them robust rays, through the same triangles.
 
 using namespace diurna;
 using std::numbers::pi;
@@ -28,7 +35,7 @@ HeightField field_of(int columns, int rows, double step,
             up.push_back(static_cast<float>(height(step * column, -step * row)));
         }
     }
-    return {columns, rows, up, step};
+    return even_field(columns, rows, up, step);
 }
 
 /// A spherical cap of diameter 2 and depth 2q below a plane, centre at (1.5, −1.5).
@@ -228,7 +235,7 @@ TEST_CASE("a field's plan answers both ways", "[terrain][height_field]") {
 TEST_CASE("voids neither hide nor stand in a shadow", "[terrain][height_field][stress]") {
     const float hole = std::nanf("");
     const std::vector<float> up{0, hole, 5, 0, hole, 5, 0, hole, 5};
-    const HeightField field(3, 3, up, 10.0);
+    const HeightField field = even_field(3, 3, up, 10.0);
     std::vector<float> fraction(9), seen(9);
     sun_fraction(field, direction(92.0, 10.0), fraction);
     CHECK(fraction[3] == 0.0f);  // the wall behind the hole stands there all the same
@@ -243,9 +250,9 @@ TEST_CASE("voids neither hide nor stand in a shadow", "[terrain][height_field][s
 
 TEST_CASE("what is no surface is no height field", "[terrain][height_field][stress]") {
     const std::vector<float> up(9, 1.0f);
-    CHECK_THROWS_AS(HeightField(1, 9, up, 10.0), InputError);
-    CHECK_THROWS_AS(HeightField(3, 3, up, 0.0), InputError);
-    CHECK_THROWS_AS(HeightField(3, 3, up, std::nan("")), InputError);
+    CHECK_THROWS_AS(even_field(1, 9, up, 10.0), InputError);
+    CHECK_THROWS_AS(even_field(3, 3, up, 0.0), InputError);
+    CHECK_THROWS_AS(even_field(3, 3, up, std::nan("")), InputError);
 }
 
 TEST_CASE("any number of threads, the same horizons", "[terrain][height_field][invariance]") {

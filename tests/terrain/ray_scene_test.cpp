@@ -70,9 +70,9 @@ TEST_CASE("no ray leaves a closed mesh", "[terrain][rays]") {
         ray.direction = random_direction(random).cast<float>();
     }
     std::vector<Hit> hits(rays.size());
-    scene.closest(rays, hits, Coherence::incoherent);
+    scene.closest(rays, hits);
     std::vector<std::uint8_t> blocked(rays.size());
-    scene.occluded(rays, blocked, Coherence::incoherent);
+    scene.occluded(rays, blocked);
     std::size_t leaks = 0, open = 0;
     double worst = 0.0;  // how far a hit point lies outside the ball's shell
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -98,7 +98,7 @@ TEST_CASE("no ray of ten million leaves a closed mesh", "[terrain][rays][long]")
             ray.origin = (300.0 * random_direction(random)).cast<float>();
             ray.direction = random_direction(random).cast<float>();
         }
-        scene.closest(rays, hits, Coherence::incoherent);
+        scene.closest(rays, hits);
         leaks += static_cast<std::size_t>(std::count_if(
             hits.begin(), hits.end(), [](const Hit& hit) { return hit.facet == no_facet; }));
     }
@@ -123,7 +123,7 @@ TEST_CASE("of a million rays aimed at edges hardly one slips through", "[terrain
                 .normalized();
     }
     std::vector<std::uint8_t> blocked(rays.size());
-    scene.occluded(rays, blocked, Coherence::incoherent);
+    scene.occluded(rays, blocked);
     CHECK(std::count(blocked.begin(), blocked.end(), 0) <= 10);
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("any number of rays gives what each gives alone", "[terrain][rays]") {
     std::size_t seen = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
         Hit alone;
-        scene.closest({&rays[i], 1}, {&alone, 1}, Coherence::incoherent);
+        scene.closest({&rays[i], 1}, {&alone, 1});
         CHECK(alone.facet == together[i].facet);
         CHECK(alone.range == together[i].range);
         seen += alone.facet != no_facet;

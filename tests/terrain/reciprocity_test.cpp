@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "materials/base/parallel.hpp"
+#include "terrain/objects/box.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/bowl.hpp"
 
 // In a hollow sphere every part sees every other as its share of the whole sphere's area.

@@ -11,6 +11,7 @@
 #include "terrain/place/sun.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
+#include "terrain/relief/relief_sun.hpp"
 
 // The march over the grid against rays through the mesh, on the sample scene's relief.
 

@@ -5,9 +5,10 @@
 #include <random>
 
 #include "terrain/objects/box.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/hemisphere_rays.hpp"
+#include "terrain/visibility/lifted_facet.hpp"
 #include "terrain/visibility/ray_scene.hpp"
-#include "terrain/visibility/sky_rays.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 
 // The bound may be loose but never wrong: no ray above it meets anything.
 
@@ -69,7 +70,7 @@ double check_bound(const FacetSet& facets) {
             for (int k = 0; k < 24; ++k) {
                 const double azimuth = 2.0 * M_PI * uniform(random);
                 const double east = std::sin(azimuth), north = std::cos(azimuth);
-                const double least = sines[SkyBound::octant(float(east), float(north))];
+                const double least = sines[compass_octant(float(east), float(north))];
                 const double up = k % 2 ? least + 1e-6 : least + (1.0 - least) * uniform(random);
                 const double flat = std::sqrt(1.0 - std::min(1.0, up * up));
                 rays.push_back({.origin = from.at(uniform(random), uniform(random)),
@@ -77,7 +78,7 @@ double check_bound(const FacetSet& facets) {
             }
         }
         std::vector<std::uint8_t> blocked(rays.size());
-        scene.occluded(rays, blocked, Coherence::incoherent);
+        scene.occluded(rays, blocked);
         for (const std::uint8_t b : blocked) blocked_rays += b;
     }
     CHECK(blocked_rays == 0);
@@ -102,12 +103,12 @@ TEST_CASE("on a slope the bound is near its steepness uphill and near the horizo
         const auto sines = bound.sines(facets, f, f + patch);
         if (sines == SkyBound::unknown) continue;
         ++seen;
-        const double up = sines[SkyBound::octant(0.1f, 1.0f)];
+        const double up = sines[compass_octant(0.1f, 1.0f)];
         CHECK(up >= 0.3 / std::hypot(1.0, 0.3));
         // From its lowest corner a patch of 4 m sees the far edge of a cell of 1.4 m that begins
         // three cells away from its highest: 0.3 (1 + 5.4 / 4.2).
         CHECK(up < 0.73 / std::hypot(1.0, 0.73));
-        CHECK(sines[SkyBound::octant(-0.1f, -1.0f)] < 0.1);
+        CHECK(sines[compass_octant(-0.1f, -1.0f)] < 0.1);
     }
     CHECK(seen > 20);
 }
@@ -166,7 +167,7 @@ TEST_CASE("sky view is the same with exchange and without", "[terrain][visibilit
     CHECK(sky.others.facet.empty());
     CHECK(sky.others.row == std::vector<std::uint32_t>(facets.size() + 1, 0));
     // And the same as if every ray were traced.
-    const SkyRays sampler(48, 1);
+    const HemisphereRays sampler(48, 1);
     for (std::size_t f = 0; f < facets.size(); ++f) {
         int open = 0, below = 0;
         for (std::size_t p = 0; p < sampler.packets(); ++p) {

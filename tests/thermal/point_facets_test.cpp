@@ -7,6 +7,7 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/soil.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/hills.hpp"
 #include "thermal/point/point_job.hpp"
 

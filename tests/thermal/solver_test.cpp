@@ -7,6 +7,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/hills.hpp"
 
 using namespace diurna;

@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "terrain/place/sun.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/bowl.hpp"
 
 // The shadow in a bowl without air or conduction is warmed by its sunlit rest alone. In a spherical

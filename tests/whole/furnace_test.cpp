@@ -4,6 +4,7 @@
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
 #include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/isothermal.hpp"
 #include "tests/support/render_scene.hpp"
 

@@ -32,7 +32,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"assimp/", {"terrain/objects/mesh_file.cpp"}},
     {"CGAL/", {"terrain/ground/triangulate.cpp", "terrain/ground/ground_mesh.cpp"}},
     {"OpenMesh/", {"terrain/objects/mesh_check.cpp"}},
-    {"embree", {"terrain/visibility/ray_scene.cpp"}},
+    {"embree", {"terrain/visibility/embree_scene.hpp"}},
     {"gdal",
      {"terrain/raster/class_raster.cpp", "terrain/raster/dem_file.cpp",
       "terrain/raster/gdal_file.hpp", "terrain/raster/geotiff.cpp",

@@ -6,7 +6,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "thermal/weather/sky_state.hpp"
 
 namespace diurna {

@@ -2,6 +2,12 @@
 
 #include <cstddef>
 
+#include "materials/matter/library.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/view_factors.hpp"
+#include "thermal/column/column.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/temperature_field.hpp"
 

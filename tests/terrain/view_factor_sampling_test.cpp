@@ -1,4 +1,4 @@
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 
 #include <Eigen/Geometry>
 #include <catch2/catch.hpp>
@@ -9,6 +9,7 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 
 // Closed forms: radiative transfer texts for canyon, shaft and wall; Ingersoll et al. (1992) for
 // the bowl (every facet of a spherical cap sees the same share of sky). Rays are random: a mean

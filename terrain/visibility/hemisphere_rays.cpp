@@ -1,12 +1,12 @@
-#include "terrain/visibility/sky_rays.hpp"
+#include "terrain/visibility/hemisphere_rays.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
+#include <tuple>
 
 #include "materials/base/random.hpp"
+#include "terrain/visibility/lifted_facet.hpp"
 
 namespace diurna {
 
@@ -16,25 +16,7 @@ constexpr std::size_t width = 16;
 
 }  // namespace
 
-std::pair<Eigen::Vector3d, Eigen::Vector3d> tangents(const Eigen::Vector3d& n) {
-    const double sign = std::copysign(1.0, n.z());
-    const double a = -1.0 / (sign + n.z()), b = n.x() * n.y() * a;
-    return {{1.0 + sign * n.x() * n.x() * a, sign * b, -sign * n.x()},
-            {b, sign + n.y() * n.y() * a, -n.y()}};
-}
-
-LiftedFacet::LiftedFacet(const FacetSet& facets, std::size_t facet)
-    : normal(facets.normal[facet].cast<double>()) {
-    const auto& index = facets.corner[facet];
-    corner = facets.vertex[index[0]].cast<double>();
-    to_b = facets.vertex[index[1]].cast<double>() - corner;
-    to_c = facets.vertex[index[2]].cast<double>() - corner;
-    const double coarse =
-        corner.cwiseAbs().maxCoeff() + to_b.cwiseAbs().maxCoeff() + to_c.cwiseAbs().maxCoeff();
-    corner += normal * (coarse * 4e-7);
-}
-
-SkyRays::SkyRays(int rays, std::uint64_t seed)
+HemisphereRays::HemisphereRays(int rays, std::uint64_t seed)
     : rays_(static_cast<std::size_t>(rays)), seed_(seed) {
     std::tie(columns_, rows_) = nearly_square(rays);
     // In blocks of 4 × 4 cells, so that a packet's rays go roughly the same way.
@@ -52,8 +34,8 @@ SkyRays::SkyRays(int rays, std::uint64_t seed)
     row_.resize(width * packets(), 0.0f);
 }
 
-void SkyRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet,
-                   RayPacket& rays) const {
+void HemisphereRays::fill(const FacetSet& facets, std::size_t facet, std::size_t packet,
+                          RayPacket& rays) const {
     const LiftedFacet from(facets, facet);
     const auto [along_d, across_d] = tangents(from.normal);
     const Eigen::Vector3f along = along_d.cast<float>(), across = across_d.cast<float>(),

@@ -1,0 +1,64 @@
+#include "terrain/visibility/block_rays.hpp"
+
+#include <algorithm>
+
+namespace diurna {
+
+void RayQueue::take(std::size_t count, RayPacket& rays, std::array<std::uint32_t, 16>& owners) {
+    const auto first = [&](auto& all, auto& some) {
+        std::copy_n(all.begin(), 16, some.begin());
+        std::copy_n(all.begin() + 16, 16, all.begin());
+    };
+    first(origin_x, rays.origin_x);
+    first(origin_y, rays.origin_y);
+    first(origin_z, rays.origin_z);
+    first(direction_x, rays.direction_x);
+    first(direction_y, rays.direction_y);
+    first(direction_z, rays.direction_z);
+    first(owner, owners);
+    size -= count;
+}
+
+void BlockRays::trace(const RayPacket& rays, int lanes, std::uint32_t from,
+                      const SkyBound::Sines& sines) {
+    const auto count = static_cast<std::size_t>(lanes);
+    const std::size_t before = doubtful_.size;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t octant = compass_octant(rays.direction_x[k], rays.direction_y[k]);
+        doubtful_.put(rays, k, from, rays.direction_z[k] <= sines[octant]);
+    }
+    sky[from] += lanes - static_cast<int>(doubtful_.size - before);
+    if (doubtful_.size >= 16) ask_whether(16);
+}
+
+void BlockRays::finish() {
+    if (doubtful_.size > 0) ask_whether(doubtful_.size);
+    if (blocked_.size > 0) ask_which(blocked_.size);
+}
+
+void BlockRays::ask_whether(std::size_t count) {
+    doubtful_.take(count, packet_, owners_);
+    std::array<std::uint8_t, 16> blocked;
+    scene_.occluded(packet_, static_cast<int>(count), blocked);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (!blocked[k]) escaped(owners_[k], packet_.direction_z[k]);
+        blocked_.put(packet_, k, owners_[k], blocked[k] && nearest_);
+    }
+    if (blocked_.size >= 16) ask_which(16);
+}
+
+void BlockRays::ask_which(std::size_t count) {
+    blocked_.take(count, packet_, owners_);
+    std::array<std::uint32_t, 16> nearest;
+    scene_.closest(packet_, static_cast<int>(count), nearest);
+    for (std::size_t k = 0; k < count; ++k) {
+        if (nearest[k] == index(no_facet)) {
+            escaped(owners_[k], packet_.direction_z[k]);
+            continue;
+        }
+        owner.push_back(owners_[k]);
+        facet.push_back(FacetId{nearest[k]});
+    }
+}
+
+}  // namespace diurna

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "terrain/facets.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sky_bound.hpp"
+
+namespace diurna {
+
+inline constexpr std::size_t facets_per_block = 128;
+
+/// Rays of many facets one behind the other, handed on sixteen at a time.
+struct RayQueue {
+    static constexpr std::size_t room = 32;
+    std::array<float, room> origin_x, origin_y, origin_z, direction_x, direction_y, direction_z;
+    std::array<std::uint32_t, room> owner;
+    std::size_t size = 0;
+
+    /// Puts in the k-th ray of a packet if it is wanted.
+    void put(const RayPacket& rays, std::size_t k, std::uint32_t from, bool wanted) {
+        origin_x[size] = rays.origin_x[k];
+        origin_y[size] = rays.origin_y[k];
+        origin_z[size] = rays.origin_z[k];
+        direction_x[size] = rays.direction_x[k];
+        direction_y[size] = rays.direction_y[k];
+        direction_z[size] = rays.direction_z[k];
+        owner[size] = from;
+        size += wanted;
+    }
+    /// Takes out the first `count`, at most 16.
+    void take(std::size_t count, RayPacket& rays, std::array<std::uint32_t, 16>& owners);
+};
+
+/// What the rays of one block of facets meet. Those above everything round about meet the sky. Of
+/// the others first is asked whether anything stands in their way, the cheapest question; only
+/// where it does, for the nearest facet, and that only if `nearest` is wanted.
+class BlockRays {
+ public:
+    BlockRays(const RayScene& scene, bool nearest) : scene_(scene), nearest_(nearest) {}
+
+    /// The first lanes of a packet, of the block's facet `from`; `sines` of the elevations above
+    /// which there is only sky.
+    void trace(const RayPacket& rays, int lanes, std::uint32_t from, const SkyBound::Sines& sines);
+    /// Asks for the rays that are left.
+    void finish();
+
+    std::array<int, facets_per_block> sky{}, below{};  // (facet of the block) rays
+    std::vector<std::uint32_t> owner;                  // (hit) facet of the block, rising
+    std::vector<FacetId> facet;                        // (hit)
+
+ private:
+    void escaped(std::uint32_t from, float up) { ++(up >= 0.0f ? sky : below)[from]; }
+    void ask_whether(std::size_t count);
+    void ask_which(std::size_t count);
+
+    const RayScene& scene_;
+    bool nearest_;
+    RayQueue doubtful_{}, blocked_{};
+    RayPacket packet_{};
+    std::array<std::uint32_t, 16> owners_{};
+};
+
+}  // namespace diurna

@@ -1,0 +1,92 @@
+#include "terrain/visibility/embree_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cassert>
+#include <new>
+#include <stdexcept>
+
+namespace diurna {
+
+namespace {
+
+void fail(void*, RTCError code, const char* message) {
+    if (code == RTC_ERROR_OUT_OF_MEMORY) throw std::bad_alloc();
+    throw std::runtime_error(fmt::format("Embree: {} (error {})", message, int(code)));
+}
+
+}  // namespace
+
+EmbreeScene::EmbreeScene(const FacetSet& facets)
+    : EmbreeScene() {  // whole, so that a throw lets go
+    // One instruction set for everyone, so that results repeat across machines.
+    device = rtcNewDevice("isa=avx2");
+    if (!device) throw std::runtime_error("Embree cannot start: it needs AVX2");
+    rtcSetDeviceErrorFunction(device, fail, nullptr);
+    scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+
+    if (facets.size() > 0) {
+        RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* own_vertex = static_cast<float*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    3 * sizeof(float), facets.vertex.size()));
+        auto* own_corner = static_cast<unsigned*>(
+            rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(unsigned), facets.corner.size()));
+        for (std::size_t v = 0; v < facets.vertex.size(); ++v) {
+            assert(facets.vertex[v].allFinite());
+            std::copy_n(facets.vertex[v].data(), 3, own_vertex + 3 * v);
+        }
+        for (std::size_t f = 0; f < facets.corner.size(); ++f) {
+            for (std::size_t k = 0; k < 3; ++k) {
+                assert(facets.corner[f][k] < facets.vertex.size());
+                own_corner[3 * f + k] = facets.corner[f][k];
+            }
+        }
+        rtcCommitGeometry(geometry);
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        vertex = own_vertex;
+        corner = own_corner;
+    }
+    rtcCommitScene(scene);
+}
+
+EmbreeScene::~EmbreeScene() {
+    if (scene) rtcReleaseScene(scene);
+    if (device) rtcReleaseDevice(device);
+}
+
+Eigen::Vector3d EmbreeScene::corner_of(unsigned facet, int k) const {
+    return Eigen::Map<const Eigen::Vector3f>(vertex +
+                                             3 * std::size_t{corner[3 * std::size_t{facet} + k]})
+        .cast<double>();
+}
+
+float EmbreeScene::range(const Ray& ray, unsigned facet, float embree_range) const {
+    const Eigen::Vector3d origin = ray.origin.cast<double>();
+    const Eigen::Vector3d towards = ray.direction.cast<double>();
+    const Eigen::Vector3d a = corner_of(facet, 0) - origin, b = corner_of(facet, 1) - origin,
+                          c = corner_of(facet, 2) - origin;
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    const double descent = normal.dot(towards);
+    const double t = descent != 0.0 ? normal.dot(a) / descent : double{embree_range};
+    const double along[] = {a.dot(towards), b.dot(towards), c.dot(towards)};
+    const auto [first, last] = std::minmax_element(std::begin(along), std::end(along));
+    const double scale = towards.squaredNorm();
+    return static_cast<float>(
+        std::max(double{ray.near}, std::clamp(t, *first / scale, *last / scale)));
+}
+
+RTCIntersectContext intersect_context(RTCIntersectContextFlags flags) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = flags;
+    return context;
+}
+
+}  // namespace diurna

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "terrain/facets.hpp"
+#include "terrain/relief/height_field.hpp"
+
+namespace diurna {
+
+/// A relief with all objects filled up to their tops: every post round a cell that an object's box
+/// touches, and one more, goes up to the object's top. Whatever an object may shade, this does too.
+struct RaisedRelief {
+    HeightField relief;
+    std::vector<std::uint8_t> touched;  // (post) 1 where an object stands
+};
+
+/// Objects are the facets from `ground_facets` on.
+RaisedRelief raised_relief(const FacetSet& facets, const HeightField& relief,
+                           std::size_t ground_facets);
+
+}  // namespace diurna

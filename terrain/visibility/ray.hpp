@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "terrain/facets.hpp"
+
+namespace diurna {
+
+struct Ray {
+    Eigen::Vector3f origin;     // east-north-up [m]
+    float near = 0.0f;          // [m] along the direction
+    Eigen::Vector3f direction;  // unit
+    float far = 1e30f;
+};
+
+struct Hit {
+    FacetId facet = no_facet;  // no_facet: nothing was hit
+    float range = 0.0f;        // [m], recomputed in double from the facet's corners
+};
+
+/// Sixteen rays side by side, from 0 to infinity, that have little in common.
+struct RayPacket {
+    alignas(64) std::array<float, 16> origin_x, origin_y, origin_z;
+    alignas(64) std::array<float, 16> direction_x, direction_y, direction_z;  // unit
+};
+
+}  // namespace diurna

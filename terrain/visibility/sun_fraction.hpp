@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+
+#include "terrain/facets.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+namespace diurna {
+
+struct SunFractionOptions {
+    int samples = 4;  // points over the facet × directions over the sun's disc, stratified together
+    std::uint64_t seed = 1;
+};
+
+/// The share of each facet (area × sun's disc) that the sun at `direction` (unit, towards the sun)
+/// reaches, 0 to 1, self-shading by the facet's own orientation included: zero where
+/// normal·direction ≤ 0. `fraction` has facets.size() entries. For a sun below the horizon all are
+/// zero.
+void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
+                  std::span<float> fraction, const SunFractionOptions& options = {});
+
+/// The same for the chosen facets alone (1: chosen); the others keep what they have.
+void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
+                  std::span<const std::uint8_t> chosen, std::span<float> fraction,
+                  const SunFractionOptions& options = {});
+
+}  // namespace diurna

@@ -1,0 +1,107 @@
+#include "terrain/visibility/view_factor_sampling.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <span>
+#include <vector>
+
+#include "materials/base/parallel.hpp"
+#include "terrain/visibility/block_rays.hpp"
+#include "terrain/visibility/hemisphere_rays.hpp"
+#include "terrain/visibility/sky_bound.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t facets_per_bound = 32;  // neighbours along Morton's curve
+
+/// One block's rows of view factors.
+struct FactorRows {
+    std::vector<std::uint32_t> length;  // (facet of the block)
+    std::vector<FacetId> facet;
+    std::vector<float> factor;
+
+    /// Appends a row from the facets that were hit, one entry each, by rising number.
+    void append(std::span<FacetId> seen, double weight) {
+        std::sort(seen.begin(), seen.end());
+        const std::size_t before = facet.size();
+        for (std::size_t i = 0; i < seen.size();) {
+            std::size_t j = i;
+            while (j < seen.size() && seen[j] == seen[i]) ++j;
+            facet.push_back(seen[i]);
+            factor.push_back(static_cast<float>(weight * static_cast<double>(j - i)));
+            i = j;
+        }
+        length.push_back(static_cast<std::uint32_t>(facet.size() - before));
+    }
+};
+
+ViewFactors joined(const std::vector<FactorRows>& blocks, std::size_t facets) {
+    ViewFactors factors;
+    std::size_t entries = 0;
+    for (const FactorRows& block : blocks) entries += block.facet.size();
+    factors.row.reserve(facets + 1);
+    factors.facet.reserve(entries);
+    factors.factor.reserve(entries);
+    factors.row.push_back(0);
+    for (const FactorRows& block : blocks) {
+        for (const std::uint32_t length : block.length) {
+            factors.row.push_back(factors.row.back() + length);
+        }
+        factors.facet.insert(factors.facet.end(), block.facet.begin(), block.facet.end());
+        factors.factor.insert(factors.factor.end(), block.factor.begin(), block.factor.end());
+    }
+    return factors;
+}
+
+}  // namespace
+
+FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
+                       const FacetViewOptions& options) {
+    assert(options.rays > 0 && options.rays <= 65535);
+    assert(options.object_rays > 0 && options.object_rays <= 65535);
+    const HemisphereRays ground_rays(options.rays, options.seed);
+    const HemisphereRays object_rays(options.object_rays, options.seed);
+    const SkyBound bound(facets);
+
+    FacetViews views;
+    views.rays.assign(facets.size(), static_cast<std::uint16_t>(options.rays));
+    for (std::size_t f = options.first_object; f < facets.size(); ++f) {
+        views.rays[f] = static_cast<std::uint16_t>(options.object_rays);
+    }
+    views.sky.resize(facets.size());
+    views.below.resize(facets.size());
+    std::vector<FactorRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
+
+    for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
+        RayPacket rays;
+        BlockRays found(scene, options.others);
+        SkyBound::Sines sines = SkyBound::unknown;
+        for (std::size_t f = begin; f < end; ++f) {
+            if ((f - begin) % facets_per_bound == 0) {
+                sines = bound.sines(facets, f, std::min(end, f + facets_per_bound));
+            }
+            const HemisphereRays& sampler = f < options.first_object ? ground_rays : object_rays;
+            for (std::size_t p = 0; p < sampler.packets(); ++p) {
+                sampler.fill(facets, f, p, rays);
+                found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines);
+            }
+        }
+        found.finish();
+        std::size_t hit = 0;
+        for (std::size_t f = begin; f < end; ++f) {
+            const std::size_t first = hit;
+            while (hit < found.owner.size() && found.owner[hit] == f - begin) ++hit;
+            const double weight = 1.0 / views.rays[f];
+            blocks[begin / facets_per_block].append(
+                std::span(found.facet).subspan(first, hit - first), weight);
+            views.sky[f] = static_cast<float>(weight * found.sky[f - begin]);
+            views.below[f] = static_cast<float>(weight * found.below[f - begin]);
+        }
+    });
+    views.others = joined(blocks, facets.size());
+    return views;
+}
+
+}  // namespace diurna

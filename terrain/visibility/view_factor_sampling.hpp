@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "terrain/facets.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/view_factors.hpp"
+
+namespace diurna {
+
+struct FacetViewOptions {
+    int rays = 64;  // stratified, cosine-weighted directions per facet, 1 to 65535
+    /// Facets from this one on take so many instead. What a wall sees differs more from place to
+    /// place than what open ground does, and thin metal follows every error.
+    std::size_t first_object = std::numeric_limits<std::size_t>::max();
+    int object_rays = 256;
+    std::uint64_t seed = 1;
+    bool others = true;  // or leave their rows empty
+};
+
+/// Samples the rows of view factors: n rays leave points spread over a facet, spread themselves
+/// over its hemisphere by the cosine (hemisphere_rays.hpp), and each counts 1/n towards the facet
+/// it meets first, the sky, or what lies below the scene's edge. Rows are independent estimates of
+/// F_ij; that A_i F_ij = A_j F_ji is left to reciprocity.hpp.
+///
+/// Standard error of a facet's sky about 0.65/rays^0.75 (0.03 at 64 rays, 0.011 at 256, measured in
+/// bowls), of means over n facets √n less; the same numbers for any number of threads. Rays above
+/// everything near (sky_bound.hpp) are not traced, the others asked whether anything blocks them,
+/// and those that are blocked, what (block_rays.hpp).
+FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
+                       const FacetViewOptions& options = {});
+
+}  // namespace diurna

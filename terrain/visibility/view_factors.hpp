@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "terrain/facets.hpp"
+
+namespace diurna {
+
+/// Facet-to-facet view factors in compressed rows: facet f sees facet[k] with factor[k] for k in
+/// [row[f], row[f+1]). A row sums to 1 − sky(f) (− what falls below the terrain's edge).
+struct ViewFactors {
+    std::vector<std::uint32_t> row;  // size() + 1
+    std::vector<FacetId> facet;
+    std::vector<float> factor;
+};
+
+/// What each facet sees through its own hemisphere, cosine-weighted about its own normal.
+/// `sky` + Σ row of `others` + `below` = 1, where `below` is what leaves the scene's edge under
+/// the horizontal: far ground not modelled, to be taken as ground like the facet's own
+/// surroundings. Sampled by view_factor_sampling.hpp, made reciprocal by reciprocity.hpp.
+struct FacetViews {
+    std::vector<float> sky;    // 0 to 1: the sky view factor
+    std::vector<float> below;  // 0 to 1
+    ViewFactors others;
+    std::vector<std::uint16_t> rays = {};  // (facet) that this comes from; empty: as many of each
+};
+
+}  // namespace diurna

@@ -9,7 +9,7 @@ namespace diurna {
 
 /// What OpenMesh finds in a mesh.
 struct MeshCheck {
-    std::size_t vertices = 0, triangles = 0, boundary_edges = 0, components = 0;
+    std::size_t boundary_edges = 0;
     std::size_t rejected_triangles = 0;  // complex or degenerate: not addable to a manifold
     bool closed() const { return boundary_edges == 0 && rejected_triangles == 0; }
 };

@@ -81,15 +81,8 @@ double smooth_noise(std::uint64_t seed, double x, double y) {
 
 }  // namespace
 
-Clutter::Clutter(const ClutterSpec& spec) : length_(spec.length) {
-    const auto add = [&](double length, double variance) {
-        const std::uint64_t seed = hashed(spec.seed + golden_step * octave_.size());
-        octave_.push_back({length, std::sqrt(variance), seed});
-    };
-    if (spec.covariance == Covariance::gaussian) {
-        add(spec.length, 1.0);
-        return;
-    }
+std::vector<ClutterOctave> clutter_octaves(const ClutterSpec& spec) {
+    if (spec.covariance == Covariance::gaussian) return {{spec.length, 1.0}};
     constexpr int coarsest = -2, finest = 4;
     std::array<double, finest - coarsest + 1> weight;
     double sum = 0.0;
@@ -100,8 +93,18 @@ Clutter::Clutter(const ClutterSpec& spec) : length_(spec.length) {
         if (i == finest) w *= 2.0;  // what all finer octaves would have
         sum += w;
     }
+    std::vector<ClutterOctave> octaves;
     for (int i = coarsest; i <= finest; ++i) {
-        add(spec.length * std::pow(2.0, -i), weight[std::size_t(i - coarsest)] / sum);
+        octaves.push_back(
+            {spec.length * std::pow(2.0, -i), weight[std::size_t(i - coarsest)] / sum});
+    }
+    return octaves;
+}
+
+Clutter::Clutter(const ClutterSpec& spec) : length_(spec.length) {
+    for (const ClutterOctave& octave : clutter_octaves(spec)) {
+        const std::uint64_t seed = hashed(spec.seed + golden_step * octave_.size());
+        octave_.push_back({octave.length, std::sqrt(octave.variance), seed});
     }
 }
 
@@ -115,15 +118,6 @@ double Clutter::at(double x, double y, double spacing) const {
         if (kept < 0.1) continue;
         const double cells = 2.0 * smooth_cells / octave.length;
         sum += kept * octave.amplitude * smooth_noise(octave.seed, x * cells, y * cells);
-    }
-    return sum;
-}
-
-double Clutter::covariance(double r) const {
-    double sum = 0.0;
-    for (const Octave& octave : octave_) {
-        const double ratio = r / octave.length;
-        sum += octave.amplitude * octave.amplitude * std::exp(-ratio * ratio);
     }
     return sum;
 }

@@ -18,6 +18,13 @@ struct ClutterSpec {
     std::uint64_t seed = 1;
 };
 
+/// One lattice of a clutter: variance · exp(−r²/length²) of its covariance at a distance r.
+struct ClutterOctave {
+    double length;    // [m]
+    double variance;  // of all octaves they add up to 1
+};
+std::vector<ClutterOctave> clutter_octaves(const ClutterSpec& spec);
+
 /// A Gaussian random field over the plane, mean 0, standard deviation 1, the same from every
 /// direction: a function of (seed, place) alone, whatever mesh or picture asks for it.
 ///
@@ -34,8 +41,6 @@ class Clutter {
     /// spacing  [m] between this place and the next one asked for: what is finer is averaged away
     ///          as over a square of that side
     double at(double x, double y, double spacing = 0.0) const;
-    /// Covariance of two places r [m] apart as it is made, before the lattice's 1e-3.
-    double covariance(double r) const;
     double length() const { return length_; }
 
  private:

@@ -35,7 +35,7 @@ struct Blend {
 /// midnight, tests/scenes/textured_scene_test.cpp), and with the square of the distance.
 ///
 /// The first of a facet's levels stands in its own place, the others are copies behind all facets
-/// that rays know, with areas and exchange factors by their shares of the facet.
+/// that rays know, with areas and view factors by their shares of the facet.
 struct TextureLevels {
     std::size_t solid = 0;              // facets that rays know, the first ones of all
     FacetSet facets;                    // all of them

@@ -34,7 +34,7 @@ struct ReciprocityReport {
 /// the facets, rays per facet × share of ground seen × 16 bytes.
 ///
 /// Ground under a building would meet the walls from behind, and they do not look back: it would
-/// lose most of its exchange to `below`. Scenes have no ground there (scenes/world/world).
+/// lose most of its view to `below`. Scenes have no ground there (scenes/world/world).
 ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
                                   const ReciprocityOptions& options = {});
 

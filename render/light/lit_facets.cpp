@@ -88,19 +88,19 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
     const std::vector<std::uint8_t> step = steps_from_eye(input, seen);
 
     LitFacets lit;
-    lit.place.assign(facets.size(), LitFacets::absent);
+    std::vector<std::uint32_t> place(facets.size(), LitFacets::absent);  // in `lit`
     lit.material_used.assign(input.materials.size(), false);
     std::size_t entries = 0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         if (step[f] == 0) continue;
-        lit.place[f] = static_cast<std::uint32_t>(lit.facet.size());
+        place[f] = static_cast<std::uint32_t>(lit.facet.size());
         lit.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
         lit.material.push_back(facets.material[f]);
         lit.sky_view.push_back(input.views.sky[f]);
         lit.material_used[index(facets.material[f])] = true;
         if (step[f] <= 2) entries += exchange.row[f + 1] - exchange.row[f];
     }
-    for (const FacetId id : seen) lit.target.push_back(lit.place[index(id)]);
+    for (const FacetId id : seen) lit.target.push_back(place[index(id)]);
     lit.row.reserve(lit.facet.size() + 1);
     lit.source.reserve(entries);
     lit.factor.reserve(entries);
@@ -115,8 +115,8 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
             const double rest = 1.0 - double{input.views.sky[f]};
             each_source(exchange, f, [&](std::size_t from, double factor) {
                 if (factor == 0.0) return;  // a row of nothing but zeros is no row
-                lit.source.push_back(lit.place[from]);
-                lit.sends[lit.place[from]] = 1;
+                lit.source.push_back(place[from]);
+                lit.sends[place[from]] = 1;
                 lit.factor.push_back(static_cast<float>(rest * factor / total));
             });
         }

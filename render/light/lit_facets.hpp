@@ -14,7 +14,6 @@ namespace diurna {
 struct LitFacets {
     static constexpr std::uint32_t absent = 0xFFFFFFFFu;
     std::vector<FacetId> facet;         // ascending
-    std::vector<std::uint32_t> place;   // (facet of the scene) index above, or absent
     std::vector<std::uint32_t> target;  // (facet handed in) index above
     std::vector<std::uint32_t> row;     // (lit + 1) light received: [row[i], row[i + 1])
     std::vector<std::uint32_t> source;  // index of a lit facet

@@ -1,6 +1,5 @@
 #include "render/light/node_optics.hpp"
 
-#include <algorithm>
 #include <variant>
 
 #include "materials/radiation/planck.hpp"
@@ -25,7 +24,6 @@ std::vector<NodeOptics> node_optics(const Band& band, const MaterialLibrary& mat
             }
             optics.reflectance.push_back(reflectance);
             optics.emissivity.push_back(1.0 - reflectance - optics.transmittance[n]);
-            optics.greatest_reflectance = std::max(optics.greatest_reflectance, reflectance);
         }
         if (optics.transparent && std::holds_alternative<Interior>(material.thermal.bottom)) {
             const double behind = temperature_behind(material, 0.0);

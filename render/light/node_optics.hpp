@@ -15,7 +15,6 @@ struct NodeOptics {
     /// where what is behind is as warm as the facet itself
     std::vector<double> room;
     bool transparent = false;
-    double greatest_reflectance = 0.0;
 };
 
 /// (material) of those with `used` set; the rest stays empty.

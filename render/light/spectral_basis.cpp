@@ -69,7 +69,6 @@ SpectralBasis spectral_basis(const Band& band, std::span<const std::vector<doubl
         const Eigen::RowVectorXd wrong =
             (received.transpose() * rest).cwiseAbs().colwise().maxCoeff();
         const double most = wrong.maxCoeff(&worst);
-        basis.error = most;
         if (most <= coarse || rest.col(worst).norm() <= light_floor) break;
         add_mode(rest, worst, basis.mode);
     }

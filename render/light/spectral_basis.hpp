@@ -23,7 +23,6 @@ struct SpectralBasis {
     Eigen::VectorXd root_weight;  // (node) √weight
     Eigen::MatrixXd mode;         // (node, mode) √weight × φ
     std::size_t thermal = 0;      // leading modes that black bodies need
-    double error = 0.0;           // Σ weight × receiver × rest, the worst left
 
     std::size_t size() const { return static_cast<std::size_t>(mode.cols()); }
 };

@@ -203,26 +203,20 @@ Stencil PathTable::range_stencil(float range) const {
     return stencil((u - u_low_) / (u_high_ - u_low_) * double(ranges_ - 1), ranges_);
 }
 
-void PathTable::height_weights(float height_km, std::array<float, 5>& weight,
-                               std::array<float, 5>& slope) const {
+std::array<float, 5> PathTable::height_weights(float height_km) const {
     const double per_km = double(heights_ - 1) / (extent_.most_height_km - extent_.least_height_km);
     const auto y = static_cast<float>((double{height_km} - extent_.least_height_km) * per_km);
-    const auto scale = static_cast<float>(per_km);
-    // Products of the distances to the nodes before and after each, with derivatives.
+    // Products of the distances to the nodes before and after each.
     const auto count = static_cast<int>(heights_);
-    std::array<float, 6> before{1.0f}, before_slope{}, after{}, after_slope{};
+    std::array<float, 6> before{1.0f}, after{};
     for (int j = 0; j < count; ++j) {
         const auto k = static_cast<std::size_t>(j);
-        const float d = y - static_cast<float>(j);
-        before[k + 1] = before[k] * d;
-        before_slope[k + 1] = before_slope[k] * d + before[k];
+        before[k + 1] = before[k] * (y - static_cast<float>(j));
     }
     after[heights_] = 1.0f;
     for (int j = count - 1; j > 0; --j) {
         const auto k = static_cast<std::size_t>(j);
-        const float d = y - static_cast<float>(j);
-        after[k] = after[k + 1] * d;
-        after_slope[k] = after_slope[k + 1] * d + after[k + 1];
+        after[k] = after[k + 1] * (y - static_cast<float>(j));
     }
     static constexpr std::array<std::array<float, 5>, 6> norms = {
         {{},
@@ -231,12 +225,11 @@ void PathTable::height_weights(float height_km, std::array<float, 5>& weight,
          {0.5f, -1.0f, 0.5f},
          {},
          {1.0f / 24, -1.0f / 6, 0.25f, -1.0f / 6, 1.0f / 24}}};
-    weight = slope = {};
+    std::array<float, 5> weight{};
     for (std::size_t j = 0; j < heights_; ++j) {
-        const float norm = norms[heights_][j];
-        weight[j] = norm * before[j] * after[j + 1];
-        slope[j] = scale * norm * (before_slope[j] * after[j + 1] + before[j] * after_slope[j + 1]);
+        weight[j] = norms[heights_][j] * before[j] * after[j + 1];
     }
+    return weight;
 }
 
 const float* PathTable::transmittance(std::size_t band, std::size_t range,

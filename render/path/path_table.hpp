@@ -58,9 +58,8 @@ class PathTable {
     double places_per_height_km() const {
         return double(heights_ - 1) / (extent_.most_height_km - extent_.least_height_km);
     }
-    /// Weights of the heights (two, three or five of them) and their derivatives [1/km].
-    void height_weights(float height_km, std::array<float, 5>& weight,
-                        std::array<float, 5>& slope) const;
+    /// Weights of the heights (two, three or five of them).
+    std::array<float, 5> height_weights(float height_km) const;
 
     /// Transmittance to a node in the channels of a band (padded), and radiance of the air.
     const float* transmittance(std::size_t band, std::size_t range, std::size_t height) const;

@@ -122,7 +122,6 @@ Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
         view.row[p + 1] = kept;
     }
     view.sighting.resize(kept);
-    hops.rays = hops.hop.size();
     return hops;
 }
 

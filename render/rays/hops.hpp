@@ -33,13 +33,12 @@ struct Hop {
     Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();  // unit, of the ray that arrives
 };
 
-/// The rays of those pixels that see a pane, a net, a mirror or a plume: for a static view cast
-/// once, as View.
+/// What the rays of those pixels meet that see a pane, a net, a mirror or a plume: for a static
+/// view found once, as View.
 struct Hops {
     std::vector<std::uint32_t> pixel;  // ascending
     std::vector<std::uint32_t> row;    // (pixel + 1) hops of pixel k: [row[k], row[k + 1])
     std::vector<Hop> hop;              // of a pixel: one before those behind it
-    std::uint64_t rays = 0;            // cast to find them
 
     bool empty() const { return hop.empty(); }
 };

@@ -265,8 +265,7 @@ void HopTables::air_to(float range, float height_km, float* transmittance, float
     std::fill_n(transmittance, n, 0.0f);
     std::fill_n(radiance, n, 0.0f);
     const Stencil across = path_->range_stencil(range);
-    std::array<float, 5> up{}, slope{};
-    path_->height_weights(height_km, up, slope);
+    const std::array<float, 5> up = path_->height_weights(height_km);
     for (std::size_t i = 0; i < across.weight.size(); ++i) {
         for (std::size_t h = 0; h < path_->heights(); ++h) {
             const float weight = across.weight[i] * up[h];

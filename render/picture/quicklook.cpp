@@ -12,7 +12,6 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "materials/base/units.hpp"
 #include "render/picture/bitmap_font.hpp"
 #include "render/picture/palette.hpp"
 
@@ -22,9 +21,6 @@ namespace {
 
 constexpr int colours = 250;
 constexpr std::uint8_t background = 250, ink = 251, no_data = 252;
-/// Top of a scale of radiance at least [W m-2 sr-1]: what starlit ground sends back is about this.
-constexpr double least_light = 1e-6;
-
 /// An 8-bit picture of palette indices to draw on.
 class Canvas {
  public:
@@ -107,13 +103,6 @@ std::string default_title(const Frame& frame, const Plane& plane) {
                        format_instant(frame.instant));
 }
 
-bool is_temperature(const Plane& plane) { return plane.unit == "K"; }
-
-/// In the unit of the colour scale: °C for kelvins.
-double shown(const Plane& plane, float value) {
-    return is_temperature(plane) ? celsius(double{value}) : double{value};
-}
-
 std::uint8_t colour_of(double value, const ColourScale& scale) {
     if (!std::isfinite(value)) return no_data;
     const double t = (value - scale.low) / (scale.high - scale.low);
@@ -152,39 +141,10 @@ std::vector<std::byte> encode_png(const Canvas& canvas, bool temperature) {
 
 }  // namespace
 
-ColourScale colour_scale(const Frame& frame, const std::string& plane) {
-    const Plane* solid = frame.find("temperature");
-    if (!solid) return colour_scale(frame[plane]);
-    Plane seen = frame[plane];
-    for (std::size_t p = 0; p < seen.pixel.size(); ++p) {
-        if (!std::isfinite(solid->pixel[p])) seen.pixel[p] = std::nanf("");
-    }
-    return colour_scale(seen);
-}
-
-ColourScale colour_scale(const Plane& plane) {
-    const bool temperature = is_temperature(plane);
-    std::vector<float> value;
-    for (const float v : plane.pixel) {
-        if (std::isfinite(v) && (v > 0.0f || !temperature)) value.push_back(v);
-    }
-    if (value.empty()) return {0.0, 1.0};
-    const auto percentile = [&](double share) {
-        const auto place = static_cast<std::ptrdiff_t>(share * double(value.size() - 1));
-        std::nth_element(value.begin(), value.begin() + place, value.end());
-        return shown(plane, value[static_cast<std::size_t>(place)]);
-    };
-    if (!temperature) return {0.0, std::max(least_light, percentile(0.99))};
-    const double low = std::floor(percentile(0.01));
-    return {low, std::max(low + 1.0, std::ceil(percentile(0.99)))};
-}
-
 std::string shown_plane(const Band& band) {
     const bool sunlight = 0.5 * (band.from_um() + band.to_um()) < 3.0;
     return (sunlight ? "radiance." : "apparent_temperature.") + band.name;
 }
-
-std::string colour_unit(const Plane& plane) { return is_temperature(plane) ? "°C" : plane.unit; }
 
 void write_quicklook(const std::filesystem::path& path, const Frame& frame,
                      const std::string& plane_name, const QuicklookOptions& options) {
@@ -208,7 +168,8 @@ void write_quicklook(const std::filesystem::path& path, const Frame& frame,
     for (int y = 0; y < frame.height; ++y) {
         for (int x = 0; x < frame.width; ++x) {
             const std::size_t at = std::size_t(y) * std::size_t(frame.width) + std::size_t(x);
-            canvas.set(margin + x, top + y, colour_of(shown(plane, plane.pixel[at]), scale));
+            canvas.set(margin + x, top + y,
+                       colour_of(in_colour_unit(plane, plane.pixel[at]), scale));
         }
     }
     draw_scale(canvas, margin + picture_width + 14, top, std::max(frame.height, 64), scale,
@@ -229,7 +190,7 @@ std::vector<std::byte> encode_thumbnail(const Frame& frame, const std::string& p
                     const float value =
                         plane.pixel[std::size_t(j) * std::size_t(frame.width) + std::size_t(i)];
                     if (!std::isfinite(value)) continue;
-                    sum += shown(plane, value);
+                    sum += in_colour_unit(plane, value);
                     ++count;
                 }
             }

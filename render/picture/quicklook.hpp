@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/radiation/band.hpp"
+#include "render/picture/colour_scale.hpp"
 #include "render/picture/frame.hpp"
 
 namespace diurna {
@@ -25,18 +26,6 @@ std::string shown_plane(const Band& band);
 /// Not finite: dark grey.
 void write_quicklook(const std::filesystem::path& path, const Frame& frame,
                      const std::string& plane, const QuicklookOptions& options = {});
-
-/// Ends of a scale, in `colour_unit` of the plane.
-struct ColourScale {
-    double low, high;
-};
-/// Of temperatures percentiles 1 and 99, widened to whole degrees; of others zero and percentile
-/// 99. A series of pictures that shall share one takes the widest.
-ColourScale colour_scale(const Plane& plane);
-/// The same over the pixels that see a facet, if the frame has the plane `temperature` to tell
-/// them by: a cold sky shall not take up the colours.
-ColourScale colour_scale(const Frame& frame, const std::string& plane);
-std::string colour_unit(const Plane& plane);
 
 /// The bare picture, each side divided by `shrink` (values averaged), as PNG in memory: for
 /// contact sheets.

@@ -4,9 +4,10 @@
 
 #include "materials/radiation/band.hpp"
 #include "render/light/lit_facets.hpp"
-#include "render/light/radiance.hpp"
+#include "render/light/radiance_input.hpp"
 #include "render/picture/frame.hpp"
 #include "render/rays/hops.hpp"
+#include "render/rays/plume.hpp"
 #include "render/view/observer.hpp"
 #include "render/view/view.hpp"
 
@@ -16,10 +17,10 @@ struct FrameOptions {
     bool truth = true;        // temperature, range, facet, object, material, normal
     bool terms = false;       // the terms of the radiance one by one
     double tolerance = 1e-3;  // [K] aimed at by the tables, in apparent temperature
-    int bounces = 2;          // of light between surfaces, 1 or 2 (leaving.hpp)
+    int bounces = 2;          // of light between surfaces, 1 or 2 (radiosity.hpp)
     /// lit_facets(input, view.facet, bands), for a series of frames in which nothing moves.
     const LitFacets* lit = nullptr;
-    /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_shading.hpp).
+    /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_light.hpp).
     const Hops* hops = nullptr;
     std::span<const Plume> plumes{};
 };
@@ -27,11 +28,12 @@ struct FrameOptions {
 /// The picture of an instant in every band: radiance.BAND and apparent_temperature.BAND, truth,
 /// terms (render/picture/frame.hpp). A pixel averages radiance, never temperature.
 ///
-/// What leaves a facet is a short row of numbers: its heat and the light of its surroundings in a
-/// few modes (spectral_basis.hpp), sky view, sunlight. What each of them is worth at the eye is a
-/// table over range and height per material (eye_table.hpp), made at the band's nodes where
-/// surface, air and response belong together. The radiance of a target is their dot product, with
-/// slopes by range and height for the pixels that see it elsewhere than at its middle. The grid is
+/// What leaves a facet is a short row of numbers (eye_row.hpp): its heat and the light that arrives
+/// from its surroundings in a few modes (spectral_basis.hpp), sky view, sunlight. What each of them
+/// is worth at the eye is a table over range and height per material (eye_table.hpp), made at the
+/// band's nodes where surface, air and response belong together. The radiance of a target is their
+/// dot product, with slopes by range and height for the pixels that see it elsewhere than at its
+/// middle. The grid is
 /// refined until the error estimated from its own halving is below `tolerance`.
 ///
 /// Against the node-by-node reference (radiance_at_eye): within 2 mK in 3-5, 8-12 and 8-14 µm and,

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <limits>
 
 #include "materials/base/parallel.hpp"
-#include "render/light/band_channels.hpp"
 
 namespace diurna {
 
@@ -57,32 +55,6 @@ void sum_pixels(const View& view, std::span<const AtEye> eye,
     if (first < planes.size()) {
         sum_columns<1>(view, eye, first, background, azimuth_deg, planes);
     }
-}
-
-std::vector<float> apparent_temperature(const Band& band, const std::vector<float>& radiance) {
-    constexpr std::size_t grain = 16384;
-    std::vector<std::array<float, 2>> ends((radiance.size() + grain - 1) / grain);
-    for_each_block(radiance.size(), grain, [&](std::size_t begin, std::size_t end) {
-        float low = std::numeric_limits<float>::max(), high = 0.0f;
-        for (std::size_t p = begin; p < end; ++p) {
-            const float value = radiance[p];
-            low = value > 0.0f && value < low ? value : low;
-            high = value > high ? value : high;
-        }
-        ends[begin / grain] = {low, high};
-    });
-    float least = std::numeric_limits<float>::max(), most = 0.0f;
-    for (const auto& [low, high] : ends) {
-        least = std::min(least, low);
-        most = std::max(most, high);
-    }
-    const TemperatureScale scale(band, std::min(least, most), most);
-    std::vector<float> temperature(radiance.size());
-    for_each_index(
-        radiance.size(),
-        [&](std::size_t p) { temperature[p] = static_cast<float>(scale(double{radiance[p]})); },
-        grain);
-    return temperature;
 }
 
 }  // namespace diurna

@@ -11,15 +11,12 @@ namespace diurna {
 
 /// Sums of a pixel's sightings, of several bands or terms (columns) at a time.
 ///
-/// eye         (target, column)
-/// background  (column) what is seen where the scene ends; null: nothing azimuth_deg of the optical
-///             axis, counted from the sun's
-/// planes      (column)(pixel), written
+/// - eye: (target, column)
+/// - background: (column) what is seen where the scene ends; null: nothing
+/// - azimuth_deg: of the optical axis, counted from the sun's
+/// - planes: (column)(pixel), written
 void sum_pixels(const View& view, std::span<const AtEye> eye,
                 std::span<const BackgroundTable* const> background, double azimuth_deg,
                 std::span<std::vector<float>> planes);
-
-/// Temperature [K] of the black body of each radiance.
-std::vector<float> apparent_temperature(const Band& band, const std::vector<float>& radiance);
 
 }  // namespace diurna

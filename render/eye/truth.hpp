@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/light/radiance.hpp"
+#include "render/light/radiance_input.hpp"
 #include "render/picture/frame.hpp"
 #include "render/view/view.hpp"
 

@@ -5,40 +5,46 @@
 #include <span>
 #include <vector>
 
-#include "render/light/radiance.hpp"
+#include "materials/radiation/band.hpp"
+#include "render/light/radiance_input.hpp"
 
 namespace diurna {
+
+/// What light that surfaces reflect of each other can come to in a band, from above; with r = the
+/// greatest reflectance × (1 − sky view) of a facet that has sources.
+struct ReflectionBounds {
+    float surrounded = 0.0f;   // the greatest 1 − sky view of a facet seen that has sources
+    std::vector<float> twice;  // (lit) r of a facet × the greatest r of the facets seen that it
+                               // shines on; 0 if on none
+    float thrice = 0.0f;       // bounds what goes on after two bounces
+};
 
 /// The facets a picture depends on (those seen, those that shine on them, and those that shine on
 /// these in turn) and who shines on whom: all that stays the same while nothing moves.
 struct LitFacets {
-    static constexpr std::uint32_t absent = 0xFFFFFFFFu;
-    std::vector<FacetId> facet;         // ascending
-    std::vector<std::uint32_t> target;  // (facet handed in) index above
-    std::vector<std::uint32_t> row;     // (lit + 1) light received: [row[i], row[i + 1])
-    std::vector<std::uint32_t> source;  // index of a lit facet
-    std::vector<float> factor;          // of each source; a row adds up to 1 − sky view
-    std::vector<MaterialId> material;   // (lit)
-    std::vector<float> sky_view;        // (lit)
-    std::vector<std::uint8_t> sends;    // (lit) some row has it as a source
-    std::vector<float> height;          // (lit) −1 to 1 from the lowest to the highest
-    std::array<double, 3> height_km{};  // least, middle, most of them
-    std::vector<bool> material_used;    // (material)
-
-    /// What reflections are worth in a band, from above: with r = greatest reflectance × (1 − sky
-    /// view) of a facet that has sources,
-    struct Worth {
-        float closed = 0.0f;       // the greatest 1 − sky view of a facet seen
-        std::vector<float> twice;  // (lit) r of a facet × the greatest r of the
-                                   // facets seen that it shines on; 0 if on none
-        float thrice = 0.0f;       // bounds what goes on after two bounces
-    };
-    std::vector<Worth> worth;  // (band)
+    std::vector<FacetId> facet;            // ascending
+    std::vector<std::uint32_t> target;     // (facet handed in) index above
+    std::vector<std::uint32_t> row;        // (lit + 1) light that arrives: [row[i], row[i + 1])
+    std::vector<std::uint32_t> source;     // index of a lit facet
+    std::vector<float> factor;             // of each source; a row adds up to 1 − sky view
+    std::vector<MaterialId> material;      // (lit)
+    std::vector<float> sky_view;           // (lit)
+    std::vector<std::uint8_t> is_source;   // (lit) of some row
+    std::vector<float> height;             // (lit) −1 to 1 from the lowest to the highest
+    std::array<double, 3> height_km{};     // least, middle, most of them
+    std::vector<bool> material_used;       // (material)
+    std::vector<ReflectionBounds> bounds;  // (band)
 };
-/// seen   of a view's targets, in their order
-/// bands  that pictures are to be made in
+/// - seen: of a view's targets, in their order
+/// - bands: that pictures are to be made in
 LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
                      std::span<const Band> bands);
+
+/// Weights of the least, middle and greatest height for a height of −1 to 1: a quadratic, as
+/// optical depths fall off exponentially with height.
+inline std::array<float, 3> height_weights(float y) {
+    return {0.5f * y * (y - 1.0f), 1.0f - y * y, 0.5f * y * (y + 1.0f)};
+}
 
 /// Range of the temperatures of the facets lit [K].
 struct TemperatureExtent {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "materials/matter/library.hpp"
@@ -8,7 +7,13 @@
 
 namespace diurna {
 
-/// What a material does to light at the nodes of a band; ε + ρ + τ = 1 at each.
+/// What a material does to light of one wavelength; ε + ρ + τ = 1.
+struct SurfaceOptics {
+    double emissivity, reflectance, transmittance;
+};
+SurfaceOptics optics_at(const Material& material, double wavelength_um);
+
+/// The same at the nodes of a band.
 struct NodeOptics {
     std::vector<double> emissivity, reflectance, transmittance;  // (node)
     /// (node) τ B of the room behind [W m⁻² sr⁻¹ µm⁻¹]; empty where nothing shines through, or
@@ -20,5 +25,9 @@ struct NodeOptics {
 /// (material) of those with `used` set; the rest stays empty.
 std::vector<NodeOptics> node_optics(const Band& band, const MaterialLibrary& materials,
                                     const std::vector<bool>& used);
+
+/// Temperature [K] of what shines through a facet of a transparent material: the air of the room
+/// behind it (Interior), else its own.
+double temperature_behind(const Material& material, double facet_temperature);
 
 }  // namespace diurna

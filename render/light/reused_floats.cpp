@@ -1,4 +1,4 @@
-#include "render/light/reused_memory.hpp"
+#include "render/light/reused_floats.hpp"
 
 #include <sys/mman.h>
 

@@ -4,114 +4,196 @@
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
-#include "render/path/path_table.hpp"
+#include "render/path/background.hpp"
+#include "render/path/direction_angles.hpp"
 
 namespace diurna {
 
-// The way through the air grows like one over the angle above the horizon.
-double BackgroundTable::above(double zenith_deg) const {
-    return std::log(0.5 + std::max(0.0, horizon_ - zenith_deg));
-}
-// The way to a plain behaves like a square root where it becomes visible.
-double BackgroundTable::below(double zenith_deg) const {
-    return std::sqrt(std::max(0.0, zenith_deg - horizon_));
+namespace {
+
+constexpr std::size_t heat_nodes = 24, sunlit_nodes = 28;
+constexpr double azimuth_step_deg = 6.0;
+constexpr HorizonScale::Side sides[] = {HorizonScale::sky, HorizonScale::plain};
+
+/// Azimuth from the sun's, to either side: 0 to 180.
+double azimuth_beside_sun_deg(const Eigen::Vector3d& direction, const Eigen::Vector3d& to_sun) {
+    return std::abs(std::remainder(azimuth_from_sun_deg(direction, to_sun), 360.0));
 }
 
-BackgroundTable::BackgroundTable(const RadianceInput& input, const Band& band, double height_km,
-                                 double least_zenith_deg, double most_zenith_deg)
-    : horizon_(horizon_zenith_deg(input, height_km)) {
-    const auto value = [&](double zenith_deg) {
-        return band_sum_nodes(band, background_at(input, height_km, zenith_deg, band.node_um));
-    };
-    if (least_zenith_deg <= horizon_) {
-        const double end = above(least_zenith_deg);
-        above_low_ = above(most_zenith_deg);
-        above_step_ = std::max(1e-6, (end - above_low_) / double(nodes - 1));
-        sky_.resize(nodes);
+}  // namespace
+
+double HorizonScale::of(Side side, double zenith_deg) const {
+    return side == sky ? std::log(0.5 + std::max(0.0, horizon_deg - zenith_deg))
+                       : std::sqrt(std::max(0.0, zenith_deg - horizon_deg));
+}
+
+double HorizonScale::zenith_deg(Side side, double variable) const {
+    return side == sky ? std::clamp(horizon_deg - (std::exp(variable) - 0.5), 0.0, horizon_deg)
+                       : std::clamp(horizon_deg + std::max(1e-9, variable * variable), 0.0, 180.0);
+}
+
+std::optional<HorizonScale::Nodes> HorizonScale::nodes(Side side, double least_zenith_deg,
+                                                       double most_zenith_deg,
+                                                       std::size_t count) const {
+    const bool up = side == sky;
+    if (up ? least_zenith_deg > horizon_deg : most_zenith_deg <= horizon_deg) return std::nullopt;
+    const double low = of(side, up ? most_zenith_deg : least_zenith_deg);
+    const double high = of(side, up ? least_zenith_deg : most_zenith_deg);
+    return Nodes{low, std::max(1e-6, (high - low) / double(count - 1))};
+}
+
+BackgroundTable::BackgroundTable(const RadianceInput& input, const BandLight& band,
+                                 double height_km, const Extent& extent)
+    : horizon_{horizon_zenith_deg(input, height_km)} {
+    for (const auto side : sides) {
+        const auto nodes =
+            horizon_.nodes(side, extent.least_zenith_deg, extent.most_zenith_deg, heat_nodes);
+        if (!nodes) continue;
+        Part& of = part_[side];
+        of.nodes = *nodes;
+        of.heat.resize(heat_nodes);
         for_each_index(
-            nodes,
+            heat_nodes,
             [&](std::size_t k) {
-                const double t = above_low_ + above_step_ * double(k);
-                sky_[k] = value(std::clamp(horizon_ - (std::exp(t) - 0.5), 0.0, horizon_));
+                const double zenith_deg = horizon_.zenith_deg(side, nodes->at(k));
+                of.heat[k] = band_sum_nodes(
+                    band.band, background_at(input, height_km, zenith_deg, band.band.node_um));
             },
             1);
     }
-    if (most_zenith_deg > horizon_) {
-        const double end = below(most_zenith_deg);
-        below_low_ = below(least_zenith_deg);
-        below_step_ = std::max(1e-6, (end - below_low_) / double(nodes - 1));
-        plain_.resize(nodes);
-        for_each_index(
-            nodes,
-            [&](std::size_t k) {
-                const double t = below_low_ + below_step_ * double(k);
-                plain_[k] = value(std::clamp(horizon_ + std::max(1e-9, t * t), 0.0, 180.0));
-            },
-            1);
-    }
+    if (band.scattered) add_sunlight(input, band, height_km, extent);
 }
 
-void BackgroundTable::add_sunlight(const RadianceInput& input, const Band& band,
-                                   const SunField& scattered, double height_km,
-                                   double least_azimuth_deg, double most_azimuth_deg) {
-    constexpr double step_deg = 6.0;
-    const double span = std::max(1e-3, most_azimuth_deg - least_azimuth_deg);
-    const std::size_t azimuths = static_cast<std::size_t>(std::ceil(span / step_deg)) + 3;
-    azimuth_low_ = least_azimuth_deg;
+void BackgroundTable::add_sunlight(const RadianceInput& input, const BandLight& band,
+                                   double height_km, const Extent& extent) {
+    const double span = std::max(1e-3, extent.most_azimuth_deg - extent.least_azimuth_deg);
+    const std::size_t azimuths = static_cast<std::size_t>(std::ceil(span / azimuth_step_deg)) + 3;
+    azimuth_low_ = extent.least_azimuth_deg;
     azimuth_step_ = span / double(azimuths - 1);
     std::vector<double> azimuth_deg(azimuths);
     for (std::size_t a = 0; a < azimuths; ++a) {
         azimuth_deg[a] = azimuth_low_ + azimuth_step_ * double(a);
     }
-    const auto fill = [&](Sunlit& part, const auto& zenith_deg) {
-        part.radiance.assign(azimuths, std::vector<double>(sunlit_nodes));
+    constexpr double finer = double(heat_nodes - 1) / double(sunlit_nodes - 1);
+    for (const auto side : sides) {
+        Part& of = part_[side];
+        if (of.heat.empty()) continue;
+        of.sunlit_nodes = {of.nodes.low, of.nodes.step * finer};
+        of.sunlight.assign(azimuths, std::vector<double>(sunlit_nodes));
         for_each_index(
             sunlit_nodes,
             [&](std::size_t z) {
                 const auto spectra = scattered_backgrounds_at(
-                    input, scattered, height_km, zenith_deg(part.low + part.step * double(z)),
-                    azimuth_deg);
+                    input, *band.scattered, height_km,
+                    horizon_.zenith_deg(side, of.sunlit_nodes.at(z)), azimuth_deg);
                 for (std::size_t a = 0; a < azimuths; ++a) {
-                    part.radiance[a][z] = band_sum_nodes(band, spectra[a]);
+                    of.sunlight[a][z] = band_sum_nodes(band.band, spectra[a]);
                 }
             },
             1);
-    };
-    constexpr double finer = double(nodes - 1) / double(sunlit_nodes - 1);
-    if (!sky_.empty()) {
-        sunlit_sky_.low = above_low_;
-        sunlit_sky_.step = above_step_ * finer;
-        fill(sunlit_sky_,
-             [&](double t) { return std::clamp(horizon_ - (std::exp(t) - 0.5), 0.0, horizon_); });
-    }
-    if (!plain_.empty()) {
-        sunlit_plain_.low = below_low_;
-        sunlit_plain_.step = below_step_ * finer;
-        fill(sunlit_plain_,
-             [&](double t) { return std::clamp(horizon_ + std::max(1e-9, t * t), 0.0, 180.0); });
     }
 }
 
-double BackgroundTable::sunlit(const Sunlit& part, double place, double azimuth_deg) const {
-    if (part.radiance.empty()) return 0.0;
-    const Stencil s = stencil((azimuth_deg - azimuth_low_) / azimuth_step_, part.radiance.size());
-    double sum = 0.0;
+double BackgroundTable::operator()(double zenith_deg, double azimuth_from_sun) const {
+    const HorizonScale::Side side = horizon_.side_of(zenith_deg);
+    const Part& of = part_[side];
+    const double variable = horizon_.of(side, zenith_deg);
+    const double heat = interpolated(of.heat, of.nodes.place(variable));
+    if (of.sunlight.empty()) return heat;
+    const Stencil s =
+        stencil((azimuth_from_sun - azimuth_low_) / azimuth_step_, of.sunlight.size());
+    double sunlight = 0.0;
     for (std::size_t k = 0; k < 4; ++k) {
-        sum += double(s.weight[k]) *
-               interpolated(part.radiance[s.start + k], (place - part.low) / part.step);
+        sunlight += double(s.weight[k]) *
+                    interpolated(of.sunlight[s.start + k], of.sunlit_nodes.place(variable));
     }
-    return sum;
+    return heat + sunlight;
 }
 
-double BackgroundTable::operator()(double zenith_deg, double azimuth_from_sun_deg) const {
-    if (zenith_deg <= horizon_) {
-        const double place = above(zenith_deg);
-        return interpolated(sky_, (place - above_low_) / above_step_) +
-               sunlit(sunlit_sky_, place, azimuth_from_sun_deg);
+void BackgroundChannels::Extent::include(const Eigen::Vector3d& direction,
+                                         const Eigen::Vector3d& to_sun) {
+    const double zenith = zenith_deg_of(direction);
+    const double azimuth = azimuth_beside_sun_deg(direction, to_sun);
+    least_zenith_deg = std::min(least_zenith_deg, zenith);
+    most_zenith_deg = std::max(most_zenith_deg, zenith);
+    least_azimuth_deg = std::min(least_azimuth_deg, azimuth);
+    most_azimuth_deg = std::max(most_azimuth_deg, azimuth);
+}
+
+BackgroundChannels::BackgroundChannels(const RadianceInput& input, const BandLight& band,
+                                       double height_km, const Extent& extent)
+    : padded_(band.channels.padded()),
+      horizon_{horizon_zenith_deg(input, height_km)},
+      to_sun_(input.to_sun) {
+    // A node to spare on either side where there is one, as a cubic is best in its middle.
+    const auto most = static_cast<std::size_t>(180.0 / azimuth_step_deg);
+    const auto cell = [](double deg) { return static_cast<std::size_t>(deg / azimuth_step_deg); };
+    const std::size_t low = cell(extent.least_azimuth_deg), high = cell(extent.most_azimuth_deg);
+    first_azimuth_ = std::min(low > 0 ? low - 1 : 0, most - 3);
+    azimuths_ = std::max<std::size_t>(std::min(high + 2, most) + 1 - first_azimuth_, 4);
+    for (const auto side : sides) {
+        const auto nodes =
+            horizon_.nodes(side, extent.least_zenith_deg, extent.most_zenith_deg, sunlit_nodes);
+        if (!nodes) continue;
+        part_[side].nodes = *nodes;
+        fill(side, input, band, height_km);
     }
-    const double place = below(zenith_deg);
-    return interpolated(plain_, (place - below_low_) / below_step_) +
-           sunlit(sunlit_plain_, place, azimuth_from_sun_deg);
+}
+
+void BackgroundChannels::fill(HorizonScale::Side side, const RadianceInput& input,
+                              const BandLight& band, double height_km) {
+    Part& of = part_[side];
+    const auto put = [&](const std::vector<double>& spectrum, float* to) {
+        const std::vector<float> sums = channel_sums(band.band, band.channels, spectrum);
+        std::copy(sums.begin(), sums.end(), to);
+    };
+    std::vector<double> azimuth_deg;
+    for (std::size_t a = 0; a < azimuths_; ++a) {
+        azimuth_deg.push_back(azimuth_step_deg * double(first_azimuth_ + a));
+    }
+    of.heat.assign(sunlit_nodes * padded_, 0.0f);
+    if (band.scattered) of.sunlight.assign(azimuths_ * sunlit_nodes * padded_, 0.0f);
+    for_each_index(
+        sunlit_nodes,
+        [&](std::size_t z) {
+            const double zenith_deg = horizon_.zenith_deg(side, of.nodes.at(z));
+            put(background_at(input, height_km, zenith_deg, band.band.node_um),
+                &of.heat[z * padded_]);
+            if (!band.scattered) return;
+            const auto rows = scattered_backgrounds_at(input, *band.scattered, height_km,
+                                                       zenith_deg, azimuth_deg);
+            for (std::size_t a = 0; a < azimuths_; ++a) {
+                put(rows[a], &of.sunlight[(a * sunlit_nodes + z) * padded_]);
+            }
+        },
+        1);
+}
+
+BackgroundChannels::Place BackgroundChannels::place(const Eigen::Vector3d& direction) const {
+    const double zenith_deg = zenith_deg_of(direction);
+    const HorizonScale::Side side = horizon_.side_of(zenith_deg);
+    const double x = part_[side].nodes.place(horizon_.of(side, zenith_deg));
+    const double azimuth =
+        azimuth_beside_sun_deg(direction, to_sun_) / azimuth_step_deg - double(first_azimuth_);
+    return {side, stencil(std::clamp(x, 0.0, double(sunlit_nodes - 1)), sunlit_nodes),
+            stencil(std::clamp(azimuth, 0.0, double(azimuths_ - 1)), azimuths_)};
+}
+
+void BackgroundChannels::at(const Place& place, std::span<float> out) const {
+    const Part& of = part_[place.side];
+    const Stencil& s = place.zenith;
+    std::fill(out.begin(), out.end(), 0.0f);
+    const auto add = [&](const float* row, float weight) {
+        for (std::size_t c = 0; c < padded_; ++c) out[c] += weight * row[c];
+    };
+    for (std::size_t i = 0; i < 4; ++i) add(&of.heat[(s.start + i) * padded_], s.weight[i]);
+    if (of.sunlight.empty()) return;
+    for (std::size_t a = 0; a < 4; ++a) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            add(&of.sunlight[((place.azimuth.start + a) * sunlit_nodes + s.start + i) * padded_],
+                place.azimuth.weight[a] * s.weight[i]);
+        }
+    }
 }
 
 }  // namespace diurna

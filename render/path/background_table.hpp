@@ -1,43 +1,107 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "materials/radiation/band.hpp"
-#include "render/light/radiance.hpp"
+#include "render/light/band_light.hpp"
+#include "render/path/interpolation.hpp"
 
 namespace diurna {
 
-/// Band radiance [W m⁻² sr⁻¹] of the background over zenith angle: sky above the horizon of the
-/// far plain, plain below it (background_at). Nodes crowd towards the horizon; cubic between them,
-/// within 5 mK of apparent temperature (tests/render/tracer_test.cpp). Scattered sunlight on top
-/// over zenith and azimuth, nodes every 6° of azimuth, within 0.1 % of radiance in 0.4-1 µm 20° and
-/// more from the sun, 0.2 % at the horizon (tests/render/tracer_test.cpp).
+/// Zenith angles from one height, on either side of the horizon of the far plain, in variables in
+/// which the background is smooth, so that nodes crowd towards the horizon.
+struct HorizonScale {
+    enum Side : std::size_t { sky, plain };
+    double horizon_deg = 90.0;
+
+    Side side_of(double zenith_deg) const { return zenith_deg <= horizon_deg ? sky : plain; }
+    /// Sky: the way through the air grows like one over the angle above the horizon. Plain: the way
+    /// to it behaves like a square root where it becomes visible.
+    double of(Side side, double zenith_deg) const;
+    double zenith_deg(Side side, double variable) const;
+
+    /// Places on one side, in equal steps of the variable.
+    struct Nodes {
+        double low = 0.0, step = 1.0;
+        double at(std::size_t k) const { return low + step * double(k); }
+        double place(double variable) const { return (variable - low) / step; }
+    };
+    /// `count` nodes for the part of an extent that lies on one side; empty if none does.
+    std::optional<Nodes> nodes(Side side, double least_zenith_deg, double most_zenith_deg,
+                               std::size_t count) const;
+};
+
+/// Band radiance [W m⁻² sr⁻¹] of the background (background.hpp) from one height over zenith angle,
+/// cubic between 24 nodes on each side of the horizon; within 5 mK of apparent temperature
+/// (tests/render/tracer_test.cpp). Scattered sunlight on top over zenith and azimuth, nodes every
+/// 6° of azimuth, within 0.1 % of radiance in 0.4-1 µm 20° and more from the sun, 0.2 % at the
+/// horizon (tests/render/tracer_test.cpp).
 class BackgroundTable {
  public:
-    BackgroundTable(const RadianceInput& input, const Band& band, double height_km,
-                    double least_zenith_deg, double most_zenith_deg);
-    /// Adds sunlight for azimuths [deg] between two, counted from the sun's.
-    void add_sunlight(const RadianceInput& input, const Band& band, const SunField& scattered,
-                      double height_km, double least_azimuth_deg, double most_azimuth_deg);
+    /// Directions to be asked for; azimuths counted from the sun's.
+    struct Extent {
+        double least_zenith_deg, most_zenith_deg;
+        double least_azimuth_deg, most_azimuth_deg;
+    };
+    BackgroundTable(const RadianceInput& input, const BandLight& band, double height_km,
+                    const Extent& extent);
     double operator()(double zenith_deg, double azimuth_from_sun_deg = 0.0) const;
 
  private:
-    static constexpr std::size_t nodes = 24, sunlit_nodes = 28;
-    /// Scattered sunlight above the horizon or below it.
-    struct Sunlit {
-        std::vector<std::vector<double>> radiance;  // (azimuth)(zenith), empty where not needed
-        double low = 0.0, step = 1.0;               // of the variable of zenith angles
+    struct Part {
+        HorizonScale::Nodes nodes, sunlit_nodes;    // of zenith angles
+        std::vector<double> heat;                   // (zenith)
+        std::vector<std::vector<double>> sunlight;  // (azimuth)(zenith), empty where there is none
     };
-    double sunlit(const Sunlit& part, double place, double azimuth_deg) const;
-    double above(double zenith_deg) const;  // the variable in which nodes are uniform
-    double below(double zenith_deg) const;
+    void add_sunlight(const RadianceInput& input, const BandLight& band, double height_km,
+                      const Extent& extent);
 
-    double horizon_ = 90.0;
-    double above_low_ = 0.0, above_step_ = 0.0, below_low_ = 0.0, below_step_ = 0.0;
-    std::vector<double> sky_, plain_;  // empty where not needed
-    Sunlit sunlit_sky_, sunlit_plain_;
+    HorizonScale horizon_;
+    std::array<Part, 2> part_;  // (side) empty where not needed
     double azimuth_low_ = 0.0, azimuth_step_ = 1.0;
+};
+
+/// The same in the channels of a band, as it is seen through panes, nets, plumes and in mirrors:
+/// 28 nodes on each side; sunlight over azimuths to either side of the sun's, every 6°.
+class BackgroundChannels {
+ public:
+    /// Directions to be asked for.
+    struct Extent {
+        double least_zenith_deg = 1e9, most_zenith_deg = -1e9;
+        double least_azimuth_deg = 1e9, most_azimuth_deg = -1e9;
+        bool any() const { return least_zenith_deg <= most_zenith_deg; }
+        void include(const Eigen::Vector3d& direction, const Eigen::Vector3d& to_sun);
+    };
+    BackgroundChannels(const RadianceInput& input, const BandLight& band, double height_km,
+                       const Extent& extent);
+
+    /// Where in the table a unit vector lies: the same for every band of one height and extent.
+    struct Place {
+        HorizonScale::Side side;
+        Stencil zenith, azimuth;
+    };
+    Place place(const Eigen::Vector3d& direction) const;
+    /// Channel sums [W m⁻² sr⁻¹] there.
+    void at(const Place& place, std::span<float> out) const;
+
+ private:
+    struct Part {
+        HorizonScale::Nodes nodes;    // of zenith angles
+        std::vector<float> heat;      // (zenith, channel); empty where not needed
+        std::vector<float> sunlight;  // (azimuth, zenith, channel)
+    };
+    void fill(HorizonScale::Side side, const RadianceInput& input, const BandLight& band,
+              double height_km);
+
+    std::size_t padded_ = 0;
+    std::size_t azimuths_ = 4, first_azimuth_ = 0;  // of those every 6° from the sun's
+    HorizonScale horizon_;
+    Eigen::Vector3d to_sun_;
+    std::array<Part, 2> part_;  // (side)
 };
 
 }  // namespace diurna

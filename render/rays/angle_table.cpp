@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "materials/base/parallel.hpp"
 #include "materials/matter/directional_optics.hpp"
@@ -23,80 +24,80 @@ bool is_grey(const Glossy& finish) {
 
 }  // namespace
 
-Lanes lanes_of(std::span<const Channels> channels) {
-    Lanes lanes{{0}};
-    for (const Channels& c : channels) lanes.first.push_back(lanes.first.back() + c.padded());
-    return lanes;
-}
-
-double AngleTable::cosine_at(std::size_t node) {
-    const double u = double(node) / double(nodes - 1);
-    return u * u;
-}
-
-AngleTable::AngleTable(const Material& material, std::span<const Band> bands,
-                       std::span<const Channels> channels, const Lanes& lanes, double temperature)
+AngleTable::AngleTable(const Material& material, std::span<const BandLight> bands,
+                       const ChannelLanes& lanes, double temperature)
     : lanes_(lanes.size()) {
     values_.assign(nodes * parts * lanes_, 0.0f);
     hemisphere_.assign(lanes_, 0.0f);
     const auto* glossy = std::get_if<Glossy>(&material.finish);
     if (glossy) roughness_ = glossy->roughness;
     // A rough interface costs a thousand evaluations an angle: once for all bands where it can.
-    std::vector<double> known;
-    double known_normal = 0.0;
-    if (glossy && is_grey(*glossy)) {
-        known.resize(nodes);
-        for_each_index(
-            nodes,
-            [&](std::size_t k) {
-                known[k] = interface_reflectance(material.finish, 10.0, cosine_at(k));
-            },
-            8);
-        known_normal = interface_reflectance(material.finish, 10.0, laboratory_cosine);
-    }
-    const auto fill = [&](const Band& band, std::span<const double> shape, std::size_t begin,
-                          std::size_t end, std::size_t lane) {
-        double total = 0.0;
-        for (std::size_t n = begin; n < end; ++n) total += shape[n];
-        // An index of refraction is one number in a channel.
-        const double middle = band.node_um[(begin + end) / 2];
-        const auto interface = [&](double cosine) {
-            return interface_reflectance(material.finish, middle, cosine);
-        };
-        const double normal = known.empty() ? interface(laboratory_cosine) : known_normal;
-        for (std::size_t k = 0; k < nodes; ++k) {
-            const double here = known.empty() ? interface(cosine_at(k)) : known[k];
-            float* at = &values_[k * parts * lanes_ + lane];
-            for (std::size_t n = begin; n < end; ++n) {
-                const double share = shape[n] / total;
-                const DirectionalOptics o =
-                    directional_optics(material, band.node_um[n], cosine_at(k), here, normal);
-                at[0] += static_cast<float>(share * o.mirrored);
-                at[lanes_] += static_cast<float>(share * o.diffuse);
-                at[2 * lanes_] += static_cast<float>(share * o.transmittance);
-            }
-        }
-        // With cosθ = u², nodes equal in u: ∫ f 4 u³ du.
-        for (std::size_t k = 0; k < nodes; ++k) {
-            const double u = double(k) / double(nodes - 1);
-            const double ends = k == 0 || k + 1 == nodes ? 0.5 : 1.0;
-            hemisphere_[lane] += static_cast<float>(ends * 4.0 * u * u * u / double(nodes - 1)) *
-                                 values_[(k * parts + 1) * lanes_ + lane];
-        }
-    };
+    std::optional<Interface> grey;
+    if (glossy && is_grey(*glossy)) grey = interface_of(material, 10.0);
     for (std::size_t b = 0; b < bands.size(); ++b) {
-        const Band& band = bands[b];
+        const Band& band = bands[b].band;
+        const Channels& channels = bands[b].channels;
         std::vector<double> shape(band.node_um.size());
         for (std::size_t n = 0; n < shape.size(); ++n) {
             shape[n] = band.weight[n] * planck(band.node_um[n], temperature) + 1e-300;
         }
         for_each_index(
-            channels[b].size(),
+            channels.size(),
             [&](std::size_t c) {
-                fill(band, shape, channels[b].first[c], channels[b].first[c + 1],
-                     lanes.first[b] + c);
+                // An index of refraction is one number in a channel.
+                const double middle = band.node_um[(channels.first[c] + channels.first[c + 1]) / 2];
+                const std::size_t lane = lanes.first[b] + c;
+                fill(material, bands[b], shape, c, lane,
+                     grey ? *grey : interface_of(material, middle));
+                average(lane);
             },
             1);
+    }
+}
+
+AngleTable::Interface AngleTable::interface_of(const Material& material, double wavelength_um) {
+    Interface interface {
+        std::vector<double>(nodes),
+            interface_reflectance(material.finish, wavelength_um, laboratory_cosine)
+    };
+    for_each_index(
+        nodes,
+        [&](std::size_t k) {
+            interface.at_node[k] =
+                interface_reflectance(material.finish, wavelength_um, cosine_at(k));
+        },
+        8);
+    return interface;
+}
+
+/// - shape: (node) weight of the band's nodes
+void AngleTable::fill(const Material& material, const BandLight& band,
+                      std::span<const double> shape, std::size_t channel, std::size_t lane,
+                      const Interface& interface) {
+    const std::size_t begin = band.channels.first[channel], end = band.channels.first[channel + 1];
+    double total = 0.0;
+    for (std::size_t n = begin; n < end; ++n) total += shape[n];
+    for (std::size_t k = 0; k < nodes; ++k) {
+        float* at = &values_[k * parts * lanes_ + lane];
+        for (std::size_t n = begin; n < end; ++n) {
+            const double share = shape[n] / total;
+            const DirectionalOptics o =
+                directional_optics(material, band.band.node_um[n], cosine_at(k),
+                                   interface.at_node[k], interface.normal);
+            at[0] += static_cast<float>(share * o.mirrored);
+            at[lanes_] += static_cast<float>(share * o.diffuse);
+            at[2 * lanes_] += static_cast<float>(share * o.transmittance);
+        }
+    }
+}
+
+/// With cosθ = u², nodes equal in u: ∫ f 4 u³ du.
+void AngleTable::average(std::size_t lane) {
+    for (std::size_t k = 0; k < nodes; ++k) {
+        const double u = root_at(k);
+        const double ends = k == 0 || k + 1 == nodes ? 0.5 : 1.0;
+        hemisphere_[lane] += static_cast<float>(ends * 4.0 * u * u * u / double(nodes - 1)) *
+                             values_[(k * parts + 1) * lanes_ + lane];
     }
 }
 

@@ -5,18 +5,9 @@
 #include <vector>
 
 #include "materials/matter/material.hpp"
-#include "materials/radiation/band.hpp"
-#include "render/light/band_channels.hpp"
+#include "render/rays/channel_lanes.hpp"
 
 namespace diurna {
-
-/// The channels of several bands side by side: those of band b are lanes [first[b], first[b + 1]),
-/// zeros to spare included.
-struct Lanes {
-    std::vector<std::size_t> first;  // (band + 1)
-    std::size_t size() const { return first.back(); }
-};
-Lanes lanes_of(std::span<const Channels> channels);
 
 /// Optics of one material in lanes over the cosine of the angle to the normal: mirrored, diffuse
 /// and transmitted share, weighted inside a channel by a black body. Linear between 128 nodes that
@@ -24,9 +15,9 @@ Lanes lanes_of(std::span<const Channels> channels);
 class AngleTable {
  public:
     AngleTable() = default;
-    /// temperature  [K] of that black body
-    AngleTable(const Material& material, std::span<const Band> bands,
-               std::span<const Channels> channels, const Lanes& lanes, double temperature);
+    /// - temperature: [K] of that black body
+    AngleTable(const Material& material, std::span<const BandLight> bands,
+               const ChannelLanes& lanes, double temperature);
 
     struct Place {
         const float *low, *high;
@@ -44,7 +35,18 @@ class AngleTable {
 
  private:
     static constexpr std::size_t nodes = 128, parts = 3;
-    static double cosine_at(std::size_t node);
+    /// Reflectance of the material's interface at the nodes and at the laboratory's angle.
+    struct Interface {
+        std::vector<double> at_node;
+        double normal = 0.0;
+    };
+    static double root_at(std::size_t node) { return double(node) / double(nodes - 1); }
+    static double cosine_at(std::size_t node) { return root_at(node) * root_at(node); }
+    static Interface interface_of(const Material& material, double wavelength_um);
+    void fill(const Material& material, const BandLight& band, std::span<const double> shape,
+              std::size_t channel, std::size_t lane, const Interface& interface);
+    void average(std::size_t lane);
+
     std::size_t lanes_ = 0;
     double roughness_ = -1.0;
     std::vector<float> values_;  // (node, part, lane)

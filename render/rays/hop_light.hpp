@@ -1,13 +1,13 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "materials/radiation/band.hpp"
-#include "render/light/radiance.hpp"
+#include "render/light/radiance_input.hpp"
 #include "render/rays/hops.hpp"
+#include "render/rays/plume.hpp"
 
 namespace diurna {
 
@@ -18,18 +18,17 @@ namespace diurna {
 /// F is the product of what the hops before let through (or mirror), J what the hop itself sends:
 /// a plume (1 − exp(−k s)) B(T); a facet the terms of radiance.hpp at the angle it is seen at
 /// (materials/matter/directional_optics.hpp), its mirrored and transmitted light being that of the
-/// hops behind it; the sky its radiance in that direction. Everything in channels (band_table.hpp),
-/// as inside one bin of the atmosphere transmittance is one number, and for all bands at a time
-/// (hop_tables.hpp). Within 5 mK of the sum over nodes, hop_radiance()
+/// hops behind it; the sky its radiance in that direction. Everything in channels
+/// (band_channels.hpp), as inside one bin of the atmosphere transmittance is one number, and for
+/// all bands at a time (hop_tables.hpp). Within 5 mK of the sum over nodes, hop_radiance()
 /// (tests/render/hops_test.cpp).
 ///
 /// By terms: a facet's own count as what they are; behind a pane, a net or a plume everything is
 /// `behind`; in a mirror the sky is `sky`, all else `surroundings`. They add up to the whole.
 class HopLight {
  public:
-    HopLight(const Hops& hops, std::span<const Plume> plumes, double observer_height,
-             std::span<const Band> bands, const RadianceInput& input, int bounces = 2,
-             double tolerance = 1e-3);
+    HopLight(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
+             const RadianceInput& input, int bounces = 2, double tolerance = 1e-3);
     ~HopLight();
 
     /// Adds to the pixels of the hops: planes (band, term), or (band) for the sum of the terms.

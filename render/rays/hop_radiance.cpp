@@ -1,24 +1,19 @@
-#include "render/rays/reference.hpp"
+#include "render/rays/hop_radiance.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
+#include <vector>
 
-#include "materials/base/units.hpp"
-#include "materials/matter/directional_optics.hpp"
-#include "materials/matter/microfacet.hpp"
 #include "materials/radiation/planck.hpp"
-#include "terrain/place/site.hpp"
+#include "render/light/node_optics.hpp"
+#include "render/path/background.hpp"
+#include "render/path/direction_angles.hpp"
+#include "render/rays/sun_glint.hpp"
 
 namespace diurna {
 
 namespace {
-
-double zenith_deg(const Eigen::Vector3d& direction) {
-    return degrees(std::acos(std::clamp(direction.z(), -1.0, 1.0)));
-}
 
 /// directional_optics() of the nodes; an index of refraction that does not change with wavelength
 /// is evaluated once.
@@ -54,156 +49,186 @@ std::vector<double> mean_diffuse(const Material& material, const Band& band) {
     return mean;
 }
 
-/// What a facet sends along the ray that arrives, but for what it mirrors and lets through.
-std::vector<double> open_facet(const Hop& hop, const Material& material, const Band& band,
-                               const RadianceInput& input, const SunField* scattered) {
-    const FacetId facet{hop.what};
-    const std::size_t f = hop.what;
-    const auto terms = leaving_radiance(input, facet, band.node_um, 2, scattered);
-    const Light light = light_at(
-        input,
-        input.ground_height_km + 1e-3 * level_height(input.facets.centroid[f].cast<double>()),
-        band.node_um, scattered);
-    const Eigen::Vector3d normal = input.facets.normal[f].cast<double>();
-    const Eigen::Vector3d eye = -hop.direction.cast<double>();
-    const double sunlight = sunlight_on(input, facet), sun_cosine = normal.dot(input.to_sun);
-    std::vector<double> sent(band.node_um.size());
-    const auto seen = optics_of(material, band, double{hop.cosine});
-    std::vector<DirectionalOptics> lit, half_way;
-    std::vector<double> mean;
-    if (sunlight > 0.0) {
-        lit = optics_of(material, band, sun_cosine);
-        half_way = optics_of(material, band, (eye + input.to_sun).normalized().dot(eye));
-        mean = mean_diffuse(material, band);
+/// One pixel's hops, one after the other.
+class NodeSum {
+ public:
+    NodeSum(const Hops& hops, std::size_t pixel, std::span<const Plume> plumes, const Band& band,
+            const RadianceInput& input, const SunField* scattered)
+        : list_(hops.of(pixel)),
+          plumes_(plumes),
+          band_(band),
+          input_(input),
+          scattered_(scattered),
+          eye_km_(input.above_sea_km(hops.observer_height)) {}
+
+    double sum() {
+        double sum = 0.0;
+        for (const Hop& hop : list_) {
+            passed_.push_back(past(hop));
+            std::vector<double> light =
+                hop.kind == Hop::Kind::sky ? background(hop) : air_and_own(hop);
+            for (std::size_t n = 0; n < light.size(); ++n) {
+                sum += double{hop.weight} * band_.weight[n] * passed_.back()[n] * light[n];
+            }
+        }
+        return sum;
     }
-    for (std::size_t n = 0; n < sent.size(); ++n) {
-        const double um = band.node_um[n], reflectance = material.reflectance.at(um);
-        const DirectionalOptics& optics = seen[n];
-        sent[n] = optics.emissivity * planck(um, input.temperature[f]);
-        if (reflectance > 0.0) {
-            sent[n] +=
-                optics.diffuse / reflectance *
-                (terms[std::size_t(Term::sky)][n] + terms[std::size_t(Term::surroundings)][n]);
-        }
-        if (!material.see_through) {
-            sent[n] += optics.transmittance *
-                       planck(um, temperature_behind(material, input.temperature[f]));
-        }
-        if (!(sunlight > 0.0)) continue;
-        if (mean[n] > 0.0) {
-            sent[n] += optics.diffuse * lit[n].diffuse / mean[n] * sunlight * light.sun[n];
-        }
-        const auto* glossy = std::get_if<Glossy>(&material.finish);
-        if (glossy == nullptr || normal.dot(eye) <= 0.0) continue;
-        const Microfacets surface{.roughness =
-                                      std::hypot(glossy->roughness, 0.5 * radians(0.2666))};
-        const Eigen::Vector3d half = (eye + input.to_sun).normalized();
-        const double eye_cosine = std::max(1e-3, double{hop.cosine});
-        const double lobe = surface.lobe(half.dot(normal), eye_cosine, sun_cosine);
-        sent[n] += half_way[n].mirrored * lobe * std::numbers::pi * sunlight * light.sun[n];
+
+ private:
+    std::size_t nodes() const { return band_.node_um.size(); }
+    const Material& material(const Hop& hop) const {
+        return input_.materials[input_.facets.material[hop.what]];
     }
-    return sent;
-}
+    /// Of the hop before; null: there is none.
+    const PathSpectrum* air_before(const Hop& hop) const {
+        return hop.before < 0 ? nullptr : &air_[static_cast<std::size_t>(hop.before)];
+    }
+
+    /// What light is left of, past the hops before.
+    std::vector<double> past(const Hop& hop) const {
+        std::vector<double> passed(nodes(), 1.0);
+        if (hop.before < 0) return passed;
+        const auto j = static_cast<std::size_t>(hop.before);
+        const Hop& before = list_[j];
+        if (before.kind == Hop::Kind::plume) {
+            for (std::size_t n = 0; n < nodes(); ++n) {
+                const double k = plumes_[before.what].absorption_at(band_.node_um[n]);
+                passed[n] = passed_[j][n] * std::exp(-k * double{before.chord});
+            }
+            return passed;
+        }
+        const auto optics = optics_of(material(before), band_, double{before.cosine});
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            passed[n] = passed_[j][n] * (hop.way == Hop::Way::mirrored ? optics[n].mirrored
+                                                                       : optics[n].transmittance);
+        }
+        return passed;
+    }
+
+    std::vector<double> background(const Hop& hop) {
+        const PathSpectrum* before = air_before(hop);
+        const Eigen::Vector3d to = hop.direction.cast<double>();
+        const double from_km = hop.straight ? eye_km_ : input_.above_sea_km(double{hop.height});
+        std::vector<double> light =
+            background_at(input_, from_km, zenith_deg_of(to), band_.node_um);
+        if (scattered_ != nullptr) {
+            const double azimuth_deg = azimuth_from_sun_deg(to, input_.to_sun);
+            const auto sunlit = scattered_backgrounds_at(input_, *scattered_, from_km,
+                                                         zenith_deg_of(to), {&azimuth_deg, 1});
+            for (std::size_t n = 0; n < nodes(); ++n) light[n] += sunlit[0][n];
+        }
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            if (!hop.straight) {
+                light[n] *= before->transmittance[n];
+            } else if (before) {
+                light[n] -= before->radiance[n];
+            }
+        }
+        air_.emplace_back();
+        return light;
+    }
+
+    std::vector<double> air_and_own(const Hop& hop) {
+        const SightLine line =
+            chord(eye_km_, input_.above_sea_km(double{hop.height}), 1e-3 * double{hop.range});
+        PathSpectrum path = path_at_nodes(input_.atmosphere, line, band_.node_um);
+        if (scattered_ != nullptr && hop.straight) {
+            const Eigen::Vector3d to = hop.direction.cast<double>();
+            const auto sunlit =
+                scattered_->path(line, zenith_deg_of(to), azimuth_from_sun_deg(to, input_.to_sun));
+            for (std::size_t n = 0; n < nodes(); ++n) path.radiance[n] += sunlit[n];
+        }
+        const PathSpectrum* before = air_before(hop);
+        std::vector<double> light = own(hop);
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            light[n] = path.transmittance[n] * light[n] + path.radiance[n] -
+                       (before ? before->radiance[n] : 0.0);
+        }
+        air_.push_back(std::move(path));
+        return light;
+    }
+
+    /// What the hop sends along the ray that arrives, but for what it mirrors and lets through.
+    std::vector<double> own(const Hop& hop) const {
+        std::vector<double> sent(nodes(), 0.0);
+        if (hop.kind == Hop::Kind::plume) {
+            const Plume& plume = plumes_[hop.what];
+            for (std::size_t n = 0; n < nodes(); ++n) {
+                const double depth = plume.absorption_at(band_.node_um[n]) * double{hop.chord};
+                sent[n] = -std::expm1(-depth) * planck(band_.node_um[n], plume.temperature);
+            }
+            return sent;
+        }
+        const NodeTerms terms =
+            radiosity_terms(input_, FacetId{hop.what}, band_.node_um, 2, scattered_);
+        if (!hop.closed && material(hop).needs_rays()) return directional(hop, terms);
+        for (const auto& term : terms) {
+            for (std::size_t n = 0; n < nodes(); ++n) sent[n] += term[n];
+        }
+        return sent;
+    }
+
+    std::vector<double> directional(const Hop& hop, const NodeTerms& terms) const {
+        const Material& of = material(hop);
+        const double temperature = input_.temperature[hop.what];
+        const auto seen = optics_of(of, band_, double{hop.cosine});
+        std::vector<double> sent(nodes());
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            const double um = band_.node_um[n], reflectance = of.reflectance.at(um);
+            sent[n] = seen[n].emissivity * planck(um, temperature);
+            if (reflectance > 0.0) {
+                sent[n] +=
+                    seen[n].diffuse / reflectance *
+                    (terms[std::size_t(Term::sky)][n] + terms[std::size_t(Term::surroundings)][n]);
+            }
+            if (!of.see_through) {
+                sent[n] += seen[n].transmittance * planck(um, temperature_behind(of, temperature));
+            }
+        }
+        add_sunlight(hop, seen, sent);
+        return sent;
+    }
+
+    void add_sunlight(const Hop& hop, std::span<const DirectionalOptics> seen,
+                      std::vector<double>& sent) const {
+        const FacetId facet{hop.what};
+        const double sunlight = sunlight_on(input_, facet);
+        if (!(sunlight > 0.0)) return;
+        const Material& of = material(hop);
+        const Eigen::Vector3d normal = input_.facets.normal[hop.what].cast<double>();
+        const Eigen::Vector3d eye = -hop.direction.cast<double>();
+        const std::vector<double> sun =
+            incident_light(input_, input_.height_km(facet), band_.node_um, scattered_).sun;
+        const auto lit = optics_of(of, band_, normal.dot(input_.to_sun));
+        const auto half_way = optics_of(of, band_, (eye + input_.to_sun).normalized().dot(eye));
+        const std::vector<double> mean = mean_diffuse(of, band_);
+        const auto* glossy = std::get_if<Glossy>(&of.finish);
+        const double glint =
+            glossy ? sun_glint(glossy->roughness, normal, eye, input_.to_sun, double{hop.cosine})
+                   : 0.0;
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            if (mean[n] > 0.0) {
+                sent[n] += seen[n].diffuse * lit[n].diffuse / mean[n] * sunlight * sun[n];
+            }
+            sent[n] += half_way[n].mirrored * glint * sunlight * sun[n];
+        }
+    }
+
+    std::span<const Hop> list_;
+    std::span<const Plume> plumes_;
+    const Band& band_;
+    const RadianceInput& input_;
+    const SunField* scattered_;
+    double eye_km_;
+    std::vector<std::vector<double>> passed_;  // (hop)(node)
+    std::vector<PathSpectrum> air_;            // (hop) before it
+};
 
 }  // namespace
 
 double hop_radiance(const Hops& hops, std::size_t pixel, std::span<const Plume> plumes,
-                    double observer_height, const Band& band, const RadianceInput& input,
-                    const SunField* scattered) {
-    const std::span<const Hop> list(&hops.hop[hops.row[pixel]],
-                                    hops.row[pixel + 1] - hops.row[pixel]);
-    const std::size_t nodes = band.node_um.size();
-    const double eye_km = input.ground_height_km + 1e-3 * observer_height;
-    std::vector<std::vector<double>> filter;
-    std::vector<PathSpectrum> air;
-    double sum = 0.0;
-    for (const Hop& hop : list) {
-        std::vector<double> past(nodes, 1.0);
-        const PathSpectrum* from = nullptr;
-        if (hop.before >= 0) {
-            const auto j = static_cast<std::size_t>(hop.before);
-            const Hop& before = list[j];
-            from = &air[j];
-            if (before.kind == Hop::Kind::plume) {
-                for (std::size_t n = 0; n < nodes; ++n) {
-                    past[n] = filter[j][n] *
-                              std::exp(-plumes[before.what].absorption_at(band.node_um[n]) *
-                                       double{before.chord});
-                }
-            } else {
-                const auto optics = optics_of(input.materials[input.facets.material[before.what]],
-                                              band, double{before.cosine});
-                for (std::size_t n = 0; n < nodes; ++n) {
-                    past[n] =
-                        filter[j][n] * (hop.way == Hop::Way::mirrored ? optics[n].mirrored
-                                                                      : optics[n].transmittance);
-                }
-            }
-        }
-        std::vector<double> light(nodes, 0.0);
-        const double height_km = input.ground_height_km + 1e-3 * double{hop.height};
-        PathSpectrum path;
-        if (hop.kind == Hop::Kind::sky) {
-            const Eigen::Vector3d to = hop.direction.cast<double>();
-            const double from_km = hop.straight ? eye_km : height_km;
-            light = background_at(input, from_km, zenith_deg(to), band.node_um);
-            if (scattered) {
-                const double azimuth = degrees(std::atan2(to.x(), to.y())) -
-                                       degrees(std::atan2(input.to_sun.x(), input.to_sun.y()));
-                const auto sunlit =
-                    scattered_background_at(input, *scattered, from_km, zenith_deg(to), azimuth);
-                for (std::size_t n = 0; n < nodes; ++n) light[n] += sunlit[n];
-            }
-            for (std::size_t n = 0; n < nodes; ++n) {
-                if (!hop.straight) {
-                    light[n] *= from->transmittance[n];
-                } else if (from) {
-                    light[n] -= from->radiance[n];
-                }
-            }
-        } else {
-            path = path_at_nodes(input.atmosphere,
-                                 chord(eye_km, height_km, 1e-3 * double{hop.range}), band.node_um);
-            if (scattered && hop.straight) {
-                const Eigen::Vector3d to = hop.direction.cast<double>();
-                const double azimuth = degrees(std::atan2(to.x(), to.y())) -
-                                       degrees(std::atan2(input.to_sun.x(), input.to_sun.y()));
-                const auto haze = scattered->path(
-                    chord(eye_km, height_km, 1e-3 * double{hop.range}), zenith_deg(to), azimuth);
-                for (std::size_t n = 0; n < nodes; ++n) path.radiance[n] += haze[n];
-            }
-            std::vector<double> sent(nodes, 0.0);
-            if (hop.kind == Hop::Kind::plume) {
-                const Plume& plume = plumes[hop.what];
-                for (std::size_t n = 0; n < nodes; ++n) {
-                    sent[n] =
-                        -std::expm1(-plume.absorption_at(band.node_um[n]) * double{hop.chord}) *
-                        planck(band.node_um[n], plume.temperature);
-                }
-            } else {
-                const Material& material = input.materials[input.facets.material[hop.what]];
-                if (hop.closed || !material.needs_rays()) {
-                    const auto terms =
-                        leaving_radiance(input, FacetId{hop.what}, band.node_um, 2, scattered);
-                    for (const auto& term : terms) {
-                        for (std::size_t n = 0; n < nodes; ++n) sent[n] += term[n];
-                    }
-                } else {
-                    sent = open_facet(hop, material, band, input, scattered);
-                }
-            }
-            for (std::size_t n = 0; n < nodes; ++n) {
-                light[n] = path.transmittance[n] * sent[n] + path.radiance[n] -
-                           (from ? from->radiance[n] : 0.0);
-            }
-        }
-        for (std::size_t n = 0; n < nodes; ++n) {
-            sum += double{hop.weight} * band.weight[n] * past[n] * light[n];
-        }
-        filter.push_back(std::move(past));
-        air.push_back(std::move(path));
-    }
-    return sum;
+                    const Band& band, const RadianceInput& input, const SunField* scattered) {
+    return NodeSum(hops, pixel, plumes, band, input, scattered).sum();
 }
 
 }  // namespace diurna

@@ -5,12 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "materials/matter/library.hpp"
-#include "render/rays/plume.hpp"
-#include "render/view/observer.hpp"
-#include "render/view/view.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
 
@@ -39,20 +34,13 @@ struct Hops {
     std::vector<std::uint32_t> pixel;  // ascending
     std::vector<std::uint32_t> row;    // (pixel + 1) hops of pixel k: [row[k], row[k + 1])
     std::vector<Hop> hop;              // of a pixel: one before those behind it
+    double observer_height = 0.0;      // [m] above the origin's level surface
 
     bool empty() const { return hop.empty(); }
+    std::span<const Hop> of(std::size_t k) const {
+        return std::span(hop).subspan(row[k], row[k + 1] - row[k]);
+    }
 };
-
-/// Follows the rays of every pixel of `view` that sees a material that needs_rays() or comes near
-/// a plume, `samples` a pixel, and takes these pixels' sightings out of `view`:
-/// what they see is in the hops instead. Empty, and nothing cast, where there is no such pixel.
-///
-/// Behind panes and nets a ray goes on, up to 8 times. A mirror sends one ray a sample into its
-/// lobe (the best of four of the visible microfacets, picked by weight), twice at most. What is
-/// met after that is closed: it mirrors as if diffuse and shows its own temperature.
-Hops follow_rays(View& view, const RayScene& scene, const FacetSet& facets,
-                 const MaterialLibrary& materials, const PlumeScene& plumes,
-                 const Observer& observer, const ViewOptions& options = {});
 
 /// Every facet in the hops, ascending, each once.
 std::vector<FacetId> facets_of(const Hops& hops);

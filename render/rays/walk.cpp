@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/matter/microfacet.hpp"
+#include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
 
 namespace diurna {
@@ -55,111 +56,130 @@ Eigen::Vector3d mirrored(const Eigen::Vector3d& direction, const Eigen::Vector3d
     return (out.x() * x + out.y() * y + out.z() * normal).normalized();
 }
 
-/// Follows one ray to its ends.
-void follow(const HopScene& place, Walker walker, float weight, RandomStream& chance,
-            std::vector<Hop>& out) {
-    const auto add = [&](Hop hop, double along) {
+/// A walk from the eye to all its ends.
+class Walk {
+ public:
+    Walk(const HopScene& scene, float weight, RandomStream& chance, std::vector<Hop>& out)
+        : scene_(scene), weight_(weight), chance_(chance), out_(out) {}
+
+    void follow(Walker walker) {
+        for (;;) {
+            const Ray ray{.origin = walker.origin.cast<float>(),
+                          .near = static_cast<float>(walker.near),
+                          .direction = walker.direction.cast<float>()};
+            Hit hit;
+            scene_.scene.closest({&ray, 1}, {&hit, 1});
+            const double far = hit.facet == no_facet ? 1e30 : double{hit.range};
+            add_plumes(walker, far);
+            if (hit.facet == no_facet) {
+                add(walker, {.kind = Hop::Kind::sky}, 0.0);
+                return;
+            }
+            const Blend blend = blend_at(walker, hit.facet, far);
+            if (ends_on_both(blend)) {
+                add_both(walker, blend, far);
+                return;
+            }
+            if (!add_facet(walker, one_of(blend), far)) return;
+        }
+    }
+
+ private:
+    /// `along` [m] from where the walker stands.
+    void add(Walker& walker, Hop hop, double along) {
         hop.way = walker.way;
         hop.straight = walker.straight;
         hop.before = walker.before;
-        hop.weight = weight;
+        hop.weight = weight_;
         hop.range = static_cast<float>(walker.walked + along);
         hop.height = static_cast<float>(level_height(walker.origin + along * walker.direction));
         hop.direction = walker.direction.cast<float>();
-        out.push_back(hop);
-        walker.before = static_cast<std::int32_t>(out.size()) - 1;
+        out_.push_back(hop);
+        walker.before = static_cast<std::int32_t>(out_.size()) - 1;
         walker.way = Hop::Way::through;
-    };
-    const auto end_twice = [&](const Blend& blend, double far) {
-        Hop hop{.kind = Hop::Kind::facet};
-        hop.cosine = static_cast<float>(
-            std::abs(place.facets.normal[index(blend.first)].cast<double>().dot(walker.direction)));
-        const std::int32_t before = walker.before;
-        const Hop::Way way = walker.way;
-        for (const bool second : {false, true}) {
-            hop.what = static_cast<std::uint32_t>(index(second ? blend.second : blend.first));
-            walker.before = before;
-            walker.way = way;
-            add(hop, far);
-            out.back().weight *= second ? blend.second_share : 1.0f - blend.second_share;
-        }
-    };
-    for (;;) {
-        const Ray ray{.origin = walker.origin.cast<float>(),
-                      .near = static_cast<float>(walker.near),
-                      .direction = walker.direction.cast<float>()};
-        Hit hit;
-        place.scene.closest({&ray, 1}, {&hit, 1});
-        const double far = hit.facet == no_facet ? 1e30 : double{hit.range};
+    }
+
+    void add_plumes(Walker& walker, double far) {
         for (const Chord& chord :
-             place.plumes.chords(walker.origin, walker.direction, std::min(far, 1e6))) {
+             scene_.plumes.chords(walker.origin, walker.direction, std::min(far, 1e6))) {
             const double from = std::max(chord.from, walker.near);
             if (chord.to <= from) continue;
             Hop hop{.kind = Hop::Kind::plume, .what = chord.plume};
             hop.chord = static_cast<float>(chord.to - from);
-            add(hop, 0.5 * (from + chord.to));
+            add(walker, hop, 0.5 * (from + chord.to));
         }
-        if (hit.facet == no_facet) {
-            Hop hop{.kind = Hop::Kind::sky};
-            add(hop, 0.0);
-            return;
+    }
+
+    Blend blend_at(const Walker& walker, FacetId facet, double far) const {
+        if (scene_.textured == nullptr) return {facet, facet};
+        return scene_.textured->at(facet, walker.origin, walker.direction, far, walker.walked);
+    }
+
+    bool lets_on(const Blend& blend) const {
+        return scene_.needs_rays(blend.first) || scene_.needs_rays(blend.second);
+    }
+    bool ends_on_both(const Blend& blend) const {
+        return blend.second_share > 0.0f && blend.second_share != 1.0f && !lets_on(blend);
+    }
+    /// Of a facet that does not end on both.
+    FacetId one_of(const Blend& blend) {
+        if (blend.second_share == 0.0f) return blend.first;
+        if (!lets_on(blend)) return blend.second;
+        return chance_() < double{blend.second_share} ? blend.second : blend.first;
+    }
+
+    void add_both(const Walker& walker, const Blend& blend, double far) {
+        const Eigen::Vector3d normal = scene_.facets.normal[index(blend.first)].cast<double>();
+        for (const bool second : {false, true}) {
+            Hop hop{.kind = Hop::Kind::facet};
+            hop.what = static_cast<std::uint32_t>(index(second ? blend.second : blend.first));
+            hop.cosine = static_cast<float>(std::abs(normal.dot(walker.direction)));
+            Walker ends = walker;
+            add(ends, hop, far);
+            out_.back().weight *= second ? blend.second_share : 1.0f - blend.second_share;
         }
-        Blend blend{hit.facet, hit.facet};
-        if (place.texture_levels != nullptr) {
-            const double walked = walker.walked + far;
-            blend = blend_at(*place.texture_levels, hit.facet, place.observer,
-                             place.sample_angle * (far > 0.0 ? walked / far : 1.0), walker.origin,
-                             walker.direction, far);
-        }
-        std::size_t f = index(blend.first);
-        if (blend.second_share > 0.0f) {
-            const auto& [a, b, share] = blend;
-            const auto goes_on = [&](FacetId facet) {
-                return place.materials[place.facets.material[index(facet)]].needs_rays();
-            };
-            if (goes_on(a) || goes_on(b)) {
-                if (chance() < double{share}) f = index(b);
-            } else if (share == 1.0f) {
-                f = index(b);
-            } else {
-                end_twice(blend, far);
-                return;
-            }
-        }
-        const Material& material = place.materials[place.facets.material[f]];
-        Eigen::Vector3d normal = place.facets.normal[f].cast<double>();
+    }
+
+    /// Returns whether the walker goes on through it; what it mirrors is followed here.
+    bool add_facet(Walker& walker, FacetId facet, double far) {
+        const Material& material = scene_.material(facet);
+        Eigen::Vector3d normal = scene_.facets.normal[index(facet)].cast<double>();
         if (normal.dot(walker.direction) > 0.0) normal = -normal;
-        Hop hop{.kind = Hop::Kind::facet, .what = static_cast<std::uint32_t>(f)};
-        hop.cosine = static_cast<float>(-normal.dot(walker.direction));
         const auto* glossy = std::get_if<Glossy>(&material.finish);
+        Hop hop{.kind = Hop::Kind::facet, .what = static_cast<std::uint32_t>(index(facet))};
+        hop.cosine = static_cast<float>(-normal.dot(walker.direction));
         hop.closed = (material.see_through && walker.through >= most_through) ||
                      (glossy && walker.mirrored >= most_mirrored);
-        add(hop, far);
-        if (hop.closed || !material.needs_rays()) return;
+        add(walker, hop, far);
+        if (hop.closed || !material.needs_rays()) return false;
         const double step = std::max(1e-3, 2e-6 * (far + walker.origin.norm()));
         if (glossy) {
             Walker other = walker;
             other.origin = walker.origin + far * walker.direction;
-            other.direction = mirrored(walker.direction, normal, glossy->roughness, chance);
+            other.direction = mirrored(walker.direction, normal, glossy->roughness, chance_);
             other.near = step;
             other.walked = walker.walked + far;
             other.way = Hop::Way::mirrored;
             other.straight = false;
             other.mirrored = walker.mirrored + 1;
-            other.before = walker.before;
-            follow(place, other, weight, chance, out);
+            follow(other);
         }
-        if (!material.see_through) return;
         walker.near = far + step;
         ++walker.through;
+        return material.see_through;
     }
-}
+
+    const HopScene& scene_;
+    float weight_;
+    RandomStream& chance_;
+    std::vector<Hop>& out_;
+};
 
 }  // namespace
 
 void walk(const HopScene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
           float weight, RandomStream& chance, std::vector<Hop>& out) {
-    follow(scene, {.origin = origin, .direction = direction}, weight, chance, out);
+    Walk(scene, weight, chance, out).follow({.origin = origin, .direction = direction});
 }
 
 }  // namespace diurna

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cassert>
 #include <cmath>
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/random.hpp"
+#include "render/view/add_view.hpp"
+#include "render/view/cast_view.hpp"
 
 namespace diurna {
 
@@ -109,71 +109,6 @@ std::vector<int> samples_wanted(const View& view, std::span<const Appearance> ap
         wanted[p] = options.from + extra(level);
     }
     return wanted;
-}
-
-void add_view(View& view, const View& more, std::span<const float> share) {
-    assert(view.pixels() == more.pixels() && view.pixels() == share.size());
-    const auto first = static_cast<std::uint32_t>(view.facet.size());
-    std::vector<Sighting> sighting;
-    sighting.reserve(view.sighting.size() + more.sighting.size());
-    std::vector<std::uint32_t> row{0};
-    row.reserve(view.row.size());
-    for (std::size_t p = 0; p < view.pixels(); ++p) {
-        const float old_share = 1.0f - share[p];
-        for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
-            Sighting s = view.sighting[k];
-            s.weight *= old_share;
-            sighting.push_back(s);
-        }
-        if (share[p] > 0.0f) {
-            for (std::uint32_t k = more.row[p]; k < more.row[p + 1]; ++k) {
-                Sighting s = more.sighting[k];
-                s.weight *= share[p];
-                s.target += first;
-                sighting.push_back(s);
-            }
-            const float old_sky = old_share * view.sky[p], sky = share[p] * more.sky[p];
-            view.sky[p] = old_sky + sky;
-            if (sky > 0.0f) {
-                if (old_sky == 0.0f) view.sky_azimuth_deg[p] = more.sky_azimuth_deg[p];
-                view.sky_zenith_deg[p] =
-                    (old_sky * view.sky_zenith_deg[p] + sky * more.sky_zenith_deg[p]) /
-                    (old_sky + sky);
-            }
-        }
-        row.push_back(static_cast<std::uint32_t>(sighting.size()));
-    }
-    view.sighting = std::move(sighting);
-    view.row = std::move(row);
-    const auto append = [](auto& to, const auto& from) {
-        to.insert(to.end(), from.begin(), from.end());
-    };
-    append(view.facet, more.facet);
-    append(view.range, more.range);
-    append(view.range_root, more.range_root);
-    append(view.target_height, more.target_height);
-    view.rays += more.rays;
-
-    ViewExtent& extent = view.extent;
-    const ViewExtent& other = more.extent;
-    if (!more.facet.empty()) {
-        const bool none = first == 0;
-        extent.near = none ? other.near : std::min(extent.near, other.near);
-        extent.far = none ? other.far : std::max(extent.far, other.far);
-        extent.low = none ? other.low : std::min(extent.low, other.low);
-        extent.high = none ? other.high : std::max(extent.high, other.high);
-    }
-    if (other.sky_pixels > 0) {
-        const auto join = [&](std::array<float, 2>& range, const std::array<float, 2>& with) {
-            range = extent.sky_pixels == 0 ? with
-                                           : std::array<float, 2>{std::min(range[0], with[0]),
-                                                                  std::max(range[1], with[1])};
-        };
-        join(extent.sky_zenith_deg, other.sky_zenith_deg);
-        join(extent.sky_azimuth_deg, other.sky_azimuth_deg);
-    }
-    extent.sky_pixels = static_cast<std::size_t>(
-        std::count_if(view.sky.begin(), view.sky.end(), [](float sky) { return sky > 0.0f; }));
 }
 
 View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,

@@ -6,7 +6,10 @@
 
 #include "materials/matter/library.hpp"
 #include "materials/radiation/band.hpp"
+#include "render/view/observer.hpp"
 #include "render/view/view.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/view_factors.hpp"
 
@@ -57,11 +60,5 @@ std::vector<int> samples_wanted(const View& view, std::span<const Appearance> ap
 View cast_adaptive_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                         std::span<const Appearance> appearances, const AdaptiveOptions& options,
                         const ViewOptions& view = {});
-
-/// Two views of one observer as one, each pixel by shares of either. Targets of both are kept,
-/// those of `more` behind those of `view`.
-///
-/// share  (pixel) of `more`, 0 to 1; where it is 0 the pixel is as in `view`
-void add_view(View& view, const View& more, std::span<const float> share);
 
 }  // namespace diurna

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
@@ -90,73 +88,6 @@ Observer looking_at(Observer observer, const Eigen::Vector3d& target) {
 
 double field_of_view_deg(int width, double pitch_um, double focal_length_mm) {
     return 2.0 * degrees(std::atan(0.5 * width * pitch_um * 1e-3 / focal_length_mm));
-}
-
-Eigen::Vector3d PixelRays::towards(double at_column, double at_row) const {
-    if (flat) return (corner + at_column * column + at_row * row).normalized();
-    if (projection == Projection::orthographic) return axis;
-    const double x = (at_column - middle_column) * per_pixel;
-    const double y = (at_row - middle_row) * per_pixel;
-    if (projection == Projection::panorama) {
-        return std::cos(y) * (std::cos(x) * axis + std::sin(x) * right) + std::sin(y) * down;
-    }
-    const double r = std::hypot(x, y);
-    if (r < 1e-12) return axis;
-    const double angle =
-        projection == Projection::equidistant ? r : 2.0 * std::asin(std::min(1.0, 0.5 * r));
-    return std::cos(angle) * axis + std::sin(angle) / r * (x * right + y * down);
-}
-
-Eigen::Vector3d PixelRays::start(double at_column, double at_row, double when) const {
-    const Eigen::Vector3d way = std::floor(at_row) * row_way + (when - 0.5) * exposure_way;
-    if (projection != Projection::orthographic) return way;
-    return way + per_pixel * ((at_column - middle_column) * right + (at_row - middle_row) * down);
-}
-
-double exposed(std::size_t sample, double offset) {
-    const double turns = double(sample) * (std::numbers::phi - 1.0) + offset;
-    return turns - std::floor(turns);
-}
-
-PixelRays pixel_rays(const Observer& observer) {
-    const Eigen::Vector3d axis = direction(observer.azimuth_deg, observer.elevation_deg);
-    const double azimuth = radians(observer.azimuth_deg);
-    const Eigen::Vector3d level_right(std::cos(azimuth), -std::sin(azimuth), 0.0);
-    const Eigen::Vector3d level_down = axis.cross(level_right);
-    const double roll = radians(observer.roll_deg);
-    const Eigen::Vector3d right = std::cos(roll) * level_right + std::sin(roll) * level_down;
-    const Eigen::Vector3d down = std::cos(roll) * level_down - std::sin(roll) * level_right;
-    if (observer.projection != Projection::pinhole) {
-        const double fov = radians(observer.horizontal_fov_deg);
-        const double across =
-            observer.projection == Projection::orthographic ? observer.picture_width
-            : observer.projection == Projection::equisolid  ? 4.0 * std::sin(0.25 * fov)
-                                                            : fov;
-        return {.corner = axis,
-                .column = Eigen::Vector3d::Zero(),
-                .row = Eigen::Vector3d::Zero(),
-                .flat = false,
-                .projection = observer.projection,
-                .axis = axis,
-                .right = right,
-                .down = down,
-                .middle_column = 0.5 * observer.width,
-                .middle_row = 0.5 * observer.height,
-                .per_pixel = across / observer.width,
-                .row_way = observer.row_time * observer.velocity,
-                .exposure_way = observer.exposure * observer.velocity};
-    }
-    const double pitch =
-        2.0 * std::tan(0.5 * radians(observer.horizontal_fov_deg)) / observer.width;
-    return {.corner = axis - 0.5 * pitch * (observer.width * right + observer.height * down),
-            .column = pitch * right,
-            .row = pitch * down,
-            .flat = true,
-            .axis = axis,
-            .right = right,
-            .down = down,
-            .row_way = observer.row_time * observer.velocity,
-            .exposure_way = observer.exposure * observer.velocity};
 }
 
 }  // namespace diurna

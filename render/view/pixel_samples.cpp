@@ -1,6 +1,7 @@
 #include "render/view/pixel_samples.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "materials/base/random.hpp"
@@ -41,9 +42,10 @@ PixelSamples::PixelSamples(const Observer& observer, int samples, std::uint64_t 
     cell_down_ = 0x1p-16f / static_cast<float>(rows);
 }
 
-inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Places& right,
-                                 const Places& down, std::size_t bundle, RayBundles& rays) const {
+inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Places& places,
+                                 std::size_t bundle, RayBundles& rays) const {
     const std::size_t at = bundle * lanes;
+    const float *right = places.right, *down = places.down;
     float *to_x = rays.direction_x + at, *to_y = rays.direction_y + at,
           *to_z = rays.direction_z + at;
     if (!eye_.flat) {
@@ -71,11 +73,12 @@ inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Plac
     }
 }
 
-void PixelSamples::start_at(std::size_t column, std::size_t row, const Places& right,
-                            const Places& down, const Places& when, std::size_t bundle,
+void PixelSamples::start_at(std::size_t column, std::size_t row, const Places& places,
+                            std::span<const float> when, std::size_t bundle,
                             RayBundles& rays) const {
     for (std::size_t s = 0; s < lanes; ++s) {
-        const double x = double(column) + double{right[s]}, y = double(row) + double{down[s]};
+        const double x = double(column) + double{places.right[s]};
+        const double y = double(row) + double{places.down[s]};
         const Eigen::Vector3f from = (position_ + eye_.start(x, y, when[s])).cast<float>();
         rays.origin_x[bundle * lanes + s] = from.x();
         rays.origin_y[bundle * lanes + s] = from.y();
@@ -88,36 +91,36 @@ void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, st
     const std::size_t first = part * lanes;
     const std::uint32_t hash = pixel_hash(seed_, row * width_ + column);
     const float *from_right = &right_[first], *from_down = &down_[first];
-    alignas(64) Places right, down;
+    Places places;
 #pragma omp simd
     for (std::size_t s = 0; s < lanes; ++s) {
         const std::uint32_t bits = sample_hash(hash, static_cast<std::uint32_t>(first + s));
         const auto i = static_cast<float>(static_cast<std::int32_t>(bits >> 16));
         const auto j = static_cast<float>(static_cast<std::int32_t>(bits & 0xFFFFu));
-        right[s] = from_right[s] + cell_right_ * (i + 0.5f);
-        down[s] = from_down[s] + cell_down_ * (j + 0.5f);
+        places.right[s] = from_right[s] + cell_right_ * (i + 0.5f);
+        places.down[s] = from_down[s] + cell_down_ * (j + 0.5f);
     }
-    aim_at(column, row, right, down, at, rays);
+    aim_at(column, row, places, at, rays);
     if (!starts_differ_) return;
-    alignas(64) Places when;
+    std::array<float, lanes> when;
     for (std::size_t s = 0; s < lanes; ++s) {
         when[s] = static_cast<float>(exposed(first + s, double(hash) * 0x1p-32));
     }
-    start_at(column, row, right, down, when, at, rays);
+    start_at(column, row, places, when, at, rays);
 }
 
 void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t at,
                                RayBundles& rays) const {
-    alignas(64) Places right, down;
+    Places places;
     for (std::size_t s = 0; s < lanes; ++s) {
-        right[s] = 0.5f + static_cast<float>(std::min(s % 4, width_ - 1 - column));
-        down[s] = 0.5f + static_cast<float>(std::min(s / 4, height_ - 1 - row));
+        places.right[s] = 0.5f + static_cast<float>(std::min(s % 4, width_ - 1 - column));
+        places.down[s] = 0.5f + static_cast<float>(std::min(s / 4, height_ - 1 - row));
     }
-    aim_at(column, row, right, down, at, rays);
+    aim_at(column, row, places, at, rays);
     if (!starts_differ_) return;
-    alignas(64) Places when;
-    std::fill(std::begin(when), std::end(when), 0.5f);
-    start_at(column, row, right, down, when, at, rays);
+    std::array<float, lanes> when;
+    when.fill(0.5f);
+    start_at(column, row, places, when, at, rays);
 }
 
 }  // namespace diurna

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "render/view/observer.hpp"
+#include "render/view/pixel_rays.hpp"
 #include "terrain/visibility/ray_bundles.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 
@@ -35,12 +37,15 @@ class PixelSamples {
     void aim_middles(std::size_t column, std::size_t row, std::size_t at, RayBundles& rays) const;
 
  private:
-    using Places = float[RayBundles::lanes];  // in the picture, from a pixel's corner
-    void aim_at(std::size_t column, std::size_t row, const Places& right, const Places& down,
-                std::size_t at, RayBundles& rays) const;
+    /// Of a bundle's rays in the picture, from a pixel's corner.
+    struct Places {
+        alignas(64) float right[RayBundles::lanes], down[RayBundles::lanes];
+    };
+    void aim_at(std::size_t column, std::size_t row, const Places& places, std::size_t at,
+                RayBundles& rays) const;
     /// Where they begin, `when` of the row's exposure has gone by.
-    void start_at(std::size_t column, std::size_t row, const Places& right, const Places& down,
-                  const Places& when, std::size_t at, RayBundles& rays) const;
+    void start_at(std::size_t column, std::size_t row, const Places& places,
+                  std::span<const float> when, std::size_t at, RayBundles& rays) const;
 
     PixelRays eye_;
     Eigen::Vector3d position_;

@@ -7,6 +7,7 @@
 #include "materials/air/sight_line.hpp"
 #include "render/view/pixel_samples.hpp"
 #include "render/view/sky_angles.hpp"
+#include "render/view/textured_hit.hpp"
 
 namespace diurna {
 
@@ -26,62 +27,55 @@ void levels(const RayBundles& rays, std::size_t bundles, float* level) {
     }
 }
 
+Eigen::Vector3d origin_of(const RayBundles& rays, std::size_t ray) {
+    return {rays.origin_x[ray], rays.origin_y[ray], rays.origin_z[ray]};
+}
+Eigen::Vector3d direction_of(const RayBundles& rays, std::size_t ray) {
+    return {rays.direction_x[ray], rays.direction_y[ray], rays.direction_z[ray]};
+}
+
 /// Range to the plane of the facet that a ray meets: Embree's float is off by up to 2e-5, but that
 /// of the facet beside it by no more than its corners.
 float refined(const RayBundles& rays, std::size_t ray, const FacetSet& facets) {
     const std::size_t f = rays.facet[ray];
-    const Eigen::Vector3d origin(rays.origin_x[ray], rays.origin_y[ray], rays.origin_z[ray]);
-    const Eigen::Vector3d to(rays.direction_x[ray], rays.direction_y[ray], rays.direction_z[ray]);
+    const Eigen::Vector3d to = direction_of(rays, ray);
     const double range = rays.range[ray];
     const Eigen::Vector3d normal = facets.normal[f].cast<double>();
     const double descent = normal.dot(to);
     if (!(std::abs(descent) > 0.05)) return rays.range[ray];  // recomputed already
-    const Eigen::Vector3d beside = facets.centroid[f].cast<double>() - origin - range * to;
+    const Eigen::Vector3d beside =
+        facets.centroid[f].cast<double>() - origin_of(rays, ray) - range * to;
     return static_cast<float>(range + normal.dot(beside) / descent);
 }
 
-/// Samples on textured facets count for the two that each is a mixture of.
-class Blends {
- public:
-    Blends(const TextureLevels& texture_levels, const Observer& observer, int samples)
-        : levels_(texture_levels), observer_(observer), angle_(sample_angle(observer, samples)) {}
+Blend blend_of(const TexturedHit& textured, const RayBundles& rays, std::size_t ray, float range) {
+    return textured.at(FacetId{rays.facet[ray]}, origin_of(rays, ray), direction_of(rays, ray),
+                       double{range});
+}
 
-    Blend at(const RayBundles& rays, std::size_t ray, float range) const {
-        const Eigen::Vector3d from(rays.origin_x[ray], rays.origin_y[ray], rays.origin_z[ray]);
-        const Eigen::Vector3d to(rays.direction_x[ray], rays.direction_y[ray],
-                                 rays.direction_z[ray]);
-        return blend_at(levels_, FacetId{rays.facet[ray]}, observer_, angle_, from, to,
-                        double{range});
+/// As group_samples() of a bundle, but samples on textured facets count for the two that each is a
+/// mixture of: room for two groups a lane.
+std::size_t group_textured(const TexturedHit& textured, const RayBundles& rays, std::size_t bundle,
+                           const float* level, std::size_t used, SampleGroup* groups) {
+    std::size_t size = 0;
+    const auto add = [&](FacetId facet, std::uint32_t parts, std::size_t ray, float height) {
+        if (parts == 0) return;
+        const double samples = double(parts) / one_sample;
+        groups[size] = {static_cast<std::uint32_t>(index(facet)), parts,
+                        samples * double{rays.range[ray]}, samples * double{height}};
+        size = merge_groups(groups, size, 1);
+    };
+    for (std::size_t s = 0; s < used; ++s) {
+        const std::size_t ray = bundle * lanes + s;
+        if (rays.facet[ray] == index(no_facet)) continue;
+        const Blend blend = blend_of(textured, rays, ray, rays.range[ray]);
+        const auto second =
+            static_cast<std::uint32_t>(std::lround(blend.second_share * float{one_sample}));
+        add(blend.first, one_sample - second, ray, level[s]);
+        add(blend.second, second, ray, level[s]);
     }
-
-    /// As group_samples(), with room for two groups a lane.
-    std::size_t group(const RayBundles& rays, std::size_t lane, const float* level,
-                      std::size_t used, SampleGroup* groups) const {
-        std::size_t size = 0;
-        const auto add = [&](FacetId facet, std::uint32_t parts, std::size_t ray, float height) {
-            if (parts == 0) return;
-            const double samples = double(parts) / one_sample;
-            groups[size] = {static_cast<std::uint32_t>(index(facet)), parts,
-                            samples * double{rays.range[ray]}, samples * double{height}};
-            size = merge_groups(groups, size, 1);
-        };
-        for (std::size_t s = 0; s < used; ++s) {
-            const std::size_t ray = lane + s;
-            if (rays.facet[ray] == index(no_facet)) continue;
-            const Blend blend = at(rays, ray, rays.range[ray]);
-            const auto second =
-                static_cast<std::uint32_t>(std::lround(blend.second_share * float{one_sample}));
-            add(blend.first, one_sample - second, ray, level[s]);
-            add(blend.second, second, ray, level[s]);
-        }
-        return size;
-    }
-
- private:
-    const TextureLevels& levels_;
-    const Observer& observer_;
-    double angle_;
-};
+    return size;
+}
 
 }  // namespace
 
@@ -97,7 +91,7 @@ class TileCaster::State {
           asked_(options.asked),
           view_(view) {
         if (options.texture_levels != nullptr && !options.texture_levels->empty()) {
-            blends_.emplace(*options.texture_levels, observer, options.samples);
+            textured_.emplace(*options.texture_levels, observer, options.samples);
             view.centre_blend.assign(view.pixels(), {no_facet, no_facet});
         }
     }
@@ -193,7 +187,7 @@ class TileCaster::State {
         std::size_t hits = 0;
         for (std::size_t g = 0; g < found; ++g) hits += more[g].parts / one_sample;
         if (hits < used) work.open += add_open_lanes(work.rays, at, used, work.towards.data());
-        if (blends_) found = blends_->group(work.rays, lane, level, used, more);
+        if (textured_) found = group_textured(*textured_, work.rays, at, level, used, more);
         work.size = part == 0 ? found : merge_groups(work.groups.data(), work.size, found);
     }
 
@@ -220,8 +214,9 @@ class TileCaster::State {
             const std::size_t pixel = y * std::size_t(view_.width) + x;
             view_.centre[pixel] = FacetId{rays.facet[ray]};
             view_.centre_range[pixel] = refined(rays, ray, facets_);
-            if (blends_) {
-                view_.centre_blend[pixel] = blends_->at(rays, ray, view_.centre_range[pixel]);
+            if (textured_) {
+                view_.centre_blend[pixel] =
+                    blend_of(*textured_, rays, ray, view_.centre_range[pixel]);
             }
         });
     }
@@ -245,7 +240,7 @@ class TileCaster::State {
     double azimuth_deg_;
     float share_;
     std::span<const std::uint8_t> asked_;
-    std::optional<Blends> blends_;
+    std::optional<TexturedHit> textured_;
     View& view_;
 };
 

@@ -6,8 +6,11 @@
 #include <memory>
 #include <vector>
 
+#include "render/view/observer.hpp"
 #include "render/view/tile_sightings.hpp"
 #include "render/view/view.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
 

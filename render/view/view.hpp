@@ -1,23 +1,21 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "render/view/observer.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/texture/texture_levels.hpp"
-#include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
 
 struct ViewOptions {
     int samples = 16;  // a pixel: multiples of 16 fill whole ray packets
     std::uint64_t seed = 1;
-    /// Where a sample meets a textured facet it counts for the two it is a mixture of there, in
-    /// parts of 2^-16; null: no textures. A sample stands for a square as wide as the distance to
-    /// the next sample, on slanting ground by the root of what that stretches it.
+    /// Where a sample meets a textured facet it counts for the two it is a mixture of there
+    /// (textured_hit.hpp), in parts of 2^-16; null: no textures.
     const TextureLevels* texture_levels = nullptr;
     /// (pixel) those that are not zero are cast; empty: all. The others see nothing, and pixels'
     /// centres are not cast.
@@ -73,20 +71,5 @@ struct View {
     float range_of(const Sighting& s) const { return range[s.target] + s.deeper; }
     float height_of(const Sighting& s) const { return target_height[s.target] + s.higher; }
 };
-
-/// Casts `samples` rays a pixel, one in each cell of a grid over the pixel at a place that depends
-/// on (seed, pixel, sample) alone, and one through its centre. The same for any number of threads.
-/// Averaging ranges over a pixel is the only loss.
-View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
-               const ViewOptions& options = {});
-
-/// Angle [rad] between neighbouring samples of a pixel, at the middle of the picture; orthographic:
-/// distance [m].
-double sample_angle(const Observer& observer, int samples);
-
-/// What a ray finds that meets a textured facet at a range.
-Blend blend_at(const TextureLevels& texture_levels, FacetId facet, const Observer& observer,
-               double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
-               double range);
 
 }  // namespace diurna

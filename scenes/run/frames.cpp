@@ -14,7 +14,9 @@
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
+#include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
+#include "render/view/cast_view.hpp"
 #include "scenes/report/annotations.hpp"
 #include "scenes/run/appearances.hpp"
 #include "scenes/world/air.hpp"
@@ -161,8 +163,9 @@ std::size_t render_frames(const Prepared& prepared, const FacetViews& views,
                                                         appearances(prepared, views, field, bands),
                                                         *input.adaptive, sampling)
                                    : cast_view(prepared.rays, surfaces, observer, sampling);
-        const Hops hops = follow_rays(view, prepared.rays, surfaces, scene.materials,
-                                      PlumeScene(prepared.plumes), observer, sampling);
+        const PlumeScene plumes(prepared.plumes);
+        const Hops hops = follow_rays(view, {prepared.rays, surfaces, scene.materials, plumes},
+                                      observer, sampling);
 
         const RadianceInput still{.facets = surfaces,
                                   .views = views,

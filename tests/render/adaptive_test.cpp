@@ -5,6 +5,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
+#include "render/view/cast_view.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;

@@ -10,7 +10,9 @@
 
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/radiance.hpp"
 #include "render/tracer.hpp"
+#include "render/view/cast_view.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/render_scene.hpp"
@@ -231,7 +233,7 @@ TEST_CASE("a sphere over a plate shines on it by the inverse square", "[render][
             const double factor = radius * radius * (to.z() / to.norm()) / to.squaredNorm();
             expected += ((1.0 - reflectance) * plate + reflectance * factor * sphere) / 16.0;
             for (const double term :
-                 radiance_at_eye(input, lwir, 5.0, FacetId{std::uint32_t(facet)}, 5.0, 0.0)) {
+                 radiance_at_eye(input, lwir, {5.0, FacetId{std::uint32_t(facet)}, 5.0, 0.0})) {
                 found += term / 16.0;
             }
         }

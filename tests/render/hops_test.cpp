@@ -9,9 +9,10 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/microfacet.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/rays/hop_light.hpp"
 #include "render/rays/merge.hpp"
-#include "render/rays/shading.hpp"
 #include "render/rays/walk.hpp"
+#include "render/view/pixel_rays.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/hop_stage.hpp"
@@ -215,11 +216,8 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     const FacetViews sky = facet_views(stage.facets, scene, {.rays = 64});
     const PlumeScene volumes(stage.plumes);
     const Observer observer = stage.observer(24, 16.0);
-    const HopScene place{.scene = scene,
-                         .facets = stage.facets,
-                         .materials = materials,
-                         .plumes = volumes,
-                         .observer = observer};
+    const HopScene place{
+        .scene = scene, .facets = stage.facets, .materials = materials, .plumes = volumes};
     const PixelRays eye = pixel_rays(observer);
     Hops merged, apart;
     merged.row = apart.row = {0};
@@ -253,7 +251,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     std::array<std::vector<std::vector<float>>, 2> planes;
     for (const std::size_t i : {0u, 1u}) {
         planes[i].assign(1, std::vector<float>(24 * 24, 0.0f));
-        HopLight(i == 0 ? merged : apart, stage.plumes, 0.0, {&lwir, 1}, input).add(planes[i]);
+        HopLight(i == 0 ? merged : apart, stage.plumes, {&lwir, 1}, input).add(planes[i]);
     }
     for (std::size_t p = 0; p < 24 * 24; ++p) {
         worst = std::max(worst, std::abs(brightness_temperature(lwir, double{planes[0][0][p]}) -

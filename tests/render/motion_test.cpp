@@ -4,6 +4,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "render/view/cast_view.hpp"
 #include "render/view/view.hpp"
 
 // Straight down on a floor whose western and eastern half are two objects: a pixel is a metre, and

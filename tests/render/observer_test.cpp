@@ -5,6 +5,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "render/view/pixel_rays.hpp"
 #include "terrain/place/site.hpp"
 #include "tests/support/render_scene.hpp"
 

@@ -4,7 +4,9 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "render/view/cast_view.hpp"
 #include "render/view/observer.hpp"
+#include "render/view/pixel_rays.hpp"
 #include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"

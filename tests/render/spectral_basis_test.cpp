@@ -4,7 +4,7 @@
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/radiation/planck.hpp"
-#include "render/light/interreflection.hpp"
+#include "render/light/radiosity_tables.hpp"
 #include "render/light/scene_basis.hpp"
 #include "tests/support/render_scene.hpp"
 
@@ -23,20 +23,20 @@ struct Scene {
     Band band;
     TemperatureExtent extent;
     std::vector<NodeOptics> optics;
-    std::array<Light, 3> light;
-    LitFacets::Worth worth{.closed = 0.5f, .twice = {}, .thrice = 0.1f};
+    std::array<IncidentLight, 3> light;
     SpectralBasis basis;
 
     Scene(const std::string& name, float coldest, float hottest)
         : band(band_of(name)),
           extent{coldest, hottest},
           optics(node_optics(band, testing::materials(290.0), {true, true, true, true})) {
-        for (Light& l : light) l.sun = l.sky = std::vector<double>(band.node_um.size(), 0.0);
-        basis = scene_basis(band, optics, light, worth, extent);
+        for (IncidentLight& l : light)
+            l.sun = l.sky = std::vector<double>(band.node_um.size(), 0.0);
+        basis = scene_basis(band, optics, light, 0.5f, extent);
     }
-    LightTables tables() const {
-        return light_tables(std::span(&band, 1), std::span(&basis, 1), std::span(&optics, 1),
-                            std::span(&light, 1), temperature_grid(extent.coldest, extent.hottest));
+    RadiosityTables tables() const {
+        const BandLight of{.band = band, .incident = light, .optics = optics, .basis = basis};
+        return radiosity_tables({&of, 1}, temperature_grid(extent.coldest, extent.hottest));
     }
     /// Σ weight × factor × a spectrum in modes.
     double worth_of(const float* modes, const std::vector<double>& factor) const {
@@ -53,7 +53,7 @@ struct Scene {
 };
 
 /// The cubic of (power, lane) at t.
-std::vector<float> at(const std::vector<float>& cubics, const LightTables& tables,
+std::vector<float> at(const std::vector<float>& cubics, const RadiosityTables& tables,
                       float temperature) {
     float t = 0.0f;
     const float* a = &cubics[tables.grid.cell(temperature, t) * 4 * tables.lanes];
@@ -81,7 +81,7 @@ TEST_CASE("emission in modes agrees with Planck's law to 0.2 mK", "[render][basi
         GENERATE(std::tuple{"3-5", 250.0f, 330.0f}, std::tuple{"8-12", 250.0f, 330.0f},
                  std::tuple{"3-5", 200.0f, 1000.0f}, std::tuple{"8-30", 200.0f, 1000.0f});
     const Scene scene(name, coldest, hottest);
-    const LightTables tables = scene.tables();
+    const RadiosityTables tables = scene.tables();
     std::vector<double> air, soil;
     for (std::size_t n = 0; n < scene.band.node_um.size(); ++n) {
         air.push_back(0.5 + 0.5 * std::sin(40.0 * scene.band.node_um[n]));
@@ -105,7 +105,7 @@ TEST_CASE("emission in modes agrees with Planck's law to 0.2 mK", "[render][basi
 // Kirchhoff in modes: what a surface emits and what it reflects of a black room add up to the room.
 TEST_CASE("what is not emitted is reflected, in every mode", "[render][basis]") {
     const Scene scene(GENERATE("3-5", "8-12", "8-30"), 260.0f, 420.0f);
-    const LightTables tables = scene.tables();
+    const RadiosityTables tables = scene.tables();
     for (const auto kind : {testing::soil, testing::metal, testing::paint}) {
         for (const float t : {260.0f, 301.0f, 420.0f}) {
             const auto black = at(tables.black, tables, t);

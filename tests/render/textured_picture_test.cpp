@@ -4,7 +4,9 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
+#include "render/view/cast_view.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/texture/texture_levels.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
@@ -52,8 +54,8 @@ struct Scenery {
                int samples = 16, double sun_zenith_deg = 180.0) const {
         const ViewOptions options{.samples = samples, .texture_levels = &texture_levels};
         View view = cast_view(rays, facets(), observer, options);
-        const Hops hops =
-            follow_rays(view, rays, facets(), materials, PlumeScene({}), observer, options);
+        const PlumeScene none({});
+        const Hops hops = follow_rays(view, {rays, facets(), materials, none}, observer, options);
         const FacetViews sky =
             texture_levels.empty() ? solid_sky : for_all_levels(texture_levels, solid_sky);
         std::vector<float> temperature, lit;

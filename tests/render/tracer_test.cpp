@@ -9,7 +9,12 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/incident_light.hpp"
+#include "render/light/radiance.hpp"
+#include "render/path/background.hpp"
 #include "render/path/path_table.hpp"
+#include "render/view/cast_view.hpp"
+#include "render/view/pixel_rays.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
@@ -85,8 +90,10 @@ double reference(const Morning& world, const View& view, const Observer& observe
             total += s.weight * before;
             if (terms) terms->back() += s.weight * before;
         }
-        const auto part = radiance_at_eye(input, band, view.observer_height, view.facet[s.target],
-                                          view.range_of(s), view.height_of(s), 0, field);
+        const auto part = radiance_at_eye(
+            input, band,
+            {view.observer_height, view.facet[s.target], view.range_of(s), view.height_of(s)}, 0,
+            field);
         for (std::size_t t = 0; t < term_count; ++t) {
             total += s.weight * part[t];
             if (terms) (*terms)[t] += s.weight * part[t];
@@ -96,9 +103,9 @@ double reference(const Morning& world, const View& view, const Observer& observe
         double background = band_sum_nodes(
             band, background_at(input, eye_km, view.sky_zenith_deg[pixel], band.node_um));
         if (field) {
-            background +=
-                band_sum_nodes(band, scattered_background_at(input, *field, eye_km,
-                                                             view.sky_zenith_deg[pixel], azimuth));
+            background += band_sum_nodes(
+                band, scattered_backgrounds_at(input, *field, eye_km, view.sky_zenith_deg[pixel],
+                                               {&azimuth, 1})[0]);
         }
         total += view.sky[pixel] * background;
         if (terms) terms->back() += view.sky[pixel] * background;

@@ -6,6 +6,8 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "render/view/cast_view.hpp"
+#include "render/view/pixel_rays.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;

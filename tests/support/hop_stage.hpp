@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "materials/base/units.hpp"
-#include "render/rays/hops.hpp"
-#include "render/rays/reference.hpp"
-#include "render/rays/shading.hpp"
-#include "render/view/view.hpp"
+#include "render/light/incident_light.hpp"
+#include "render/rays/follow_rays.hpp"
+#include "render/rays/hop_light.hpp"
+#include "render/rays/hop_radiance.hpp"
+#include "render/view/cast_view.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/render_scene.hpp"
@@ -90,7 +91,7 @@ struct Stage {
         seen.view = cast_view(scene, facets, eye, {.samples = samples});
         const PlumeScene volumes(plumes);
         seen.hops =
-            follow_rays(seen.view, scene, facets, materials, volumes, eye, {.samples = samples});
+            follow_rays(seen.view, {scene, facets, materials, volumes}, eye, {.samples = samples});
         const RadianceInput input{.facets = facets,
                                   .views = sky,
                                   .materials = materials,
@@ -101,13 +102,12 @@ struct Stage {
                                   .sun_zenith_deg = degrees(std::acos(to_sun.z())),
                                   .ground_height_km = ground_km};
         seen.planes.assign(term_count, std::vector<float>(seen.view.pixels(), 0.0f));
-        const HopLight light(seen.hops, plumes, seen.view.observer_height, {&band, 1}, input);
+        const HopLight light(seen.hops, plumes, {&band, 1}, input);
         light.add(seen.planes);
         if (with_reference) {
             const auto scattered = scattered_sun(input, band.node_um);
             for (std::size_t k = 0; k < seen.hops.pixel.size(); k += 41) {
-                seen.reference.push_back(hop_radiance(seen.hops, k, plumes,
-                                                      seen.view.observer_height, band, input,
+                seen.reference.push_back(hop_radiance(seen.hops, k, plumes, band, input,
                                                       scattered ? &*scattered : nullptr));
             }
         }

@@ -6,7 +6,8 @@
 
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/matter/library.hpp"
-#include "render/light/radiance.hpp"
+#include "render/light/radiance_input.hpp"
+#include "render/view/observer.hpp"
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray_scene.hpp"

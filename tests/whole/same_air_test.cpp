@@ -5,13 +5,14 @@
 #include "materials/atmosphere/sun_field.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/incident_light.hpp"
 #include "render/light/radiance.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;
 
-// Two ways through the code to one light: ground_fluxes() for the heat balance, light_at() for
-// what a surface reflects into the camera.
+// Two ways through the code to one light: ground_fluxes() for the heat balance, incident_light()
+// for what a surface reflects into the camera.
 TEST_CASE("solver and camera receive the same light from one air, clouds included",
           "[materials][render][flux]") {
     const double cover = GENERATE(0.0, 0.6, 1.0);
@@ -38,8 +39,8 @@ TEST_CASE("solver and camera receive the same light from one air, clouds include
     const Band solar = flat_band("sun", 0.3, 5.0, bin_edges_um(), 1);
     const auto scattered = scattered_sun(input, solar.node_um);
     REQUIRE(scattered);
-    const Light with = light_at(input, height_km, solar.node_um, &*scattered);
-    const Light without = light_at(input, height_km, solar.node_um, nullptr);
+    const IncidentLight with = incident_light(input, height_km, solar.node_um, &*scattered);
+    const IncidentLight without = incident_light(input, height_km, solar.node_um, nullptr);
     CHECK(band_sum_nodes(solar, with.sun) == Approx(flux.sun_direct).epsilon(1e-4));
     const double diffuse =
         std::numbers::pi * (band_sum_nodes(solar, with.sky) - band_sum_nodes(solar, without.sky));
@@ -47,7 +48,7 @@ TEST_CASE("solver and camera receive the same light from one air, clouds include
 
     // Eight angles here, four there; beyond 28 um both have the air near by.
     const Band thermal = flat_band("thermal", 3.5, 100.0, bin_edges_um(), 2);
-    Light heat = light_at(input, height_km, thermal.node_um, nullptr);
+    IncidentLight heat = incident_light(input, height_km, thermal.node_um, nullptr);
     const double near_by = air_at(air.profile, height_km).temperature;
     for (std::size_t n = 0; n < heat.sky.size(); ++n) {
         if (thermal.node_um[n] > 28.0) heat.sky[n] = planck(thermal.node_um[n], near_by);

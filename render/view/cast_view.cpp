@@ -1,16 +1,13 @@
-#include "render/view/view.hpp"
+#include "render/view/cast_view.hpp"
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <span>
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
-#include "materials/base/units.hpp"
 #include "render/view/tile_caster.hpp"
-#include "terrain/place/site.hpp"
 
 namespace diurna {
 
@@ -110,28 +107,6 @@ ViewExtent extent_of(const std::vector<TileView>& tiles) {
 }
 
 }  // namespace
-
-double sample_angle(const Observer& observer, int samples) {
-    const double root = std::sqrt(double(samples));
-    if (observer.projection == Projection::orthographic) {
-        return observer.picture_width / observer.width / root;
-    }
-    const PixelRays eye = pixel_rays(observer);
-    const double column = 0.5 * observer.width, row = 0.5 * observer.height;
-    return (eye.towards(column + 1.0, row) - eye.towards(column, row)).norm() / root;
-}
-
-Blend blend_at(const TextureLevels& texture_levels, FacetId facet, const Observer& observer,
-               double sample_angle, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
-               double range) {
-    if (texture_levels.of_facet[index(facet)].levels < 2) return {facet, facet};
-    const double across =
-        std::abs(texture_levels.facets.normal[index(facet)].cast<double>().dot(towards));
-    const double apart =
-        observer.projection == Projection::orthographic ? sample_angle : sample_angle * range;
-    return texture_levels.at(facet, from + range * towards,
-                             apart / std::sqrt(std::max(0.01, across)));
-}
 
 View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& observer,
                const ViewOptions& options) {

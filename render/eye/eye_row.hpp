@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "render/light/lanes.hpp"
+#include "render/light/radiosity_tables.hpp"
+
+namespace diurna {
+
+/// What describes a facet at the eye, whatever its material: a row of numbers to be multiplied with
+/// a row of an EyeTable.
+///
+///     thermal modes   black body at its temperature
+///     light modes     light that arrives from the facets around
+///     3               sky view × weight of a height of LitFacets
+///     3               sunlit share × cosine / π × weight of a height
+///     1               one
+struct EyeRow {
+    std::size_t thermal = 0, light = 0;  // modes
+    std::size_t sky() const { return thermal + light; }
+    std::size_t sun() const { return sky() + 3; }
+    std::size_t one() const { return sun() + 3; }
+    std::size_t width() const { return rounded_up(one() + 1); }
+
+    /// - black, arriving: in the modes of the band
+    /// - up: weights of the three heights
+    void fill(const float* black, const float* arriving, float sky_view, float sunlight,
+              const std::array<float, 3>& up, float* out) const {
+        for (std::size_t k = 0; k < thermal; ++k) out[k] = black[k];
+        for (std::size_t k = 0; k < light; ++k) out[thermal + k] = arriving[k];
+        for (std::size_t h = 0; h < 3; ++h) {
+            out[sky() + h] = sky_view * up[h];
+            out[sun() + h] = sunlight * up[h];
+        }
+        out[one()] = 1.0f;
+    }
+
+    /// Of a surface at a temperature, under half a sky and among surroundings as warm, in the sun
+    /// or in the shade.
+    std::vector<float> standing_for(const RadiosityTables& tables, std::size_t band,
+                                    float temperature, bool sunny) const;
+
+    explicit EyeRow(const SpectralBasis& basis) : thermal(basis.thermal), light(basis.size()) {}
+};
+
+}  // namespace diurna

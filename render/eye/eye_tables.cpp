@@ -1,0 +1,101 @@
+#include "render/eye/eye_tables.hpp"
+
+#include <algorithm>
+
+#include "materials/base/parallel.hpp"
+
+namespace diurna {
+
+namespace {
+
+TermSet only(std::size_t term) {
+    TermSet terms{};
+    terms[term] = true;
+    return terms;
+}
+
+/// Adds the radiances of further surfaces at the nodes, or of another term of the same ones.
+void add_up(std::span<const Eigen::MatrixXd> more, std::vector<Eigen::MatrixXd>& sum) {
+    for (std::size_t k = 0; k < more.size(); ++k) sum[k] += more[k];
+}
+
+}  // namespace
+
+EyeTables::EyeTables(const PathTable& path, const SceneLight& light, const Options& options) {
+    const std::span<const BandLight> bands(light.band);
+    const TemperatureExtent& extent = light.state.extent;
+    const std::size_t per_band = options.by_term ? term_count : 1;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        rows_.emplace_back(bands[b].basis);
+        for (std::size_t t = 0; t < per_band; ++t) {
+            tables_.emplace_back(path, b, bands[b], options.by_term ? only(t) : all_terms);
+        }
+    }
+    // Surfaces as cold and as hot as any, in shade and in the sun.
+    std::vector<std::vector<Eigen::MatrixXd>> surfaces(bands.size());
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        for (const float t : {extent.coldest, extent.hottest}) {
+            const std::vector<float> row =
+                rows_[b].standing_for(light.tables, b, t, t == extent.hottest);
+            auto whole = tables_[b * per_band].radiance_of(row);
+            for (std::size_t k = 1; k < per_band; ++k) {
+                add_up(tables_[b * per_band + k].radiance_of(row), whole);
+            }
+            surfaces[b].insert(surfaces[b].end(), whole.begin(), whole.end());
+        }
+    }
+    grid_ = eye_grid(path.grid(), light.input.ground_height_km, bands, surfaces, options.tolerance);
+    for (EyeTable& table : tables_) table.refine(grid_);
+}
+
+void EyeTables::look(const View& view, const SceneLight& light, std::span<AtEye> out) const {
+    for_each_block(view.facet.size(), 2048,
+                   [&](std::size_t begin, std::size_t end) { look(view, light, begin, end, out); });
+}
+
+/// Of the targets [begin, end).
+void EyeTables::look(const View& view, const SceneLight& light, std::size_t begin, std::size_t end,
+                     std::span<AtEye> out) const {
+    constexpr std::size_t ahead = 12;
+    constexpr auto none = ~std::uint32_t{0};
+    const LitFacets& lit = light.lit;
+    const RadiosityTables& tables = light.tables;
+    const Radiosity& radiosity = light.radiosity;
+    const std::size_t columns = tables_.size(), per_band = columns_of_band();
+    std::vector<float> black(tables.lanes), arriving(tables.lanes);
+    std::vector<std::vector<float>> row;  // (band)(slot, number) of the facets of a few targets
+    for (const EyeRow& r : rows_) row.emplace_back(GridPlaces::most * r.width(), 0.0f);
+    GridPlaces places;
+    TargetRows facets;
+    for (std::size_t t0 = begin; t0 < end; t0 += GridPlaces::most) {
+        const std::size_t count = std::min(GridPlaces::most, end - t0);
+        find_places(grid_, std::span(view.range).subspan(t0, count),
+                    std::span(view.range_root).subspan(t0, count),
+                    std::span(view.target_height).subspan(t0, count), places);
+        std::uint32_t last = none, slots = 0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t i = lit.target[t0 + k];
+            if (t0 + k + ahead < end) radiosity.fetch(lit.target[t0 + k + ahead]);
+            if (i != last) {
+                last = i;
+                black_modes(tables, light.state.temperature[i], black.data());
+                radiosity.arriving(i, black.data(), arriving.data());
+                const std::array<float, 3> up = height_weights(lit.height[i]);
+                for (std::size_t b = 0; b < rows_.size(); ++b) {
+                    rows_[b].fill(&black[tables.first[b]], &arriving[tables.first[b]],
+                                  lit.sky_view[i], light.state.sunlight[i], up,
+                                  &row[b][slots * rows_[b].width()]);
+                }
+                ++slots;
+            }
+            facets.slot[k] = slots - 1;
+            facets.material[k] = lit.material[i];
+        }
+        for (std::size_t c = 0; c < columns; ++c) {
+            tables_[c].look(places, facets, row[c / per_band].data(), count, columns,
+                            &out[t0 * columns + c]);
+        }
+    }
+}
+
+}  // namespace diurna

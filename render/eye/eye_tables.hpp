@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/eye/eye_row.hpp"
+#include "render/eye/eye_table.hpp"
+#include "render/light/scene_light.hpp"
+#include "render/view/view.hpp"
+
+namespace diurna {
+
+/// Eye tables side by side, on one grid: one column a band, or one for each term of each band,
+/// those of a band after each other.
+class EyeTables {
+ public:
+    struct Options {
+        bool by_term = false;
+        double tolerance = 1e-3;  // [K] of apparent temperature, of the grid's straight cells
+    };
+    /// - path: of the bands of `light`
+    EyeTables(const PathTable& path, const SceneLight& light, const Options& options);
+
+    std::size_t columns() const { return tables_.size(); }
+    std::size_t columns_of_band() const { return tables_.size() / rows_.size(); }
+    const EyeGrid& grid() const { return grid_; }
+
+    /// Radiance at the eye of every target of a view, (target, column).
+    void look(const View& view, const SceneLight& light, std::span<AtEye> out) const;
+
+ private:
+    void look(const View& view, const SceneLight& light, std::size_t begin, std::size_t end,
+              std::span<AtEye> out) const;
+
+    std::vector<EyeRow> rows_;      // (band)
+    std::vector<EyeTable> tables_;  // (column)
+    EyeGrid grid_;
+};
+
+}  // namespace diurna

@@ -1,0 +1,34 @@
+#include "render/light/band_light.hpp"
+
+#include "materials/base/parallel.hpp"
+#include "render/light/scene_basis.hpp"
+
+namespace diurna {
+
+std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceInput& input,
+                                   const LitFacets& lit, const TemperatureExtent& extent) {
+    std::vector<BandLight> all(bands.size());
+    for_each_index(
+        bands.size(),
+        [&](std::size_t b) {
+            const Band& band = bands[b];
+            BandLight& of = all[b];
+            of.band = band;
+            of.channels = channels_of(band);
+            of.scattered = scattered_sun(input, band.node_um);
+            for_each_index(
+                of.incident.size(),
+                [&](std::size_t h) {
+                    of.incident[h] =
+                        incident_light(input, lit.height_km[h], band.node_um, of.sun_field());
+                },
+                1);
+            of.optics = node_optics(band, input.materials, lit.material_used);
+            of.probe = probes(band, of.channels, input, of.incident[1], extent);
+            of.basis = scene_basis(band, of.optics, of.incident, lit.bounds[b].surrounded, extent);
+        },
+        1);
+    return all;
+}
+
+}  // namespace diurna

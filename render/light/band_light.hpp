@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "materials/radiation/band.hpp"
+#include "render/light/band_channels.hpp"
+#include "render/light/incident_light.hpp"
+#include "render/light/lit_facets.hpp"
+#include "render/light/node_optics.hpp"
+#include "render/light/spectral_basis.hpp"
+
+namespace diurna {
+
+/// All that is worked out in a band at an instant before any facet is looked at.
+struct BandLight {
+    Band band;
+    Channels channels = {};
+    std::optional<SunField> scattered = {};      // sunlight scattered by the air
+    std::array<IncidentLight, 3> incident = {};  // at the heights of LitFacets
+    std::vector<NodeOptics> optics = {};         // (material)
+    std::vector<std::vector<float>> probe = {};  // (probe)(channel) probes()
+    SpectralBasis basis = {};
+
+    const SunField* sun_field() const { return scattered ? &*scattered : nullptr; }
+    std::size_t nodes() const { return band.node_um.size(); }
+};
+/// - extent: of the temperatures of the facets lit
+std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceInput& input,
+                                   const LitFacets& lit, const TemperatureExtent& extent);
+
+}  // namespace diurna

@@ -1,0 +1,38 @@
+#include "render/light/incident_light.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace diurna {
+
+std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<const double> node_um) {
+    constexpr double no_sunlight_um = 5.0;
+    const auto* model = std::get_if<BandModel>(&input.atmosphere);
+    if (model == nullptr || input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0 ||
+        std::none_of(node_um.begin(), node_um.end(),
+                     [](double um) { return um < no_sunlight_um; })) {
+        return std::nullopt;
+    }
+    return SunField(*model,
+                    {.zenith_deg = input.sun_zenith_deg, .distance_au = input.sun_distance_au},
+                    node_um);
+}
+
+IncidentLight incident_light(const RadianceInput& input, double height_km,
+                             std::span<const double> node_um, const SunField* scattered) {
+    IncidentLight light{.sun = std::vector<double>(node_um.size(), 0.0),
+                        .sky = mean_sky_at_nodes(input.atmosphere, height_km, node_um, 8)};
+    if (!input.sun_fraction.empty()) {
+        light.sun = solar_at_nodes(input.atmosphere, height_km, input.sun_zenith_deg,
+                                   input.sun_distance_au, node_um);
+    }
+    if (scattered != nullptr) {
+        const SunFlux flux = scattered->flux(height_km);
+        for (std::size_t n = 0; n < node_um.size(); ++n) {
+            light.sky[n] += flux.down[n] * std::numbers::inv_pi;
+        }
+    }
+    return light;
+}
+
+}  // namespace diurna

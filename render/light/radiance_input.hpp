@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "materials/atmosphere/atmosphere.hpp"
+#include "materials/matter/library.hpp"
+#include "render/view/view.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/visibility/facet_views.hpp"
+
+namespace diurna {
+
+/// The state of the scene at one instant: all that a picture depends on besides the view.
+struct RadianceInput {
+    const FacetSet& facets;
+    const FacetViews& views;
+    const MaterialLibrary& materials;
+    const Atmosphere& atmosphere;
+    std::span<const float> temperature;                 // (facet) [K], 1 to 5000
+    std::span<const float> sun_fraction = {};           // (facet) 0 to 1; empty: no sun
+    Eigen::Vector3d to_sun = Eigen::Vector3d::UnitZ();  // unit
+    double sun_zenith_deg = 180.0;
+    double sun_distance_au = 1.0;
+    double ground_height_km = 0.0;  // of the scene's origin above the sea
+    Instant instant{};
+
+    /// Height above the sea [km] of a height above the origin's level surface [m].
+    double above_sea_km(double height) const { return ground_height_km + 1e-3 * height; }
+    /// Height of a facet's middle above the sea [km].
+    double height_km(FacetId facet) const {
+        return above_sea_km(level_height(facets.centroid[index(facet)].cast<double>()));
+    }
+};
+
+/// Calls body(facet, factor) for each facet that a facet sees, with the view factor scaled so that
+/// all of them add up to 1 − sky view: ground beyond the scene's edge looks like the surroundings
+/// that are there. Never called where there are none.
+template <class Body>
+void each_seen_facet(const FacetViews& views, FacetId facet, const Body& body) {
+    const ViewFactors& others = views.others;
+    const std::size_t f = index(facet);
+    double total = 0.0;
+    for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
+        total += double{others.factor[k]};
+    }
+    const double rest = 1.0 - double{views.sky[f]};
+    for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
+        if (others.factor[k] == 0.0f) continue;  // a row of nothing but zeros is no row
+        body(others.facet[k], rest * double{others.factor[k]} / total);
+    }
+}
+
+}  // namespace diurna

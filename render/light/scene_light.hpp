@@ -1,0 +1,32 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/light/band_light.hpp"
+#include "render/light/bounces.hpp"
+#include "render/light/lit_facets.hpp"
+#include "render/light/radiosity.hpp"
+
+namespace diurna {
+
+/// All light of a scene at an instant, in several bands: what falls on the facets lit, and what
+/// they send to each other.
+struct SceneLight {
+    /// - input, lit: to outlive it; `lit` of these bands
+    /// - bounces: of light between surfaces, 1 or 2
+    /// - tolerance: [K] of apparent temperature
+    SceneLight(const RadianceInput& input, const LitFacets& lit, std::span<const Band> bands,
+               int bounces, double tolerance);
+    SceneLight(const SceneLight&) = delete;  // its parts refer to each other
+
+    const RadianceInput& input;
+    const LitFacets& lit;
+    LitState state;
+    std::vector<BandLight> band;
+    std::vector<BounceOptions> bounces;  // (band)
+    RadiosityTables tables;
+    Radiosity radiosity;
+};
+
+}  // namespace diurna

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "materials/atmosphere/sun_field.hpp"
+#include "render/light/radiance_input.hpp"
+
+namespace diurna {
+
+// What is seen where the scene ends: sky, or below the horizon the air down to a far plain at the
+// height of the scene's origin, black and as warm as the air on it.
+
+/// Zenith angle [deg] below which a ray from `height_km` ends on the far plain.
+double horizon_zenith_deg(const RadianceInput& input, double height_km);
+
+/// Thermal radiance of the background in a direction, per node [W m⁻² sr⁻¹ µm⁻¹].
+std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
+                                  std::span<const double> node_um);
+/// Sunlight that comes from there, under several azimuths, (azimuth)(node): of the sky, or of the
+/// air before the plain. Several cost little more than one.
+std::vector<std::vector<double>> scattered_backgrounds_at(
+    const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
+    std::span<const double> azimuth_from_sun_deg);
+
+}  // namespace diurna

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "render/path/path_table.hpp"
+#include "render/rays/channel_lanes.hpp"
+
+namespace diurna {
+
+/// The air between the observer and places on the way of its rays: a PathTable's transmittance and
+/// radiance in the channels of all bands side by side.
+class AirLanes {
+ public:
+    /// - bands: to outlive it
+    AirLanes(const Atmosphere& atmosphere, const PathExtent& extent,
+             std::span<const BandLight> bands, const ChannelLanes& lanes, double tolerance);
+
+    /// Transmittance and radiance of the air to a range [m] and a height above the sea, (lane).
+    void to(float range, float height_km, float* transmittance, float* radiance) const;
+
+ private:
+    SightGrid grid_;
+    std::size_t lanes_ = 0;
+    std::vector<float> air_;  // (range, height, transmittance or radiance, lane)
+};
+
+}  // namespace diurna

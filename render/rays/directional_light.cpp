@@ -1,0 +1,91 @@
+#include "render/rays/directional_light.hpp"
+
+#include <algorithm>
+
+#include "render/rays/sun_glint.hpp"
+
+namespace diurna {
+
+namespace {
+
+float* row(Term term, std::size_t lanes, float* out) {
+    return out + static_cast<std::size_t>(term) * lanes;
+}
+
+/// Its heat, and what it reflects of sky and surroundings.
+void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint32_t target,
+                 float* out) {
+    const std::size_t n = tables.lanes.size();
+    const auto part = [&](FacetPart p) { return tables.facets.part(target, p); };
+    const float* black = part(FacetPart::black);
+    const float* of_sky = part(FacetPart::arriving_sky);
+    const float* of_surroundings = part(FacetPart::arriving_surroundings);
+    float *emitted = row(Term::emitted, n, out), *sky = row(Term::sky, n, out),
+          *surroundings = row(Term::surroundings, n, out);
+    for (std::size_t c = 0; c < n; ++c) {
+        emitted[c] = (1.0f - at.mirrored(c) - at.diffuse(c) - at.transmittance(c)) * black[c];
+        sky[c] = at.diffuse(c) * of_sky[c];
+        surroundings[c] = at.diffuse(c) * of_surroundings[c];
+    }
+}
+
+/// Sunlight, diffuse and mirrored.
+void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
+             const AngleTable::Place& at, std::uint32_t target, float* out) {
+    const std::size_t n = tables.lanes.size(), i = tables.lit.target[target];
+    float* light = row(Term::sun, n, out);
+    std::fill_n(light, n, 0.0f);
+    const float sunlight = tables.light.state.sunlight[i];
+    if (!(sunlight > 0.0f)) return;
+    const Eigen::Vector3d& to_sun = tables.input.to_sun;
+    const Eigen::Vector3d normal = tables.input.facets.normal[hop.what].cast<double>();
+    const Eigen::Vector3d eye = -hop.direction.cast<double>();
+    const AngleTable::Place towards_sun = table.at(std::max(0.0, normal.dot(to_sun)));
+    float glint = 0.0f;
+    AngleTable::Place half_way = at;
+    if (table.roughness() >= 0.0) {
+        half_way = table.at(std::max(0.0, (eye + to_sun).normalized().dot(eye)));
+        glint = static_cast<float>(
+            sun_glint(table.roughness(), normal, eye, to_sun, double{hop.cosine}) *
+            double{sunlight});
+    }
+    const std::array<float, 3> up = height_weights(tables.lit.height[i]);
+    const auto& sun = tables.sun;
+    for (std::size_t c = 0; c < n; ++c) {
+        const float mean = table.mean_diffuse(c);
+        const float slant = mean > 0.0f ? towards_sun.diffuse(c) / mean : 0.0f;
+        light[c] = (at.diffuse(c) * slant * sunlight + glint * half_way.mirrored(c)) *
+                   (up[0] * sun[0][c] + up[1] * sun[1][c] + up[2] * sun[2][c]);
+    }
+}
+
+/// A room behind, at this angle; without one, what is behind is as warm as the facet.
+void add_behind(const HopTables& tables, const Hop& hop, const AngleTable& table,
+                const AngleTable::Place& at, std::uint32_t target, float* out) {
+    const std::size_t n = tables.lanes.size();
+    float* behind = row(Term::behind, n, out);
+    std::fill_n(behind, n, 0.0f);
+    if (tables.material(hop).see_through) return;
+    const float* black = tables.facets.part(target, FacetPart::black);
+    const std::vector<float>& of_room = tables.room[index(tables.input.facets.material[hop.what])];
+    const AngleTable::Place upright = table.at(laboratory_cosine);
+    for (std::size_t c = 0; c < n; ++c) {
+        if (of_room.empty()) {
+            behind[c] = at.transmittance(c) * black[c];
+        } else if (upright.transmittance(c) > 0.0f) {
+            behind[c] = at.transmittance(c) / upright.transmittance(c) * of_room[c];
+        }
+    }
+}
+
+}  // namespace
+
+void directional_light(const HopTables& tables, const Hop& hop, std::uint32_t target, float* out) {
+    const AngleTable& table = tables.angle[index(tables.input.facets.material[hop.what])];
+    const AngleTable::Place at = table.at(double{hop.cosine});
+    add_diffuse(tables, at, target, out);
+    add_sun(tables, hop, table, at, target, out);
+    add_behind(tables, hop, table, at, target, out);
+}
+
+}  // namespace diurna

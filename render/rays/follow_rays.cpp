@@ -1,0 +1,145 @@
+#include "render/rays/follow_rays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "materials/base/parallel.hpp"
+#include "render/rays/merge.hpp"
+#include "render/view/pixel_rays.hpp"
+#include "render/view/textured_hit.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// (target of the view) whether its material needs rays.
+std::vector<bool> targets_that_need_rays(const View& view, const HopScene& scene) {
+    std::vector<bool> target(view.facet.size());
+    for (std::size_t t = 0; t < target.size(); ++t) {
+        target[t] = scene.needs_rays(view.facet[t]);
+    }
+    return target;
+}
+
+/// Whether some ray of a pixel may pass a plume: whether one through its middle comes near the
+/// plume's sphere.
+bool near_plume(std::size_t pixel, const PixelRays& rays, const Observer& observer,
+                std::span<const PlumeScene::Sphere> spheres) {
+    const auto width = static_cast<std::size_t>(observer.width);
+    const double column = double(pixel % width) + 0.5, row = double(pixel / width) + 0.5;
+    return std::any_of(spheres.begin(), spheres.end(), [&](const PlumeScene::Sphere& sphere) {
+        const Eigen::Vector3d from = observer.position + rays.start(column, row);
+        const Eigen::Vector3d to = rays.towards(column, row);
+        const double along = std::max(0.0, (sphere.middle - from).dot(to));
+        // A pixel's corner lies at most its diagonal away.
+        const double diagonal =
+            along * (rays.towards(column + 0.5, row + 0.5) - to).norm() +
+            (rays.start(column + 0.49, row + 0.49) - rays.start(column, row)).norm() +
+            0.5 * rays.exposure_way.norm();
+        return (from + along * to - sphere.middle).norm() < sphere.radius + 1.1 * diagonal;
+    });
+}
+
+std::vector<std::uint32_t> special_pixels(const View& view, const HopScene& scene,
+                                          const Observer& observer) {
+    std::vector<std::uint32_t> pixels;
+    const std::vector<bool> target = targets_that_need_rays(view, scene);
+    const auto spheres = scene.plumes.spheres();
+    if (spheres.empty() && std::find(target.begin(), target.end(), true) == target.end()) {
+        return pixels;
+    }
+    const PixelRays rays = pixel_rays(observer);
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        bool found = false;
+        for (std::uint32_t k = view.row[p]; k < view.row[p + 1] && !found; ++k) {
+            found = target[view.sighting[k].target];
+        }
+        if (found || near_plume(p, rays, observer, spheres)) {
+            pixels.push_back(static_cast<std::uint32_t>(p));
+        }
+    }
+    return pixels;
+}
+
+/// What the samples of a pixel meet, merged; empty where they meet what the view has already.
+std::vector<Hop> hops_of_pixel(std::size_t p, const HopScene& scene, const Observer& observer,
+                               const PixelRays& eye, const ViewOptions& options) {
+    const auto [columns, rows] = nearly_square(options.samples);
+    const auto width = static_cast<std::size_t>(observer.width);
+    std::vector<Hop> sample, seen;
+    const double offset = RandomStream{(options.seed << 32) + p}();
+    for (int s = 0; s < options.samples; ++s) {
+        RandomStream chance{(options.seed * golden_step) ^
+                            ((std::uint64_t{p} << 16) + std::uint64_t(s)) * second_step};
+        const double x = chance(), y = chance();
+        const double column = double(p % width) + (s % columns + x) / columns;
+        const double row = double(p / width) + (double(s / columns) + y) / rows;
+        const double when = exposed(std::size_t(s), offset);
+        sample.clear();
+        walk(scene, observer.position + eye.start(column, row, when), eye.towards(column, row),
+             1.0f / static_cast<float>(options.samples), chance, sample);
+        add_sample(sample, scene.plumes, seen);
+    }
+    // Past the plumes after all?
+    const bool plain = std::all_of(seen.begin(), seen.end(), [](const Hop& hop) {
+        return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume;
+    });
+    if (plain) seen.clear();
+    return seen;
+}
+
+/// Takes what pixels see out of a view.
+void take_out(std::span<const std::uint32_t> pixels, View& view) {
+    std::vector<bool> taken(view.pixels(), false);
+    for (const std::uint32_t p : pixels) {
+        taken[p] = true;
+        view.sky[p] = 0.0f;
+    }
+    std::uint32_t kept = 0, begin = 0;
+    for (std::size_t p = 0; p < taken.size(); ++p) {
+        const std::uint32_t end = view.row[p + 1];
+        for (std::uint32_t i = begin; i < end && !taken[p]; ++i) {
+            view.sighting[kept++] = view.sighting[i];
+        }
+        begin = end;
+        view.row[p + 1] = kept;
+    }
+    view.sighting.resize(kept);
+}
+
+}  // namespace
+
+Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
+                 const ViewOptions& options) {
+    Hops hops;
+    hops.observer_height = view.observer_height;
+    hops.row.assign(1, 0);
+    const std::vector<std::uint32_t> asked = special_pixels(view, scene, observer);
+    if (asked.empty()) return hops;
+
+    std::optional<TexturedHit> textured;
+    HopScene with_textures = scene;
+    if (options.texture_levels != nullptr && !options.texture_levels->empty()) {
+        textured.emplace(*options.texture_levels, observer, options.samples);
+        with_textures.textured = &*textured;
+    }
+    const PixelRays eye = pixel_rays(observer);
+    std::vector<std::vector<Hop>> found(asked.size());
+    for_each_index(
+        asked.size(),
+        [&](std::size_t k) {
+            found[k] = hops_of_pixel(asked[k], with_textures, observer, eye, options);
+        },
+        16);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+        if (found[k].empty()) continue;
+        hops.pixel.push_back(asked[k]);
+        hops.hop.insert(hops.hop.end(), found[k].begin(), found[k].end());
+        hops.row.push_back(static_cast<std::uint32_t>(hops.hop.size()));
+    }
+    take_out(hops.pixel, view);
+    return hops;
+}
+
+}  // namespace diurna

@@ -1,0 +1,23 @@
+#include "render/view/textured_hit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "render/view/pixel_rays.hpp"
+
+namespace diurna {
+
+TexturedHit::TexturedHit(const TextureLevels& levels, const Observer& observer, int samples)
+    : levels_(levels),
+      parallel_(observer.projection == Projection::orthographic),
+      apart_(sample_angle(observer, samples)) {}
+
+Blend TexturedHit::at(FacetId facet, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
+                      double range, double walked) const {
+    if (levels_.of_facet[index(facet)].levels < 2) return {facet, facet};
+    const double across = std::abs(levels_.facets.normal[index(facet)].cast<double>().dot(towards));
+    const double apart = parallel_ ? apart_ : apart_ * (walked + range);
+    return levels_.at(facet, from + range * towards, apart / std::sqrt(std::max(0.01, across)));
+}
+
+}  // namespace diurna

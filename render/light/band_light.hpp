@@ -25,7 +25,6 @@ struct BandLight {
     SpectralBasis basis = {};
 
     const SunField* sun_field() const { return scattered ? &*scattered : nullptr; }
-    std::size_t nodes() const { return band.node_um.size(); }
 };
 /// - extent: of the temperatures of the facets lit
 std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceInput& input,

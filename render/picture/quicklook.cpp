@@ -10,7 +10,6 @@
 #include <span>
 #include <stdexcept>
 
-#include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "render/picture/bitmap_font.hpp"
 #include "render/picture/palette.hpp"
@@ -92,7 +91,8 @@ void draw_scale(Canvas& canvas, int x, int y, int height, const ColourScale& sca
     canvas.text(x, y - 24, unit.size() > 4 ? 1 : 2, unit);
 }
 
-std::string default_title(const Frame& frame, const Plane& plane) {
+/// Observer, band and instant.
+std::string title_of(const Frame& frame, const Plane& plane) {
     std::string_view what = plane.name;
     for (const std::string_view quantity : {"apparent_temperature.", "radiance."}) {
         if (what.starts_with(quantity)) what.remove_prefix(quantity.size());
@@ -147,16 +147,10 @@ std::string shown_plane(const Band& band) {
 }
 
 void write_quicklook(const std::filesystem::path& path, const Frame& frame,
-                     const std::string& plane_name, const QuicklookOptions& options) {
+                     const std::string& plane_name) {
     const Plane& plane = frame[plane_name];
-    ColourScale scale = colour_scale(frame, plane_name);
-    if (options.low) scale.low = *options.low;
-    if (options.high) scale.high = *options.high;
-    if (!(scale.high > scale.low)) {
-        throw InputError("quick-look", fmt::format("the colour scale runs from {} to {} {}",
-                                                   scale.low, scale.high, colour_unit(plane)));
-    }
-    const std::string title = options.title.empty() ? default_title(frame, plane) : options.title;
+    const ColourScale scale = colour_scale(frame, plane_name);
+    const std::string title = title_of(frame, plane);
 
     constexpr int margin = 10, top = 42, scale_width = 110;
     const int picture_width = std::max(frame.width, 64);

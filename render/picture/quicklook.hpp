@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,11 +11,6 @@
 
 namespace diurna {
 
-struct QuicklookOptions {
-    std::string title = {};                     // one line above; empty: observer, band, instant
-    std::optional<double> low = {}, high = {};  // ends of the scale; else as `colour_scale` has it
-};
-
 /// The plane that shows what a band sees: radiance where sunlight outshines emission by day (its
 /// middle below 3 µm), apparent temperature elsewhere.
 std::string shown_plane(const Band& band);
@@ -25,7 +19,7 @@ std::string shown_plane(const Band& band);
 /// whose lightness rises evenly, any other quantity in its own unit by grey as light as it.
 /// Not finite: dark grey.
 void write_quicklook(const std::filesystem::path& path, const Frame& frame,
-                     const std::string& plane, const QuicklookOptions& options = {});
+                     const std::string& plane);
 
 /// The bare picture, each side divided by `shrink` (values averaged), as PNG in memory: for
 /// contact sheets.

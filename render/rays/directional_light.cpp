@@ -16,7 +16,7 @@ float* row(Term term, std::size_t lanes, float* out) {
 void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint32_t target,
                  float* out) {
     const std::size_t n = tables.lanes.size();
-    const auto part = [&](FacetPart p) { return tables.facets.part(target, p); };
+    const auto part = [&](FacetPart p) { return tables.facet_lanes.part(target, p); };
     const float* black = part(FacetPart::black);
     const float* of_sky = part(FacetPart::arriving_sky);
     const float* of_surroundings = part(FacetPart::arriving_surroundings);
@@ -66,7 +66,7 @@ void add_behind(const HopTables& tables, const Hop& hop, const AngleTable& table
     float* behind = row(Term::behind, n, out);
     std::fill_n(behind, n, 0.0f);
     if (tables.material(hop).see_through) return;
-    const float* black = tables.facets.part(target, FacetPart::black);
+    const float* black = tables.facet_lanes.part(target, FacetPart::black);
     const std::vector<float>& of_room = tables.room[index(tables.input.facets.material[hop.what])];
     const AngleTable::Place upright = table.at(laboratory_cosine);
     for (std::size_t c = 0; c < n; ++c) {

@@ -187,10 +187,10 @@ class PixelSum {
                 add_own(i, static_cast<Term>(t), &own_[t * lanes_]);
             }
         } else if (!by_term_ || as_[i] != Term::path) {
-            add_own(i, Term::emitted, tables_.facets.part(target, FacetPart::radiosity));
+            add_own(i, Term::emitted, tables_.facet_lanes.part(target, FacetPart::radiosity));
         } else {
             for (std::size_t t = 0; t < own_terms; ++t) {
-                add_own(i, static_cast<Term>(t), tables_.facets.part(target, diffuse_part[t]));
+                add_own(i, static_cast<Term>(t), tables_.facet_lanes.part(target, diffuse_part[t]));
             }
         }
     }

@@ -75,7 +75,7 @@ HopTables::HopTables(const Hops& hops_of, std::span<const Plume> plumes,
       light(input, lit, bands, bounces, tolerance),
       band(light.band),
       lanes(band),
-      facets(light, lanes),
+      facet_lanes(light, lanes),
       air(input.atmosphere, extent_of(hops, input), band, lanes, tolerance) {
     fill_materials();
     fill_plumes(plumes);

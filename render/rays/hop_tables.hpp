@@ -33,7 +33,7 @@ struct HopTables {
     SceneLight light;
     const std::vector<BandLight>& band;
     ChannelLanes lanes;
-    FacetLanes facets;
+    FacetLanes facet_lanes;
     AirLanes air;
     std::vector<AngleTable> angle;               // (material), where needed
     std::vector<std::vector<float>> room;        // (material)(lane) τ B of the room behind

@@ -68,7 +68,7 @@ class Walk {
                           .near = static_cast<float>(walker.near),
                           .direction = walker.direction.cast<float>()};
             Hit hit;
-            scene_.scene.closest({&ray, 1}, {&hit, 1});
+            scene_.rays.closest({&ray, 1}, {&hit, 1});
             const double far = hit.facet == no_facet ? 1e30 : double{hit.range};
             add_plumes(walker, far);
             if (hit.facet == no_facet) {

@@ -16,7 +16,7 @@ namespace diurna {
 
 /// The scene as rays meet it.
 struct HopScene {
-    const RayScene& scene;
+    const RayScene& rays;
     const FacetSet& facets;
     const MaterialLibrary& materials;
     const PlumeScene& plumes;

@@ -217,7 +217,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     const PlumeScene volumes(stage.plumes);
     const Observer observer = stage.observer(24, 16.0);
     const HopScene place{
-        .scene = scene, .facets = stage.facets, .materials = materials, .plumes = volumes};
+        .rays = scene, .facets = stage.facets, .materials = materials, .plumes = volumes};
     const PixelRays eye = pixel_rays(observer);
     Hops merged, apart;
     merged.row = apart.row = {0};

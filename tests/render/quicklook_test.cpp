@@ -88,11 +88,7 @@ TEST_CASE("the colour scale leaves out the extreme hundredths", "[render][quickl
     CHECK(colour_scale({"flat", "K", std::vector<float>(9, 300.0f)}).high == 27.0);
 }
 
-TEST_CASE("a scale upside down or a plane that is not there is refused",
-          "[render][quicklook][input]") {
-    CHECK_THROWS_AS(
-        write_quicklook("q.png", ramp(), "apparent_temperature.8-12", {.low = 20.0, .high = 10.0}),
-        InputError);
+TEST_CASE("a plane that is not there is refused", "[render][quicklook][input]") {
     CHECK_THROWS_AS(write_quicklook("q.png", ramp(), "apparent_temperature.3-5"), InputError);
 }
 

@@ -84,41 +84,15 @@ class File {
     int id_;
 };
 
-}  // namespace
+/// What a temperature field's file holds.
+struct Variables {
+    int corner, time, kelvin;
+    std::array<int, 3> axis;  // east, north, up
+};
 
-std::vector<float> TemperatureField::interpolate(Instant when) const {
-    assert(!instant.empty());
-    const auto after = std::upper_bound(instant.begin(), instant.end(), when);
-    const auto i = static_cast<std::size_t>(after - instant.begin());
-    if (i == 0 || i == instant.size()) {
-        const auto row = at(i == 0 ? 0 : i - 1);
-        return {row.begin(), row.end()};
-    }
-    const float share =
-        float(seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i]));
-    const auto a = at(i - 1), b = at(i);
-    std::vector<float> result(facets);
-    for (std::size_t f = 0; f < facets; ++f) result[f] = a[f] + share * (b[f] - a[f]);
-    return result;
-}
-
-TemperatureField uniform_temperature(std::size_t facets, double kelvin, Instant instant) {
-    return {.instant = {instant},
-            .facets = facets,
-            .kelvin = std::vector<float>(facets, float(kelvin))};
-}
-
-void save_temperature_field(const fs::path& path, const TemperatureField& field,
-                            const FacetSet& facets, const Site& site) {
-    assert(field.facets == facets.size());
-    const auto bad = std::find_if_not(field.kelvin.begin(), field.kelvin.end(),
-                                      [](float kelvin) { return std::isfinite(kelvin); });
-    if (bad != field.kelvin.end()) {
-        throw std::runtime_error(
-            fmt::format("{}: the temperature of facet {} is not finite", path.string(),
-                        static_cast<std::size_t>(bad - field.kelvin.begin()) % field.facets));
-    }
-    File file = File::create(path);
+/// Dimensions, variables and their attributes: what a reader learns before any number.
+Variables declare(const File& file, const TemperatureField& field, const FacetSet& facets,
+                  const Site& site) {
     const int time_dim = file.dimension("time", field.instant.size());
     const int facet_dim = file.dimension("facet", field.facets);
     const int vertex_dim = file.dimension("vertex", facets.vertex.size());
@@ -140,44 +114,85 @@ void save_temperature_field(const fs::path& path, const TemperatureField& field,
     file.text(mesh, "face_node_connectivity", "corner_of_facet");
     file.text(mesh, "face_dimension", "facet");
 
-    const int corner = file.variable("corner_of_facet", NC_INT, {facet_dim, three});
+    Variables variables{};
+    variables.corner = file.variable("corner_of_facet", NC_INT, {facet_dim, three});
     const int zero = 0;
-    file.text(corner, "cf_role", "face_node_connectivity");
-    file.must(nc_put_att_int(file.id(), corner, "start_index", NC_INT, 1, &zero));
-    std::array<int, 3> axis;
+    file.text(variables.corner, "cf_role", "face_node_connectivity");
+    file.must(nc_put_att_int(file.id(), variables.corner, "start_index", NC_INT, 1, &zero));
     const std::array<const char*, 3> names{"east", "north", "up"};
-    for (int i = 0; i < 3; ++i) {
-        axis[i] = file.variable(names[i], NC_FLOAT, {vertex_dim});
-        file.text(axis[i], "units", "m");
-        file.text(axis[i], "long_name", std::string(names[i]) + " of the site's origin");
+    for (std::size_t i = 0; i < 3; ++i) {
+        variables.axis[i] = file.variable(names[i], NC_FLOAT, {vertex_dim});
+        file.text(variables.axis[i], "units", "m");
+        file.text(variables.axis[i], "long_name", std::string(names[i]) + " of the site's origin");
     }
-    const int time = file.variable("time", NC_DOUBLE, {time_dim});
-    file.text(time, "standard_name", "time");
-    file.text(time, "units", "seconds since 1970-01-01T00:00:00Z");
-    file.text(time, "calendar", "standard");
-    const int kelvin = file.variable("surface_temperature", NC_FLOAT, {time_dim, facet_dim});
-    file.text(kelvin, "standard_name", "surface_temperature");
-    file.text(kelvin, "units", "K");
-    file.text(kelvin, "mesh", "mesh");
-    file.text(kelvin, "location", "face");
+    variables.time = file.variable("time", NC_DOUBLE, {time_dim});
+    file.text(variables.time, "standard_name", "time");
+    file.text(variables.time, "units", "seconds since 1970-01-01T00:00:00Z");
+    file.text(variables.time, "calendar", "standard");
+    variables.kelvin = file.variable("surface_temperature", NC_FLOAT, {time_dim, facet_dim});
+    file.text(variables.kelvin, "standard_name", "surface_temperature");
+    file.text(variables.kelvin, "units", "K");
+    file.text(variables.kelvin, "mesh", "mesh");
+    file.text(variables.kelvin, "location", "face");
     file.must(nc_enddef(file.id()));
+    return variables;
+}
 
+void write_mesh(const File& file, const Variables& variables, const FacetSet& facets) {
     std::vector<int> corners;
-    corners.reserve(3 * field.facets);
+    corners.reserve(3 * facets.size());
     for (const auto& triangle : facets.corner) {
         for (const auto v : triangle) corners.push_back(int(v));
     }
-    file.must(nc_put_var_int(file.id(), corner, corners.data()));
+    file.must(nc_put_var_int(file.id(), variables.corner, corners.data()));
     std::vector<float> coordinate(facets.vertex.size());
     for (int i = 0; i < 3; ++i) {
         std::transform(facets.vertex.begin(), facets.vertex.end(), coordinate.begin(),
                        [i](const Eigen::Vector3f& v) { return v[i]; });
-        file.must(nc_put_var_float(file.id(), axis[i], coordinate.data()));
+        file.must(nc_put_var_float(file.id(), variables.axis[std::size_t(i)], coordinate.data()));
     }
+}
+
+void write_temperatures(const File& file, const Variables& variables,
+                        const TemperatureField& field) {
     std::vector<double> seconds;
     for (const Instant when : field.instant) seconds.push_back(seconds_between(Instant{}, when));
-    file.must(nc_put_var_double(file.id(), time, seconds.data()));
-    file.must(nc_put_var_float(file.id(), kelvin, field.kelvin.data()));
+    file.must(nc_put_var_double(file.id(), variables.time, seconds.data()));
+    file.must(nc_put_var_float(file.id(), variables.kelvin, field.kelvin.data()));
+}
+
+}  // namespace
+
+std::vector<float> TemperatureField::interpolate(Instant when) const {
+    assert(!instant.empty());
+    const auto after = std::upper_bound(instant.begin(), instant.end(), when);
+    const auto i = static_cast<std::size_t>(after - instant.begin());
+    if (i == 0 || i == instant.size()) {
+        const auto row = at(i == 0 ? 0 : i - 1);
+        return {row.begin(), row.end()};
+    }
+    const float share =
+        float(seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i]));
+    const auto a = at(i - 1), b = at(i);
+    std::vector<float> result(facets);
+    for (std::size_t f = 0; f < facets; ++f) result[f] = a[f] + share * (b[f] - a[f]);
+    return result;
+}
+
+void save_temperature_field(const fs::path& path, const TemperatureField& field,
+                            const FacetSet& facets, const Site& site) {
+    assert(field.facets == facets.size());
+    const auto bad = std::find_if_not(field.kelvin.begin(), field.kelvin.end(),
+                                      [](float kelvin) { return std::isfinite(kelvin); });
+    if (bad != field.kelvin.end()) {
+        throw std::runtime_error(
+            fmt::format("{}: the temperature of facet {} is not finite", path.string(),
+                        static_cast<std::size_t>(bad - field.kelvin.begin()) % field.facets));
+    }
+    File file = File::create(path);
+    const Variables variables = declare(file, field, facets, site);
+    write_mesh(file, variables, facets);
+    write_temperatures(file, variables, field);
     file.finish();
 }
 

@@ -25,9 +25,6 @@ struct TemperatureField {
     std::vector<float> interpolate(Instant when) const;
 };
 
-/// One temperature everywhere, for ever.
-TemperatureField uniform_temperature(std::size_t facets, double kelvin, Instant instant = {});
-
 /// Writes netCDF (CF 1.8 with a UGRID 1.0 mesh of the facets in the site's east-north-up frame):
 /// a whole file or none. Throws std::runtime_error with path and reason, also for a temperature
 /// that is not finite.

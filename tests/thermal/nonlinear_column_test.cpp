@@ -31,7 +31,7 @@ PointJob constant_job(std::vector<Layer> layers, double absorbed, double emissiv
     forcing.air.temperature = air;
     forcing.shortwave_down = absorbed;
     forcing.longwave_down = 0.0;
-    job.weather = constant_weather(forcing);
+    job.weather = Weather{.instant = {Instant{}}, .sample = {forcing}};
     job.weather.instant[0] = start_instant;
     return job;
 }

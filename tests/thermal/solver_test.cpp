@@ -177,7 +177,7 @@ TEST_CASE("ground, sky and air of one temperature stay so: nothing flows",
     still.wind_speed = 3.0;
     still.shortwave_down = 0.0;
     still.longwave_down = stefan_boltzmann * power4(300.0);
-    world.weather = constant_weather(still);
+    world.weather = Weather{.instant = {Instant{}}, .sample = {still}};
     std::vector<Material> same;
     for (std::size_t i = 0; i < 4; ++i) {
         Material material = world.materials[MaterialId(i)];
@@ -281,15 +281,16 @@ TEST_CASE("a wall is warmed by the brighter sky near the horizon, level ground i
     forcing.longwave_down = clear_longwave(forcing.air);
     const auto settled = [&](bool by_direction) {
         const SunExposure sun;
-        const SolveResult result = solve({.facets = facets,
-                                          .views = view,
-                                          .sun = sun,
-                                          .materials = materials,
-                                          .weather = constant_weather(forcing),
-                                          .site = tennessee,
-                                          .elevation = 400.0,
-                                          .clear_sky = {.longwave_by_direction = by_direction}},
-                                         {.start = june, .exchange = false});
+        const SolveResult result =
+            solve({.facets = facets,
+                   .views = view,
+                   .sun = sun,
+                   .materials = materials,
+                   .weather = Weather{.instant = {Instant{}}, .sample = {forcing}},
+                   .site = tennessee,
+                   .elevation = 400.0,
+                   .clear_sky = {.longwave_by_direction = by_direction}},
+                  {.start = june, .exchange = false});
         CHECK(result.report.converged);
         const auto kelvin = result.temperature.at(5);
         return std::array<double, 2>{stefan_boltzmann * power4(double(kelvin[0])),

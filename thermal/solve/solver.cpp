@@ -93,14 +93,13 @@ class Stopwatch {
 };
 
 /// The sky at every step's instant, and the light it sends to every facet.
-void light_up(SolveState& solve, SolveReport& report) {
+void light_up(SolveState& solve) {
     SunPath path(solve.input.site);
     for (const Instant when : solve.instant) {
         solve.sky.push_back(sky_state(path.at(when), solve.input.elevation,
                                       solve.input.weather.at(when), solve.input.clear_sky));
     }
     solve.tilt = tilts(solve);
-    const Stopwatch watch(report.shortwave_seconds);
     shine(solve);
     find_jumps(solve);
 }
@@ -196,22 +195,12 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
     report.warmest = *warmest;
 }
 
-/// The same input with what its weather lacks put in.
-Weather completed(const SolveInput& input) {
-    Weather weather = input.weather;
-    const bool longwave_missing =
-        std::any_of(weather.sample.begin(), weather.sample.end(),
-                    [](const Forcing& f) { return std::isnan(f.longwave_down); });
-    if (longwave_missing) infer_cloud(weather, input.site, input.elevation, input.clear_sky);
-    return weather;
-}
-
 }  // namespace
 
 SolveResult solve(const SolveInput& given, const SolveOptions& options) {
     const auto begun = Clock::now();
     check(given, options);
-    const Weather weather = completed(given);
+    const Weather weather = with_cloud(given.weather, given.site, given.elevation, given.clear_sky);
     const SolveInput input{.facets = given.facets,
                            .views = given.views,
                            .sun = given.sun,
@@ -223,7 +212,7 @@ SolveResult solve(const SolveInput& given, const SolveOptions& options) {
     SolveState state(input, options);
     SolveReport report{.facets = state.facets, .steps = int(state.steps())};
     const std::vector<MaterialId> materials = group_by_material(state);
-    light_up(state, report);
+    light_up(state);
     Level fine = make_level(state, materials, 1, StepSetup{}.most_substeps);
     state.kelvin.resize(state.instant.size() * state.facets);
     settle(state, fine);

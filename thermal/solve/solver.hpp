@@ -30,7 +30,7 @@ struct SolveReport {
     int point_passes = 0;               // over the span, the worst of them
     int limited = 0;                    // their steps that had to be taken otherwise than asked
     double coldest = 0.0, warmest = 0;  // [K] surface
-    double shortwave_seconds = 0.0, exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
+    double exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
     double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock
 };
 

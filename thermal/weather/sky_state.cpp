@@ -170,6 +170,14 @@ void infer_cloud(Weather& weather, const Site& site, double elevation, const Cle
     }
 }
 
+Weather with_cloud(Weather weather, const Site& site, double elevation, const ClearSky& clear) {
+    const bool longwave_missing =
+        std::any_of(weather.sample.begin(), weather.sample.end(),
+                    [](const Forcing& f) { return std::isnan(f.longwave_down); });
+    if (longwave_missing) infer_cloud(weather, site, elevation, clear);
+    return weather;
+}
+
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,
                       double sky_view) {
     const double sine = sky.to_sun.z();

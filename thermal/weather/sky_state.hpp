@@ -39,12 +39,16 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
 /// through the night. For series whose longwave is not measured.
 void infer_cloud(Weather& weather, const Site& site, double elevation, const ClearSky& clear = {});
 
+/// The series, its cloud inferred where some of its longwave is left to be modelled.
+Weather with_cloud(Weather weather, const Site& site, double elevation, const ClearSky& clear);
+
 /// Sunlight on a facet [W m⁻²] without what other facets reflect, Hay & Davies 1980: the beam and
 /// the circumsolar part of the diffuse light come from the sun's direction and share its shadow,
 /// the rest comes evenly from the sky in view.
 ///
-/// sun_cosine    normal · to_sun         sun_fraction  0 to 1, share of facet and disc not in
-/// shadow sky_view      0 to 1, cosine-weighted
+/// - sun_cosine: normal · to_sun
+/// - sun_fraction: share of facet and disc not in shadow, 0 to 1
+/// - sky_view: cosine-weighted, 0 to 1
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction, double sky_view);
 
 }  // namespace diurna

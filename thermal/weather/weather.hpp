@@ -27,6 +27,9 @@ struct Forcing {
     double longwave_down = not_measured;   // [W m⁻²]
 };
 
+/// On the straight line from one to the other, at a share of the way; NaN unless both are measured.
+Forcing between(const Forcing& a, const Forcing& b, double share);
+
 /// What a time stamp says of its row: the mean over the interval that starts or ends there, or the
 /// value at that instant.
 enum class Stamp { start, end, instant };
@@ -40,7 +43,7 @@ struct Weather {
     std::vector<Forcing> sample;   // as many
     double wind_height = 10.0;     // [m] above the ground (above zero-plane displacement)
     double air_height = 2.0;       // [m] of temperature and humidity
-    std::string note;              // what is absent and therefore modelled, one line; or empty
+    std::string note{};            // what is absent and therefore modelled, one line; or empty
 
     Forcing at(Instant when) const;
 };
@@ -57,9 +60,5 @@ struct WeatherOptions {
 /// humidity counts as 0.5 and wind as 1 m/s then. Throws InputError with file:line:column for cells
 /// that are no number or out of range, instants that do not ascend, and unknown columns.
 Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options = {});
-
-/// The same forcing for ever.
-Weather constant_weather(const Forcing& forcing, double wind_height = 10.0,
-                         double air_height = 2.0);
 
 }  // namespace diurna

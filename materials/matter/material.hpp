@@ -24,6 +24,7 @@ struct Radiating {
     double cubic;  // [K⁻³]
     HeatPolynomial heat;
 };
+inline constexpr double heat_of_fusion = 3.337e5;  // [J kg⁻¹] of ice at 273.15 K
 /// Water that freezes at 273.15 K; the layer's own constants hold thawed.
 struct Freezing {
     double water;                 // [kg m⁻³] that freezes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -66,8 +67,9 @@ inline std::vector<double> solve(int cells, int steps) {
                 released[k][node] = (node == 0 ? 0.5 : 1.0) * width * source(column.depth(node), t);
             }
         }
-        const auto taken = column.advance(step, false, {&top[0], &top[1]}, {nullptr, nullptr}, u,
-                                          nullptr, &released);
+        const auto taken = column.advance(
+            {.duration = step, .top = {&top[0], &top[1]}, .source = {&released[0], &released[1]}},
+            u);
         if (!taken.solved) return {};
         if ((i + 1) % (steps / 8) == 0) result.push_back(column.temperature(0, u[0]));
     }
@@ -134,7 +136,7 @@ inline LunarDay lunar_day(const std::filesystem::path& curve) {
                 };
             }
             const auto taken =
-                column.advance(step, false, {&top[0], &top[1]}, {nullptr, nullptr}, u, &map);
+                column.advance({.duration = step, .top = {&top[0], &top[1]}}, u, &map);
             if (!taken.solved) return LunarDay{};
             found.push_back(column.temperature(0, u[0]));
         }
@@ -182,22 +184,35 @@ inline FreezingFront freezing_front(double cell) {
     const NonlinearColumn column(layers, FixedFlux{0.0}, 273.15,
                                  {.first = 10.0, .growth = 0.1, .deepest = 1e9});
     std::vector<double> u(column.size(), 6.0);  // melted, and 5 K above
-    const double whole = column.molten(u), before = column.total_heat(u);
+    // Heat above that of ice at 0 °C, and of melting alone [J m⁻²].
+    const auto total_heat = [&] {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < u.size(); ++i) sum += column.gain(i, 0.0, u[i]);
+        return sum;
+    };
+    const auto molten = [&] {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < u.size(); ++i) {
+            sum += column.gain(i, 0.0, std::clamp(u[i], 0.0, 1.0));
+        }
+        return sum;
+    };
+    const double whole = molten(), before = total_heat();
     const auto error = [&](double depth) {
-        return std::abs((whole - column.molten(u)) / latent / depth - 1.0);
+        return std::abs((whole - molten()) / latent / depth - 1.0);
     };
     const Boundary held = [](double t) { return BoundaryFlux{1e5 * (263.15 - t), -1e5}; };
     double time = 0.0, through = 0.0;
     FreezingFront front;
     while (time < 86400.0 - 1e-6) {
         const double step = std::min(time < 600.0 ? 5.0 : 60.0, 86400.0 - time);
-        const auto taken = column.advance(step, false, {&held, &held}, {nullptr, nullptr}, u);
+        const auto taken = column.advance({.duration = step, .top = {&held, &held}}, u);
         if (!taken.solved) return {};
         through += taken.heat_in;
         time += step;
         if (std::abs(time - 3600.0) < 1e-6) front.hour = error(0.0213117866);
     }
     front.day = error(0.104406005);
-    front.closure = std::abs((column.total_heat(u) - before) / through - 1.0);
+    front.closure = std::abs((total_heat() - before) / through - 1.0);
     return front;
 }

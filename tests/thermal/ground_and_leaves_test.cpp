@@ -5,6 +5,7 @@
 
 #include "materials/air/moist_air.hpp"
 #include "materials/base/units.hpp"
+#include "thermal/surface/frost.hpp"
 
 using namespace diurna;
 
@@ -163,16 +164,4 @@ TEST_CASE("frost takes the heat of sublimation from the pressure over ice",
     water.wetness = 1.0;
     water.resistance = 0.0;
     CHECK(warm == Approx(latent_heat(water, {15.0, 0.0, 0.0}, 273.2).flux).epsilon(1e-9));
-}
-
-TEST_CASE("a moving surface meets air at its recovery temperature",
-          "[thermal][surface_exchange][aerodynamic]") {
-    // T (1 + r (γ − 1)/2 M²), r = 0.89, γ = 1.4, for Mach 0.5, 1 and 2 in the standard air at 11
-    // km.
-    const double sound = std::sqrt(1.4 * 287.05 * 216.65);
-    CHECK(sound == Approx(295.07).margin(0.01));
-    CHECK(recovery_temperature(216.65, 0.5 * sound) == Approx(216.65 * 1.0445).epsilon(1e-9));
-    CHECK(recovery_temperature(216.65, sound) == Approx(216.65 * 1.178).epsilon(1e-9));
-    CHECK(recovery_temperature(216.65, 2.0 * sound) == Approx(216.65 * 1.712).epsilon(1e-9));
-    CHECK(recovery_temperature(300.0, 0.0) == 300.0);
 }

@@ -171,3 +171,15 @@ TEST_CASE("an hour of grass evaporates as in FAO's worked example", "[thermal][t
     CAPTURE(low - air.temperature);
     CHECK(evaporated == Approx(0.63).epsilon(0.03));
 }
+
+TEST_CASE("a moving surface meets air at its recovery temperature",
+          "[thermal][turbulence][aerodynamic]") {
+    // T (1 + r (γ − 1)/2 M²), r = 0.89, γ = 1.4, for Mach 0.5, 1 and 2 in the standard air at 11
+    // km.
+    const double sound = std::sqrt(1.4 * 287.05 * 216.65);
+    CHECK(sound == Approx(295.07).margin(0.01));
+    CHECK(recovery_temperature(216.65, 0.5 * sound) == Approx(216.65 * 1.0445).epsilon(1e-9));
+    CHECK(recovery_temperature(216.65, sound) == Approx(216.65 * 1.178).epsilon(1e-9));
+    CHECK(recovery_temperature(216.65, 2.0 * sound) == Approx(216.65 * 1.712).epsilon(1e-9));
+    CHECK(recovery_temperature(300.0, 0.0) == 300.0);
+}

@@ -42,6 +42,11 @@ inline constexpr std::size_t lanes = 32;
 
 /// L-stable, stiffly accurate SDIRK2 (Alexander 1977), γ = 1 − 1/√2: two implicit stages of γ·step.
 inline constexpr double sdirk_gamma = 0.29289321881345247560;
+/// Where its stages stand in the step, what their fluxes count in it, and from where the second
+/// sets out: T + onward (T₁ − T).
+inline constexpr std::array<double, 2> stage_share{sdirk_gamma, 1.0};
+inline constexpr std::array<double, 2> stage_weight{1.0 - sdirk_gamma, sdirk_gamma};
+inline constexpr double stage_onward = (1.0 - sdirk_gamma) / sdirk_gamma;
 
 /// One implicit stage of a linear column, (C/τ)(T − T*) = conduction + below + surface flux,
 /// eliminated from the bottom upward. What is left at the surface is

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "materials/base/units.hpp"
+
 namespace diurna {
 
 namespace {
-
-constexpr double heat_of_fusion = 3.337e5;  // [J kg⁻¹]
 
 double polynomial(const HeatPolynomial& c, double t) {
     return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
@@ -32,10 +32,9 @@ NonlinearColumn::NonlinearColumn(std::span<const Layer> layers, const Bottom& bo
                                  double reference, const GridOptions& options) {
     // The nodes of the linear column; a layer's boundaries are nodes, so each link has one layer.
     const ColumnGrid grid = column_grid(layers, bottom, options);
-    const std::size_t nodes = grid.size();
     const bool fixed = std::holds_alternative<FixedTemperature>(bottom);
     depth_ = grid.depth;
-    node_.resize(nodes + (fixed ? 1 : 0));
+    node_.resize(grid.size() + (fixed ? 1 : 0));
     std::vector<double> bound = depth_;
     double bottom_depth = 0.0;
     for (const Layer& layer : layers) bottom_depth += layer.thickness;
@@ -46,45 +45,7 @@ NonlinearColumn::NonlinearColumn(std::span<const Layer> layers, const Bottom& bo
     for (std::size_t i = 0; i + 1 < bound.size(); ++i) {
         const double middle = 0.5 * (bound[i] + bound[i + 1]);
         while (middle > layer_end && l + 1 < layers.size()) layer_end += layers[++l].thickness;
-        const Layer& layer = layers[l];
-        const double width = bound[i + 1] - bound[i];
-        Link link{.per_width = 1.0 / width,
-                  .frozen = layer.conductivity,
-                  .thawed = layer.conductivity,
-                  .cubic = 0.0};
-        NodeHeat half;
-        const double mass = 0.5 * layer.density * width;
-        half.thawed = half.frozen = mass * layer.heat_capacity;
-        if (const auto* radiating = std::get_if<Radiating>(&layer.law)) {
-            link.cubic = radiating->cubic;
-            half.thawed = half.frozen = 0.0;
-            half.mass = mass;
-            half.polynomial = radiating->heat;
-            linear_ = false;
-        } else if (const auto* freezing = std::get_if<Freezing>(&layer.law)) {
-            link.frozen = freezing->frozen_conductivity;
-            half.frozen = mass * freezing->frozen_heat_capacity;
-            half.latent = 0.5 * width * freezing->water * heat_of_fusion;
-            linear_ = false;
-        } else if (const auto* melting = std::get_if<Melting>(&layer.law)) {
-            half.latent = mass * heat_of_fusion;
-            half.drains = true;
-            half.held = melting->held * half.latent;
-            linear_ = false;
-        }
-        for (const std::size_t n : {i, i + 1}) {
-            NodeHeat& node = node_[n];
-            node.thawed += half.thawed;
-            node.frozen += half.frozen;
-            node.latent += half.latent;
-            node.drains = node.drains || half.drains;
-            node.held += half.held;
-            if (half.mass > 0.0) {
-                node.polynomial = half.polynomial;
-                node.mass += half.mass;
-            }
-        }
-        link_.push_back(link);
+        add_cell(i, layers[l], bound[i + 1] - bound[i]);
     }
     if (fixed) {
         node_.pop_back();
@@ -97,12 +58,62 @@ NonlinearColumn::NonlinearColumn(std::span<const Layer> layers, const Bottom& bo
         below_temperature_ = grid.below_temperature;
         below_flux_ = grid.below_flux;
     }
-    for (NodeHeat& node : node_) node.zero = node.latent > 0.0 ? melting_point : reference;
+    for (NodeHeat& node : node_) node.zero = node.latent > 0.0 ? zero_celsius : reference;
     assert(link_.size() + 1 == node_.size());
 }
 
+NonlinearColumn::Link NonlinearColumn::link_of(const Layer& layer, double width) {
+    Link link{.per_width = 1.0 / width,
+              .frozen = layer.conductivity,
+              .thawed = layer.conductivity,
+              .cubic = 0.0};
+    if (const auto* radiating = std::get_if<Radiating>(&layer.law)) link.cubic = radiating->cubic;
+    if (const auto* freezing = std::get_if<Freezing>(&layer.law)) {
+        link.frozen = freezing->frozen_conductivity;
+    }
+    return link;
+}
+
+NonlinearColumn::NodeHeat NonlinearColumn::half_cell(const Layer& layer, double width) {
+    NodeHeat half;
+    const double mass = 0.5 * layer.density * width;
+    half.thawed = half.frozen = mass * layer.heat_capacity;
+    if (const auto* radiating = std::get_if<Radiating>(&layer.law)) {
+        half.thawed = half.frozen = 0.0;
+        half.mass = mass;
+        half.polynomial = radiating->heat;
+    } else if (const auto* freezing = std::get_if<Freezing>(&layer.law)) {
+        half.frozen = mass * freezing->frozen_heat_capacity;
+        half.latent = 0.5 * width * freezing->water * heat_of_fusion;
+    } else if (const auto* melting = std::get_if<Melting>(&layer.law)) {
+        half.latent = mass * heat_of_fusion;
+        half.drains = true;
+        half.held = melting->held * half.latent;
+    }
+    return half;
+}
+
+/// The cell between a node and the one below it: half of its heat to either, a link between them.
+void NonlinearColumn::add_cell(std::size_t upper, const Layer& layer, double width) {
+    const NodeHeat half = half_cell(layer, width);
+    for (const std::size_t n : {upper, upper + 1}) {
+        NodeHeat& node = node_[n];
+        node.thawed += half.thawed;
+        node.frozen += half.frozen;
+        node.latent += half.latent;
+        node.drains = node.drains || half.drains;
+        node.held += half.held;
+        if (half.mass > 0.0) {
+            node.polynomial = half.polynomial;
+            node.mass += half.mass;
+        }
+    }
+    link_.push_back(link_of(layer, width));
+    linear_ = linear_ && std::holds_alternative<Constant>(layer.law);
+}
+
 NonlinearColumn::Potential NonlinearColumn::potential(const Link& link, double temperature) {
-    const double theta = temperature - melting_point;
+    const double theta = temperature - zero_celsius;
     if (link.cubic > 0.0) {
         const double cube = temperature * temperature * temperature;
         return {link.thawed * (theta + link.cubic * 0.25 * cube * temperature),
@@ -143,8 +154,6 @@ double NonlinearColumn::state_of(std::size_t i, double temperature) const {
     return node.drains ? 0.0 : 1.0 + theta;
 }
 
-double NonlinearColumn::heat(std::size_t i, double u) const { return gain(i, 0.0, u); }
-
 double NonlinearColumn::gain(std::size_t i, double u, double by) const {
     const NodeHeat& node = node_[i];
     const double to = u + by;
@@ -183,23 +192,6 @@ double NonlinearColumn::heat_slope(std::size_t i, double u) const {
             node.mass * polynomial(node.polynomial, temperature(i, u)) * temperature_slope(i, u);
     }
     return slope;
-}
-
-double NonlinearColumn::total_heat(std::span<const double> u) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < size(); ++i) sum += heat(i, u[i]);
-    return sum;
-}
-
-double NonlinearColumn::molten(std::span<const double> u) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < size(); ++i) {
-        if (node_[i].latent > 0.0) {
-            sum += node_[i].latent *
-                   (node_[i].drains ? std::max(0.0, u[i]) : std::clamp(u[i], 0.0, 1.0));
-        }
-    }
-    return sum;
 }
 
 double NonlinearColumn::up_to_kink(std::size_t i, double from, double to) const {

@@ -37,21 +37,23 @@ class NonlinearColumn {
 
     double temperature(std::size_t node, double u) const;
     double state_of(std::size_t node, double temperature) const;  // ice at the melting point
-    double heat(std::size_t node, double u) const;                // [J m⁻²] above that of u = 0
     /// Heat taken up from `u` to `u + by` [J m⁻²], to the last digit of `by` however small.
     double gain(std::size_t node, double u, double by) const;
-    double total_heat(std::span<const double> u) const;
-    /// Heat of melting held by all nodes [J m⁻²].
-    double molten(std::span<const double> u) const;
     /// The way from one state of a node to another, as far as the first place where melting begins
     /// or ends.
     double up_to_kink(std::size_t node, double from, double to) const;
     /// Lets meltwater above what snow holds run off; returns the heat it had taken to melt [J m⁻²].
     double drain(std::vector<double>& u) const;
 
-    /// The room or ground below, where it changes with time [K].
-    void set_below(double temperature) { below_temperature_ = temperature; }
-
+    /// What a step is given; arrays per stage, at step·γ and at the step's end.
+    struct StepForcing {
+        double duration;      // [s]
+        bool gentle = false;  // backward Euler in place of SDIRK2: the second stage alone
+        std::array<const Boundary*, 2> top{};
+        std::array<const Boundary*, 2> back{};  // in place of what the column's bottom is
+        /// Heat released at the nodes [W m⁻²], where any is.
+        std::array<const std::vector<double>*, 2> source{};
+    };
     struct Step {
         bool solved = true;
         int iterations = 0;
@@ -59,15 +61,11 @@ class NonlinearColumn {
         double through = 0.0;  // [J m⁻²] Σ of their magnitudes
         std::array<double, 2> surface{};  // [K] at the stages
     };
-    /// SDIRK2 (or, `gentle`, backward Euler) over `step` seconds. `top` and `back` are given per
-    /// stage, at step·γ and at the step's end. With `map`, its columns are carried along by the
-    /// linearised step. `source`: heat released at the nodes [W m⁻²], per stage. `rest`: what of
-    /// the state its doubles no longer hold (compensated summation): without it a short step loses
-    /// up to Σ C ulp(u), a millionth of a millisecond's heat in ten metres of ground.
-    Step advance(double step, bool gentle, const std::array<const Boundary*, 2>& top,
-                 const std::array<const Boundary*, 2>& back, std::vector<double>& u,
-                 Eigen::MatrixXd* map = nullptr,
-                 const std::array<std::vector<double>, 2>* source = nullptr,
+    /// One step of the state. With `map`, its columns are carried along by the linearised step.
+    /// `rest`: what of the state its doubles no longer hold (compensated summation): without it a
+    /// short step loses up to Σ C ulp(u), a millionth of a millisecond's heat in ten metres of
+    /// ground.
+    Step advance(const StepForcing& forcing, std::vector<double>& u, Eigen::MatrixXd* map = nullptr,
                  std::vector<double>* rest = nullptr) const;
 
  private:
@@ -89,6 +87,9 @@ class NonlinearColumn {
         double value, slope;
     };
     static Potential potential(const Link& link, double temperature);
+    static Link link_of(const Layer& layer, double width);
+    static NodeHeat half_cell(const Layer& layer, double width);
+    void add_cell(std::size_t upper, const Layer& layer, double width);
     static double heat_of_phase(const NodeHeat& node, double u);  // [J m⁻² K⁻¹], or per melt
     double heat_slope(std::size_t node, double u) const;
     double above_zero(std::size_t node, double u) const;         // [K] above NodeHeat::zero
@@ -103,20 +104,28 @@ class NonlinearColumn {
             apart;  // (node) [K] by which what lies under it is warmer at the beginning
         double u(std::size_t i) const { return begin[i] + by[i]; }
     };
-    static constexpr double melting_point = 273.15;  // [K]
     /// Heat up the link from node i + 1 to node i [W m⁻²].
     double conducted(const Way& way, std::size_t i) const;
     static double conducted(const Link& link, double high, double low, double apart);
     /// Heat into the last node, `by` from where it began, from what the bottom is [W m⁻²]; `back`
     /// replaces it if given.
     BoundaryFlux from_below(const Way& way, double by, const Boundary* back) const;
-    bool solve_stage(double tau, const std::vector<double>& target, const Boundary& top,
-                     const Boundary* back, Way& way, int& iterations) const;
+    /// An implicit stage: heat content = `target` + tau · fluxes.
+    struct Stage {
+        double tau;                   // [s]
+        std::vector<double>& target;  // (node) [J m⁻²] above that at the beginning
+        const Boundary& top;
+        const Boundary* back;
+    };
     struct Below;  // what lies under the surface node, eliminated
-    double solve_surface_node(double tau, double target, const Boundary& top, const Boundary* back,
-                              const Below& below, const Way& way, int& iterations) const;
-    void carry(double tau, const std::vector<double>& u, double top_slope, double bottom_slope,
-               Eigen::MatrixXd& right) const;
+    bool solve_stage(const Stage& stage, Way& way, int& iterations) const;
+    void eliminate_upward(const Stage& stage, const Way& way, Below& below) const;
+    double solve_surface_node(const Stage& stage, const Below& below, const Way& way,
+                              int& iterations) const;
+    double follow_downward(const Below& below, double surface_rest, bool halting, Way& way) const;
+    void set_out(const std::vector<double>& u, const std::vector<double>* rest, Way& way) const;
+    void carry(const Stage& stage, const std::vector<double>& u, double top_slope,
+               double bottom_slope, Eigen::MatrixXd& right) const;
 
     std::vector<double> depth_;
     std::vector<NodeHeat> node_;

@@ -31,7 +31,7 @@ double NonlinearColumn::conducted(const Link& link, double high, double low, dou
         const double fourth = (low + high) * (low * low + high * high);
         return link.per_width * link.thawed * apart * (1.0 + 0.25 * link.cubic * fourth);
     }
-    if (link.frozen == link.thawed || (high < melting_point) == (low < melting_point)) {
+    if (link.frozen == link.thawed || (high < zero_celsius) == (low < zero_celsius)) {
         return link.per_width * potential(link, low).slope * apart;
     }
     return link.per_width * (potential(link, low).value - potential(link, high).value);
@@ -54,10 +54,10 @@ BoundaryFlux NonlinearColumn::from_below(const Way& way, double by, const Bounda
 }
 
 /// How far the surface node goes: one monotone equation, whatever stands above.
-double NonlinearColumn::solve_surface_node(double tau, double target, const Boundary& top,
-                                           const Boundary* back, const Below& below, const Way& way,
+double NonlinearColumn::solve_surface_node(const Stage& stage, const Below& below, const Way& way,
                                            int& iterations) const {
     constexpr double rounding = 1e-15, settled = 1e-13;  // of the terms' magnitudes; [K]
+    const double tau = stage.tau, target = stage.target[0];
     const NodeHeat& node = node_[0];
     const double begin = way.begin[0], rest = way.by[0];
     const Link* down = size() > 1 ? &link_[0] : nullptr;
@@ -65,14 +65,14 @@ double NonlinearColumn::solve_surface_node(double tau, double target, const Boun
     double low = coldest - node.zero - begin, high = hottest - node.zero - begin, at = rest;
     for (int i = 0; i < 200; ++i) {
         const double u = begin + at, t = temperature(0, u), bend = temperature_slope(0, u);
-        const BoundaryFlux above = top(t);
+        const BoundaryFlux above = stage.top(t);
         double from_under, under_slope;
         if (down) {
             const double rise = warmed(0, begin, at) - warmed_rest;
             from_under = below.flux - below.loses[1] * conducted(*down, resting, t, rise);
             under_slope = -below.loses[1] * down->per_width * potential(*down, t).slope * bend;
         } else {
-            const BoundaryFlux bottom = from_below(way, at, back);
+            const BoundaryFlux bottom = from_below(way, at, stage.back);
             from_under = bottom.flux;
             under_slope = bottom.slope * bend;
         }
@@ -97,76 +97,87 @@ double NonlinearColumn::solve_surface_node(double tau, double target, const Boun
     return at;
 }
 
-bool NonlinearColumn::solve_stage(double tau, const std::vector<double>& target,
-                                  const Boundary& top, const Boundary* back, Way& way,
-                                  int& iterations) const {
+/// From the bottom node up to the surface's, each linearised where it is.
+void NonlinearColumn::eliminate_upward(const Stage& stage, const Way& way, Below& below) const {
+    const double tau = stage.tau;
+    const std::size_t n = size();
+    double slope_below = 0.0;  // d/du of the heat from below into node i, negated
+    for (std::size_t i = n - 1;; --i) {
+        const double u = way.u(i), t = temperature(i, u), bend = temperature_slope(i, u);
+        if (i == n - 1) {
+            const BoundaryFlux bottom = from_below(way, way.by[i], stage.back);
+            below.flux = bottom.flux;
+            slope_below = -bottom.slope * bend;
+        } else {
+            const Link& link = link_[i];
+            const double low_slope = potential(link, temperature(i + 1, way.u(i + 1))).slope *
+                                     temperature_slope(i + 1, way.u(i + 1));
+            // Flux up the link for node i at rest, node i + 1 following.
+            below.flux = conducted(way, i) + link.per_width * low_slope * below.offset[i + 1];
+            slope_below = link.per_width * below.loses[i + 1] * potential(link, t).slope * bend;
+        }
+        if (i == 0) return;
+        const Link& up = link_[i - 1];
+        const double excess = (gain(i, way.begin[i], way.by[i]) - stage.target[i]) / tau -
+                              below.flux + conducted(way, i - 1);
+        // Without the difference 1 − follow, which has no digits left where links are stiff.
+        const double own = heat_slope(i, u) / tau + slope_below;
+        const double slope = own + up.per_width * potential(up, t).slope * bend;
+        below.offset[i] = -excess / slope;
+        below.follow[i] = up.per_width / slope;
+        below.loses[i] = own / slope;
+    }
+}
+
+/// The surface node has gone on from `surface_rest`; the others follow. Returns the largest move of
+/// any node. halting: water halts where it begins or ends to melt.
+double NonlinearColumn::follow_downward(const Below& below, double surface_rest, bool halting,
+                                        Way& way) const {
+    double worst = std::abs(way.by[0] - surface_rest);
+    double rise = 0.0;
+    if (size() > 1) {
+        const Link& down = link_[0];
+        rise =
+            conducted(down, temperature(0, way.begin[0] + surface_rest), temperature(0, way.u(0)),
+                      warmed(0, way.begin[0], way.by[0]) - warmed(0, way.begin[0], surface_rest)) /
+            down.per_width;
+    }
+    for (std::size_t i = 1; i < size(); ++i) {
+        const double old = way.u(i);
+        double move = below.offset[i] + below.follow[i] * rise;
+        if (node_[i].latent > 0.0 && halting) move = up_to_kink(i, old, old + move) - old;
+        worst = std::max(worst, std::abs(move));
+        if (i + 1 < size()) {
+            // The next node was promised the linear answer of this one.
+            rise =
+                potential(link_[i], temperature(i, old)).slope * temperature_slope(i, old) * move;
+        }
+        const double zero = node_[i].zero + way.begin[i];
+        way.by[i] = std::clamp(way.by[i] + move, coldest - zero, hottest - zero);
+    }
+    return worst;
+}
+
+bool NonlinearColumn::solve_stage(const Stage& stage, Way& way, int& iterations) const {
     constexpr int most_passes = 60;
     constexpr double settled = 1e-9;  // [K]
-    const std::size_t n = size();
     static thread_local Below below;
     for (std::vector<double>* part : {&below.offset, &below.follow, &below.loses}) {
-        part->resize(std::max(part->size(), n));
+        part->resize(std::max(part->size(), size()));
     }
-    const bool once = linear_ && !back;
+    const bool once = linear_ && !stage.back;
     for (int pass = 0; pass < most_passes; ++pass) {
-        double slope_below = 0.0;  // d/du of the heat from below into node i, negated
-        for (std::size_t i = n - 1;; --i) {
-            const double u = way.u(i), t = temperature(i, u), bend = temperature_slope(i, u);
-            if (i == n - 1) {
-                const BoundaryFlux bottom = from_below(way, way.by[i], back);
-                below.flux = bottom.flux;
-                slope_below = -bottom.slope * bend;
-            } else {
-                const Link& link = link_[i];
-                const double low_slope = potential(link, temperature(i + 1, way.u(i + 1))).slope *
-                                         temperature_slope(i + 1, way.u(i + 1));
-                // Flux up the link for node i at rest, node i + 1 following.
-                below.flux = conducted(way, i) + link.per_width * low_slope * below.offset[i + 1];
-                slope_below = link.per_width * below.loses[i + 1] * potential(link, t).slope * bend;
-            }
-            if (i == 0) break;
-            const Link& up = link_[i - 1];
-            const double excess = (gain(i, way.begin[i], way.by[i]) - target[i]) / tau -
-                                  below.flux + conducted(way, i - 1);
-            // Without the difference 1 − follow, which has no digits left where links are stiff.
-            const double own = heat_slope(i, u) / tau + slope_below;
-            const double slope = own + up.per_width * potential(up, t).slope * bend;
-            below.offset[i] = -excess / slope;
-            below.follow[i] = up.per_width / slope;
-            below.loses[i] = own / slope;
-        }
-        const double rest = way.by[0], old_surface = way.u(0);
-        way.by[0] = solve_surface_node(tau, target[0], top, back, below, way, iterations);
-        double worst = std::abs(way.by[0] - rest);
-        double rise = 0.0;
-        if (n > 1) {
-            const Link& down = link_[0];
-            rise = conducted(down, temperature(0, old_surface), temperature(0, way.u(0)),
-                             warmed(0, way.begin[0], way.by[0]) - warmed(0, way.begin[0], rest)) /
-                   down.per_width;
-        }
-        for (std::size_t i = 1; i < n; ++i) {
-            const double old = way.u(i);
-            double move = below.offset[i] + below.follow[i] * rise;
-            if (node_[i].latent > 0.0 && pass < most_passes - 10) {
-                move = up_to_kink(i, old, old + move) - old;
-            }
-            worst = std::max(worst, std::abs(move));
-            if (i + 1 < n) {
-                // The next node was promised the linear answer of this one.
-                rise = potential(link_[i], temperature(i, old)).slope * temperature_slope(i, old) *
-                       move;
-            }
-            const double zero = node_[i].zero + way.begin[i];
-            way.by[i] = std::clamp(way.by[i] + move, coldest - zero, hottest - zero);
-        }
+        eliminate_upward(stage, way, below);
+        const double rest = way.by[0];
+        way.by[0] = solve_surface_node(stage, below, way, iterations);
+        const double worst = follow_downward(below, rest, pass < most_passes - 10, way);
         if (once || worst < settled) return true;
         if (!std::isfinite(worst)) return false;
     }
     return false;
 }
 
-void NonlinearColumn::carry(double tau, const std::vector<double>& u, double top_slope,
+void NonlinearColumn::carry(const Stage& stage, const std::vector<double>& u, double top_slope,
                             double bottom_slope, Eigen::MatrixXd& right) const {
     // Tridiagonal, from the bottom upward, every column of the right-hand side at once.
     const auto n = static_cast<Eigen::Index>(size());
@@ -174,8 +185,8 @@ void NonlinearColumn::carry(double tau, const std::vector<double>& u, double top
     for (Eigen::Index i = n - 1; i >= 0; --i) {
         const auto j = static_cast<std::size_t>(i);
         const double t = temperature(j, u[j]), bend = temperature_slope(j, u[j]);
-        double diagonal = heat_slope(j, u[j]) / tau;
-        right.row(i) /= tau;
+        double diagonal = heat_slope(j, u[j]) / stage.tau;
+        right.row(i) /= stage.tau;
         if (i == n - 1) {
             diagonal -= bottom_slope * bend;
         } else {
@@ -202,19 +213,13 @@ void NonlinearColumn::carry(double tau, const std::vector<double>& u, double top
     }
 }
 
-NonlinearColumn::Step NonlinearColumn::advance(double step, bool gentle,
-                                               const std::array<const Boundary*, 2>& top,
-                                               const std::array<const Boundary*, 2>& back,
-                                               std::vector<double>& u, Eigen::MatrixXd* map,
-                                               const std::array<std::vector<double>, 2>* source,
-                                               std::vector<double>* rest) const {
+/// The state a step sets out from, and how far its neighbours are apart.
+void NonlinearColumn::set_out(const std::vector<double>& u, const std::vector<double>* rest,
+                              Way& way) const {
     const std::size_t n = size();
-    static thread_local Way way;
-    static thread_local std::vector<double> target;
     way.begin = u;
     way.by.assign(n, 0.0);
     way.apart.resize(n);
-    target.assign(n, 0.0);
     for (std::size_t i = 0; i + 1 < n; ++i) {
         way.apart[i] = (above_zero(i + 1, u[i + 1]) - above_zero(i, u[i])) +
                        (node_[i + 1].zero - node_[i].zero);
@@ -224,6 +229,18 @@ NonlinearColumn::Step NonlinearColumn::advance(double step, bool gentle,
         }
     }
     way.apart[n - 1] = (below_temperature_ - node_[n - 1].zero) - above_zero(n - 1, u[n - 1]);
+}
+
+NonlinearColumn::Step NonlinearColumn::advance(const StepForcing& forcing, std::vector<double>& u,
+                                               Eigen::MatrixXd* map,
+                                               std::vector<double>* rest) const {
+    const std::size_t n = size();
+    const double duration = forcing.duration;
+    const double tau = forcing.gentle ? duration : sdirk_gamma * duration;
+    static thread_local Way way;
+    static thread_local std::vector<double> target;
+    set_out(u, rest, way);
+    target.assign(n, 0.0);
     Eigen::MatrixXd start;
     if (map) {
         for (std::size_t i = 0; i < n; ++i) {
@@ -232,33 +249,33 @@ NonlinearColumn::Step NonlinearColumn::advance(double step, bool gentle,
         start = *map;
     }
     Step result;
-    const double tau = gentle ? step : sdirk_gamma * step;
-    constexpr double again = (1.0 - sdirk_gamma) / sdirk_gamma;
-    for (int k = gentle ? 1 : 0; k < 2; ++k) {
-        const auto stage = static_cast<std::size_t>(k);
+    for (std::size_t k = forcing.gentle ? 1 : 0; k < 2; ++k) {
         double released = 0.0;
-        for (std::size_t i = 0; source && i < n; ++i) {
-            target[i] += tau * (*source)[stage][i];
-            released += (*source)[stage][i];
+        for (std::size_t i = 0; forcing.source[k] && i < n; ++i) {
+            target[i] += tau * (*forcing.source[k])[i];
+            released += (*forcing.source[k])[i];
         }
-        result.solved = solve_stage(tau, target, *top[stage], back[stage], way, result.iterations);
+        const Stage stage{tau, target, *forcing.top[k], forcing.back[k]};
+        result.solved = solve_stage(stage, way, result.iterations);
         if (!result.solved) return result;
         for (std::size_t i = 0; i < n; ++i) u[i] = way.u(i);
-        const BoundaryFlux above = (*top[stage])(temperature(0, u[0]));
-        const BoundaryFlux below = from_below(way, way.by[n - 1], back[stage]);
-        const double weight = gentle ? step : step * (k == 0 ? 1.0 - sdirk_gamma : sdirk_gamma);
-        result.surface[stage] = temperature(0, u[0]);
+        const BoundaryFlux above = stage.top(temperature(0, u[0]));
+        const BoundaryFlux below = from_below(way, way.by[n - 1], stage.back);
+        const double weight = forcing.gentle ? duration : duration * stage_weight[k];
+        result.surface[k] = temperature(0, u[0]);
         result.heat_in += weight * (above.flux + below.flux + released);
         result.through +=
             weight * (std::abs(above.flux) + std::abs(below.flux) + std::abs(released));
-        if (map) carry(tau, u, above.slope, below.slope, *map);
+        if (map) carry(stage, u, above.slope, below.slope, *map);
         if (k == 1) break;
-        for (std::size_t i = 0; i < n; ++i) target[i] = again * gain(i, way.begin[i], way.by[i]);
+        for (std::size_t i = 0; i < n; ++i)
+            target[i] = stage_onward * gain(i, way.begin[i], way.by[i]);
         if (map) {
             for (std::size_t i = 0; i < n; ++i) {
                 const auto row = static_cast<Eigen::Index>(i);
                 map->row(row) =
-                    start.row(row) + again * (heat_slope(i, u[i]) * map->row(row) - start.row(row));
+                    start.row(row) +
+                    stage_onward * (heat_slope(i, u[i]) * map->row(row) - start.row(row));
             }
         }
     }

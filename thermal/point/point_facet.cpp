@@ -157,9 +157,11 @@ PointFacet::Taken PointFacet::half_step(Instant from, double at, double step, bo
         for (SurfaceConditions& one : c) one.wet_share = share;
         Taken taken;
         taken.step = column.advance(
-            step, gentle, {&met.top[0], &met.top[1]},
-            {met.back[0] ? &met.back[0] : nullptr, met.back[1] ? &met.back[1] : nullptr}, state.u,
-            map, nullptr, &state.rest);
+            {.duration = step,
+             .gentle = gentle,
+             .top = {&met.top[0], &met.top[1]},
+             .back = {met.back[0] ? &met.back[0] : nullptr, met.back[1] ? &met.back[1] : nullptr}},
+            state.u, map, &state.rest);
         taken.duration = step;
         taken.last = c[1];
         if (!taken.step.solved) return taken;

@@ -266,7 +266,6 @@ PointResult run_column(const PointJob& given) {
         result.depth.push_back(facet.column.depth(i));
         result.final_profile.push_back(facet.column.temperature(i, facet.u[i]));
     }
-    result.final_molten = facet.column.molten(facet.u);
     return result;
 }
 

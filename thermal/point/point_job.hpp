@@ -69,7 +69,6 @@ struct PointResult {
     /// because the equations were not solved or the error stayed too large. Zero in normal use.
     int limited = 0;
     std::vector<double> depth, final_profile;  // (node) [m], [K]
-    double final_molten = 0.0;                 // heat of melting held by the column [J m⁻²]
 };
 
 /// Reads a column file (TOML; see the README, "The point tool") and its weather. Throws InputError

@@ -75,7 +75,4 @@ void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>&
 /// surface's slope there [W m⁻² K⁻¹].
 double settle(const MaterialColumn& material, const AirFilm& air, const double* heat, Batch& batch);
 
-/// The step times γ of the two stages, as shares of the step.
-inline constexpr std::array<double, 2> stage_share{sdirk_gamma, 1.0};
-
 }  // namespace diurna

@@ -4,8 +4,15 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "thermal/column/column.hpp"
+#include "thermal/surface/frost.hpp"
+#include "thermal/surface/ground_and_leaves.hpp"
 
 namespace diurna {
+
+double apart(const Standing& a, const Standing& b) {
+    return std::abs(a.water - b.water) + std::abs(a.frost - b.frost);
+}
 
 double snow_share(double air_temperature) {
     return std::clamp(0.5 * (zero_celsius + 2.0 - air_temperature), 0.0, 1.0);
@@ -26,7 +33,7 @@ StoreFlows store_flows(const std::array<SurfaceConditions, 2>& conditions,
     StoreFlows flows;
     for (std::size_t k = gentle ? 1 : 0; k < 2; ++k) {
         const SurfaceConditions& c = conditions[k];
-        const double weight = gentle ? step : step * (k == 0 ? 1.0 - sdirk_gamma : sdirk_gamma);
+        const double weight = gentle ? step : step * stage_weight[k];
         const SurfaceTerms terms = surface_terms(c, surface[k]);
         const double gain =
             weight * terms.wet_evaporation / heat_of_vapour(c.air.air_temperature, terms.leaf);

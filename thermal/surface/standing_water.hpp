@@ -2,16 +2,17 @@
 
 #include <array>
 
-#include "thermal/surface/ground_and_leaves.hpp"
+#include "thermal/surface/surface_conditions.hpp"
 
 namespace diurna {
-
-inline constexpr double heat_of_fusion = 3.337e5;  // [J kg⁻¹] of ice at 273.15 K
 
 /// Water on the surface [kg m⁻² = mm].
 struct Standing {
     double water = 0.0, frost = 0.0;
 };
+
+/// How much the two differ [mm].
+double apart(const Standing& a, const Standing& b);
 
 /// Share of precipitation that falls as snow: all below 0 °C of the air, none above 2 °C, straight
 /// between (after US Army Corps of Engineers 1956, Snow Hydrology).

@@ -92,6 +92,12 @@ double tarp_forced(double wind_speed) {
 
 double mowitt_forced(double wind_speed) { return 3.26 * std::pow(wind_speed, 0.89); }
 
+double recovery_temperature(double air_temperature, double speed) {
+    constexpr double gamma = 1.4, recovery = 0.89;
+    const double mach_squared = speed * speed / (gamma * dry_air_gas_constant * air_temperature);
+    return air_temperature * (1.0 + recovery * 0.5 * (gamma - 1.0) * mach_squared);
+}
+
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed) {
     const double wind = std::max(wind_speed, least_wind);

@@ -69,6 +69,10 @@ struct AirFilm {
 /// wind below 0.3 m s⁻¹ counts as 0.3: drift in calm air
 inline constexpr double least_wind = 0.3;
 
+/// Air as warm as a surface that moves through it would find it (recovery temperature):
+/// T (1 + r (γ − 1)/2 M²) with r = 0.89, turbulent, and γ = 1.4.
+double recovery_temperature(double air_temperature, double speed);
+
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed);
 
@@ -118,6 +122,17 @@ struct Film {
     return {h, h > 0.0 ? n * n / (3.0 * h) : 0.0, 0.0};
 }
 
+/// What carries vapour, the air's film and a resistance [s m⁻¹] in series, over ρ cp [m s⁻¹], and
+/// d/dT_s of it.
+struct VapourPath {
+    double conductance, steeper;
+};
+[[gnu::always_inline]] inline VapourPath vapour_path(const AirFilm& air, const Film& film,
+                                                     double resistance) {
+    const double in_series = 1.0 / (air.heat_capacity + resistance * film.h);
+    return {film.h * in_series, air.heat_capacity * in_series * in_series * film.slope};
+}
+
 /// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share against the
 /// surface's resistance in series with the air's, dew against the air's alone.
 ///
@@ -128,13 +143,10 @@ struct LatentHeat {
 [[gnu::always_inline]] inline LatentHeat latent_heat(const AirFilm& air, const Film& film,
                                                      double excess, double pressure_slope) {
     const bool drying = excess > 0.0;
-    const double resistance = drying ? air.resistance : 0.0;
+    const VapourPath path = vapour_path(air, film, drying ? air.resistance : 0.0);
     const double share = air.latent * (drying ? air.wetness : 1.0);
-    const double in_series = 1.0 / (air.heat_capacity + resistance * film.h);
-    const double conductance = film.h * in_series;
-    const double steeper = air.heat_capacity * in_series * in_series * film.slope;
-    return {-share * conductance * excess,
-            -share * (conductance * pressure_slope + steeper * excess)};
+    return {-share * path.conductance * excess,
+            -share * (path.conductance * pressure_slope + path.steeper * excess)};
 }
 [[gnu::always_inline]] inline LatentHeat latent_heat(const AirFilm& air, const Film& film,
                                                      double temperature) {

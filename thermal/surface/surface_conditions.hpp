@@ -1,0 +1,41 @@
+#pragma once
+
+#include "materials/matter/material.hpp"
+#include "thermal/surface/heat_balance.hpp"
+#include "thermal/surface/turbulence.hpp"
+
+namespace diurna {
+
+/// What stands above one facet's ground at one instant: a point's surface, with all it may
+/// carry (water, frost, leaves).
+struct SurfaceConditions {
+    AirFilm air{};
+    NaturalFilm natural{};
+    double wind_speed = 0.0;      // [m s⁻¹] for the ground under leaves
+    double wind_height = 10.0;    // [m]
+    double absorbed_solar = 0.0;  // [W m⁻²]
+    double longwave_in = 0.0;     // [W m⁻²] irradiance from the sky
+    double own_view = 0.0;        // of ground as warm as the facet itself, 0 to 1
+    double emissivity = 1.0;
+    double internal = 0.0;   // [W m⁻²]
+    double wet_share = 0.0;  // covered by standing water, evaporating freely
+    double rain_mm_h = 0.0;
+    bool stores = false;  // dew collects even on what does not evaporate by itself
+    /// What melts all frost and freezes all water that lies there within the step [W m⁻²]: they do
+    /// so by 50 W m⁻² K⁻¹ from 273.15 K, up to this.
+    double frost_heat = 0.0, water_heat = 0.0;
+    Canopy canopy;
+};
+
+/// The terms at a ground temperature, positive towards the surface [W m⁻²].
+struct SurfaceTerms {
+    HeatBalance balance;       // `conducted` stays zero
+    double wet_evaporation;    // latent heat of the wet share alone, per unit wet share
+    double frost_melt;         // heat taken by melting frost (negative), given by freezing water
+    double radiometric;        // [K] what a radiometer sees
+    double leaf;               // [K] leaves or skin; the ground itself without them
+    double into_ground;        // all of it
+    double into_ground_slope;  // d/dT of the ground [W m⁻² K⁻¹]
+};
+
+}  // namespace diurna

@@ -21,6 +21,7 @@
 #include "terrain/relief/height_field.hpp"
 #include "terrain/relief/relief_sky.hpp"
 #include "terrain/relief/relief_sun.hpp"
+#include "thermal/point/point_csv.hpp"
 #include "thermal/point/point_job.hpp"
 
 namespace diurna {

@@ -1,4 +1,5 @@
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/point_csv.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

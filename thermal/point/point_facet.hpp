@@ -57,6 +57,8 @@ class PointFacet {
     /// The span in steps of `longest_step`, their error unchecked: a third of the work. `restart`
     /// begins with 10 s, for after a jump; a step whose equations are not solved is halved.
     void march(Instant from, Instant to, bool restart, Eigen::MatrixXd* map = nullptr);
+    /// [K] the largest of any node since the column's state was `start`.
+    double change_since(const std::vector<double>& start) const;
     /// Moves the state by (I − map)⁻¹ times the change since `start`: Newton on the periodic map.
     /// Returns the largest move [K].
     double close_period(const std::vector<double>& start, const Eigen::MatrixXd& map);
@@ -107,6 +109,16 @@ class PointFacet {
     /// One step of SDIRK2 from `at` seconds after `from`.
     Taken half_step(Instant from, double at, double step, bool gentle, State& state,
                     Eigen::MatrixXd* map) const;
+    /// A step that may be taken: its halves, where they lead, and how far the whole leads
+    /// elsewhere.
+    struct Trial {
+        Taken first, second;
+        State whole, middle, end;
+        double error = 0.0;  // [K]
+    };
+    double step_within(double limit) const;
+    void try_step(Instant from, double at, double step, bool gentle, const State& begin,
+                  Trial& trial) const;
     void march_step(Instant from, double at, double step, int depth, Eigen::MatrixXd* map);
     void count_closure(const Taken& taken, const State& before, const State& after);
 

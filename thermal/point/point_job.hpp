@@ -77,7 +77,4 @@ PointJob read_column_job(const std::filesystem::path& file);
 
 PointResult run_column(const PointJob& job);
 
-/// The result as text: `time,surface_temperature_K,...`, comment lines first for what was modelled.
-std::string column_csv(const PointResult& result);
-
 }  // namespace diurna

@@ -9,6 +9,7 @@ namespace diurna {
 namespace {
 
 constexpr double shortest_step = 1e-7;  // [s]
+constexpr double unsolved = 1e9;        // [K] counts as a step's error
 constexpr double least_flux = 1e-3;     // [W m⁻²] that a balance is measured against
 
 }  // namespace
@@ -39,50 +40,50 @@ void PointFacet::count_closure(const Taken& taken, const State& before, const St
         std::max(count.worst_closure, std::abs(gained - taken.step.heat_in) / scale);
 }
 
+/// As long as the last error allows; to the limit, or half way there where that is not far.
+double PointFacet::step_within(double limit) const {
+    const double step = std::max(shortest_step, std::min(next_step_, setup_.longest_step));
+    if (step >= 0.999 * limit) return limit;
+    return step > 0.5 * limit ? 0.5 * limit : step;
+}
+
+/// Once over the whole step and twice over its halves.
+void PointFacet::try_step(Instant from, double at, double step, bool gentle, const State& begin,
+                          Trial& trial) const {
+    trial.error = unsolved;
+    trial.whole = trial.end = begin;
+    if (!half_step(from, at, step, gentle, trial.whole, nullptr).step.solved) return;
+    trial.first = half_step(from, at, 0.5 * step, gentle, trial.end, nullptr);
+    trial.middle = trial.end;
+    if (!trial.first.step.solved) return;
+    trial.second = half_step(from, at + 0.5 * step, 0.5 * step, gentle, trial.end, nullptr);
+    if (!trial.second.step.solved) return;
+    trial.error = 0.0;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        trial.error = std::max(trial.error, std::abs(column.temperature(i, trial.end.u[i]) -
+                                                     column.temperature(i, trial.whole.u[i])));
+    }
+    trial.error /= 3.0;
+}
+
 double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
                            Eigen::MatrixXd* map) {
     const double span = seconds_between(from, to);
     auto knot = std::upper_bound(setup_.knot.begin(), setup_.knot.end(), from);
     double done = 0.0, melted = 0.0;
     bool stuck = false;  // the shortest step was not good enough
-    State begin = state(), whole, middle, halves;
+    State begin = state();
+    Trial trial;
     while (span - done > 1e-9) {
-        // To the next sample of the weather, or half way there.
         while (knot != setup_.knot.end() && seconds_between(from, *knot) <= done + 1e-9) ++knot;
-        double limit = span - done;
+        double limit = span - done;  // to the next sample of the weather
         if (knot != setup_.knot.end()) {
             limit = std::min(limit, seconds_between(from, *knot) - done);
         }
-        double step = std::max(shortest_step, std::min(next_step_, setup_.longest_step));
-        const bool cut = step >= 0.999 * limit;
-        if (cut) {
-            step = limit;
-        } else if (step > 0.5 * limit) {
-            step = 0.5 * limit;
-        }
+        const double step = step_within(limit);
         const bool last_resort = stuck;
-
-        whole = begin;
-        halves = begin;
-        const Taken once = half_step(from, done, step, last_resort, whole, nullptr);
-        Taken first, second;
-        double error = 1e9;
-        if (once.step.solved) {
-            first = half_step(from, done, 0.5 * step, last_resort, halves, nullptr);
-            middle = halves;
-            if (first.step.solved) {
-                second =
-                    half_step(from, done + 0.5 * step, 0.5 * step, last_resort, halves, nullptr);
-                if (second.step.solved) {
-                    error = 0.0;
-                    for (std::size_t i = 0; i < u.size(); ++i) {
-                        error = std::max(error, std::abs(column.temperature(i, halves.u[i]) -
-                                                         column.temperature(i, whole.u[i])));
-                    }
-                    error /= 3.0;
-                }
-            }
-        }
+        try_step(from, done, step, last_resort, begin, trial);
+        const double error = trial.error;
         const double growth = error > 0.0 ? 0.9 * std::cbrt(setup_.tolerance / error) : 4.0;
         if (error > setup_.tolerance && !last_resort) {
             ++count.rejected;
@@ -92,23 +93,23 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
         }
         if (last_resort) ++count.limited;
         stuck = false;
-        if (error < 1e9) {
-            count_closure(first, begin, middle);
-            count_closure(second, middle, halves);
+        if (error < unsolved) {
+            count_closure(trial.first, begin, trial.middle);
+            count_closure(trial.second, trial.middle, trial.end);
             if (map) {
                 // Over again with the map, now that the step is known to stand.
                 half_step(from, done, 0.5 * step, last_resort, begin, map);
                 half_step(from, done + 0.5 * step, 0.5 * step, last_resort, begin, map);
             }
-            melted += first.melted + second.melted + column.drain(halves.u);
-            std::swap(begin, halves);
+            melted += trial.first.melted + trial.second.melted + column.drain(trial.end.u);
+            std::swap(begin, trial.end);
         }
         if (steps) steps->push_back(step);
         ++count.steps;
         done += step;
         const double grown = step * std::clamp(growth, 0.2, 4.0);
         // A step cut short by a sample says little of how long the next may be.
-        next_step_ = std::max(grown, cut ? std::min(next_step_, 10.0 * grown) : 0.0);
+        next_step_ = std::max(grown, step == limit ? std::min(next_step_, 10.0 * grown) : 0.0);
         next_step_ = std::clamp(next_step_, shortest_step, setup_.longest_step);
     }
     take(begin);
@@ -162,6 +163,12 @@ void PointFacet::march_step(Instant from, double at, double step, int depth, Eig
     if (gentle) return;
     march_step(from, at, 0.5 * step, depth + 1, map);
     march_step(from, at + 0.5 * step, 0.5 * step, depth + 1, map);
+}
+
+double PointFacet::change_since(const std::vector<double>& start) const {
+    double change = 0.0;
+    for (std::size_t i = 0; i < u.size(); ++i) change = std::max(change, std::abs(u[i] - start[i]));
+    return change;
 }
 
 double PointFacet::close_period(const std::vector<double>& start, const Eigen::MatrixXd& map) {

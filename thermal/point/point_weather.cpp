@@ -1,0 +1,73 @@
+#include "thermal/point/point_weather.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/air/moist_air.hpp"
+#include "materials/base/units.hpp"
+#include "thermal/weather/tilted_sky.hpp"
+
+namespace diurna {
+
+PointWeather::PointWeather(const PointJob& job)
+    : job_(job),
+      sun_(job.site),
+      normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
+      tilted_(job.clear_sky.longwave_by_direction
+                  ? tilted_sky_excess(radians(job.slope_deg), job.sky_view)
+                  : 0.0) {}
+
+PointForcing PointWeather::operator()(Instant when) {
+    const Forcing forcing = job_.weather.at(when);
+    const SkyState sky = sky_state(sun_.at(when), job_.elevation, forcing, job_.clear_sky);
+    const double hidden = 1.0 - job_.sky_view;
+    PointForcing f{.air = forcing.air,
+                   .wind_speed = forcing.wind_speed,
+                   .rain_mm_h = forcing.rain_mm_h,
+                   .albedo = sky.albedo,
+                   .longwave_in = job_.sky_view * sky.longwave_down + tilted_ * sky.tilted_longwave,
+                   .own_view = hidden};
+    if (std::isnan(sky.plane_of_array)) {
+        f.sunlight = facet_sunlight(sky, normal_.dot(sky.to_sun), 1.0, job_.sky_view);
+        f.own_light = hidden * sky.global_horizontal();
+    } else {
+        f.sunlight = sky.plane_of_array;
+    }
+    if (job_.airspeed > 0.0) {
+        f.air.temperature = recovery_temperature(f.air.temperature, job_.airspeed);
+        f.wind_speed = job_.airspeed;
+    }
+    return f;
+}
+
+Weather without_trend(Weather weather, Instant start) {
+    constexpr double window = 3600.0;  // [s] averaged at either end
+    const Instant end = later(start, seconds_of_day);
+    const auto mean = [&](Instant from, double Forcing::*flux, double AirState::*air) {
+        double sum = 0.0;
+        constexpr int parts = 12;
+        for (int i = 0; i < parts; ++i) {
+            const Forcing f = weather.at(later(from, window * (i + 0.5) / parts));
+            sum += flux ? f.*flux : f.air.*air;
+        }
+        return sum / parts;
+    };
+    const auto gain = [&](double Forcing::*flux, double AirState::*air) {
+        return mean(later(end, -window), flux, air) - mean(start, flux, air);
+    };
+    const double warmer = gain(nullptr, &AirState::temperature);
+    const double moister = gain(nullptr, &AirState::vapour_pressure);
+    const double brighter = gain(&Forcing::longwave_down, nullptr);
+    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
+        const double share =
+            std::clamp(seconds_between(start, weather.instant[i]) / seconds_of_day, 0.0, 1.0);
+        Forcing& f = weather.sample[i];
+        f.air.temperature -= share * warmer;
+        f.air.vapour_pressure = std::clamp(f.air.vapour_pressure - share * moister, 0.0,
+                                           saturation_vapour_pressure(f.air.temperature));
+        if (!std::isnan(brighter)) f.longwave_down -= share * brighter;
+    }
+    return weather;
+}
+
+}  // namespace diurna

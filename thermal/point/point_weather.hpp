@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "terrain/place/sun_path.hpp"
+#include "thermal/point/point_facet.hpp"
+#include "thermal/point/point_job.hpp"
+
+namespace diurna {
+
+inline constexpr double seconds_of_day = 86400.0;
+
+/// What a job's weather sends to its facet: sun and sky as it sees them, and air as it meets it.
+/// The job must outlive it.
+class PointWeather {
+ public:
+    explicit PointWeather(const PointJob& job);
+
+    double up_cosine() const { return normal_.z(); }  // of the facet's normal
+    PointForcing operator()(Instant when);
+
+ private:
+    const PointJob& job_;
+    SunPath sun_;
+    Eigen::Vector3d normal_;
+    double tilted_;  // tilted_sky_excess
+};
+
+/// A series whose first day from `start` may have gone before itself: what its air and sky gained
+/// or lost from end to end is taken out evenly, so that it ends as it began. A front that came
+/// through is weather of that day and none of the days before.
+Weather without_trend(Weather weather, Instant start);
+
+}  // namespace diurna

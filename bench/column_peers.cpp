@@ -28,8 +28,8 @@ int derivative(double t, N_Vector y, N_Vector rate, void* user) {
     double* const dx = N_VGetArrayPointer(rate);
     const StageForcing now = p.day.air_at(t);
     const double heat = p.heat_0 + (p.heat_1 - p.heat_0) * (t - p.from) / p.length;
-    double down = heat_balance(now.air, p.day.natural, c.surface.emissivity, heat, now.sky_longwave,
-                               0.0, x[0])
+    double down = heat_balance(now.air, p.day.natural, c.surface.emissivity,
+                               {.absorbed_solar = heat, .longwave = now.sky_longwave}, x[0])
                       .sum();
     const std::size_t n = c.grid.size();
     for (std::size_t i = 0; i < n; ++i) {

@@ -92,8 +92,8 @@ TEST_CASE("random surfaces are solved to rounding, whatever the guess",
         CHECK(count.iterations < 60);
         for (std::size_t l = 0; l < lanes; ++l) {
             const double t = lane.temperature[l];
-            const HeatBalance terms =
-                heat_balance(film, lane.natural[l], surface.emissivity, lane.heat[l], 0.0, 0.0, t);
+            const HeatBalance terms = heat_balance(film, lane.natural[l], surface.emissivity,
+                                                   {.absorbed_solar = lane.heat[l]}, t);
             const double left = terms.sum() + lane.a[l] - b * (t - 290.0);
             const double size = std::abs(lane.heat[l]) + std::abs(terms.longwave_out) +
                                 std::abs(terms.sensible) + std::abs(terms.latent) + b * 30.0;
@@ -117,7 +117,7 @@ TEST_CASE("no night has three surface temperatures", "[thermal][heat_balance][un
                 int roots = 0;
                 double before = 1.0;
                 for (double t = 230.0; t < 290.0; t += 0.05) {
-                    const HeatBalance terms = heat_balance(film, {}, 0.97, 0.0, sky, 0.0, t);
+                    const HeatBalance terms = heat_balance(film, {}, 0.97, {.longwave = sky}, t);
                     const double left = terms.sum() + ground * (278.0 - t);
                     if ((left > 0.0) != (before > 0.0)) ++roots;
                     before = left;

@@ -67,8 +67,8 @@ TEST_CASE("the surfaces of a step in modes are in balance to 1e-9", "[thermal][m
             for (std::size_t l = 0; l < lanes; ++l) {
                 CAPTURE(n, l);
                 const double t = c.batch.temperature[l], theta = t - c.step.reference;
-                const HeatBalance balance =
-                    heat_balance(c.air, c.batch.natural[l], emissivity, c.heat[l], 0.0, 0.0, t);
+                const HeatBalance balance = heat_balance(c.air, c.batch.natural[l], emissivity,
+                                                         {.absorbed_solar = c.heat[l]}, t);
                 const double taken = c.batch.drive[l] - c.step.film * theta - c.step.flux_below;
                 const double terms = c.heat[l] - balance.longwave_out + std::abs(balance.sensible) +
                                      std::abs(balance.latent);

@@ -20,7 +20,7 @@ double stored(const ColumnGrid& grid, const std::vector<double>& state) {
 double heat_in(const MaterialColumn& column, const AirFilm& air, NaturalFilm natural, double heat,
                double surface, double bottom) {
     const ColumnGrid& grid = column.grid;
-    return heat_balance(air, natural, column.surface.emissivity, heat, 0.0, 0.0, surface).sum() +
+    return heat_balance(air, natural, column.surface.emissivity, {.absorbed_solar = heat}, surface).sum() +
            grid.below_flux +
            grid.conductance.back() * (grid.below_temperature - column.reference - bottom);
 }

@@ -29,7 +29,7 @@ void BlockHeat::begin_substep(int s, double sky_longwave) {
     const double share = double(s + 1) / substeps;
     for (std::size_t l = 0; l < filled_; ++l) {
         at_start[l] = at_end[l];
-        at_end[l] = before_[l] + share * (after_[l] - before_[l] - jump_[l]) + sky;
+        at_end[l] = smooth(l, share) + sky;
     }
     jumps.clear();
     for (const HeatJump& edge : edges_) {

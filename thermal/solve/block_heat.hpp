@@ -21,6 +21,14 @@ class BlockHeat {
     void begin_substep(int s, double sky_longwave);
     void end_step();
 
+    /// The jumps of sunlight in the step, and by how much they raise a lane's heat.
+    std::span<const HeatJump> edges() const { return edges_; }
+    double jump(std::size_t lane) const { return jump_[lane]; }
+    /// A lane's heat at a share of the step, without its jumps and the sky.
+    double smooth(std::size_t lane, double share) const {
+        return before_[lane] + share * (after_[lane] - before_[lane] - jump_[lane]);
+    }
+
     alignas(64) double at_start[mode_lanes] = {}, at_end[mode_lanes] = {};  // of the substep
     std::vector<HeatJump> jumps;                                            // within the substep
 

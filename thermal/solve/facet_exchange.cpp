@@ -29,10 +29,11 @@ FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& material
     return optics;
 }
 
-void incident_sunlight(const FacetSet& facets, const FacetViews& view, const FacetOptics& optics,
-                       const SkyState& sky, std::span<const float> fraction, bool exchange,
-                       std::span<float> incident) {
-    const std::size_t n = facets.size();
+void incident_sunlight(const ExchangingFacets& scene, const SkyState& sky,
+                       std::span<const float> fraction, std::span<float> incident) {
+    const FacetViews& view = scene.views;
+    const std::vector<float>& albedo = scene.optics.albedo;
+    const std::size_t n = scene.facets.size();
     const double global = sky.global_horizontal();
     if (global <= 0.0) {
         std::fill(incident.begin(), incident.end(), 0.0f);
@@ -40,16 +41,16 @@ void incident_sunlight(const FacetSet& facets, const FacetViews& view, const Fac
     }
     std::vector<float> own(n), reflected(n);
     for (std::size_t f = 0; f < n; ++f) {
-        const double cosine = facets.normal[f].cast<double>().dot(sky.to_sun);
+        const double cosine = scene.facets.normal[f].cast<double>().dot(sky.to_sun);
         // The fraction counts the facet's own turning away already.
         const double lit = fraction.empty() ? 1.0 : fraction[f];
         double light = facet_sunlight(sky, cosine, lit, view.sky[f]);
-        if (exchange) light += double(view.below[f]) * optics.albedo[f] * global;
+        if (scene.exchange) light += double(view.below[f]) * albedo[f] * global;
         own[f] = incident[f] = float(light);
     }
-    if (!exchange || view.others.facet.empty()) return;
+    if (!scene.exchange || view.others.facet.empty()) return;
     for (int bounce = 0; bounce < 2; ++bounce) {
-        for (std::size_t f = 0; f < n; ++f) reflected[f] = optics.albedo[f] * incident[f];
+        for (std::size_t f = 0; f < n; ++f) reflected[f] = albedo[f] * incident[f];
         for (std::size_t f = 0; f < n; ++f) {
             incident[f] = float(own[f] + gathered(view.others, f, reflected));
         }

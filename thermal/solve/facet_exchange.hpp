@@ -17,14 +17,21 @@ struct FacetOptics {
 };
 FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& materials);
 
+/// Who exchanges light with whom.
+struct ExchangingFacets {
+    const FacetSet& facets;
+    const FacetViews& views;
+    const FacetOptics& optics;
+    bool exchange = true;  // else each sees sun and sky alone
+};
+
 /// Sunlight on every facet at one instant [W m⁻²]: beam and sky (facet_sunlight) and what other
 /// facets reflect, two bounces deep; what is left of the third is below albedo³ of the seen share.
 /// Ground below the scene's edge reflects the horizontal global sun as the facet itself would.
 ///
 /// fraction  (facet) share in the sun; empty: nothing casts a shadow
-void incident_sunlight(const FacetSet& facets, const FacetViews& view, const FacetOptics& optics,
-                       const SkyState& sky, std::span<const float> fraction, bool exchange,
-                       std::span<float> incident);
+void incident_sunlight(const ExchangingFacets& scene, const SkyState& sky,
+                       std::span<const float> fraction, std::span<float> incident);
 
 /// Longwave from other facets beyond what the sky they hide would send, D = L_in − L_sky [W m⁻²]:
 /// neighbours emit ε σ T⁴ and reflect the rest of what reaches them. Zero, whatever the

@@ -16,8 +16,11 @@ void shine(SolveState& solve) {
             if (!solve.input.sun.fraction.empty()) {
                 fraction = {solve.input.sun.fraction.data() + i * solve.facets, solve.facets};
             }
-            incident_sunlight(solve.input.facets, solve.input.views, solve.optics, solve.sky[i],
-                              fraction, solve.options.exchange, solve.row(solve.sunlight, i));
+            incident_sunlight({.facets = solve.input.facets,
+                               .views = solve.input.views,
+                               .optics = solve.optics,
+                               .exchange = solve.options.exchange},
+                              solve.sky[i], fraction, solve.row(solve.sunlight, i));
         },
         1);
 }

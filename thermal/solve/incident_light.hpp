@@ -4,7 +4,7 @@
 
 namespace diurna {
 
-/// Fills the job's sunlight at every instant: sun, sky and what facets reflect.
+/// Fills the solve's sunlight at every instant: sun, sky and what facets reflect.
 void shine(SolveState& solve);
 /// Sunlight that jumps at the shadows' edges: what falls on the facet with the sun's whole disc
 /// less what falls on it with none, times the change of the share.

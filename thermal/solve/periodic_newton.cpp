@@ -11,8 +11,6 @@ namespace diurna {
 namespace {
 
 using Eigen::MatrixXd;
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
 
 constexpr double steeper = 1.25;
 
@@ -53,10 +51,10 @@ void correct_block(SolveState& solve, const Level& level, Block& block) {
     block.nudge = 0.0;
     block.move.resize(block.start.size());
     block.planned.resize(block.start.size());
-    Strided start(block.start.data(), n, count, stride);
-    Strided done(block.move.data(), n, count, stride);
-    Strided planned(block.planned.data(), n, count, stride);
-    const MatrixXd change = Strided(block.change.data(), n, count, stride);
+    BlockStates start(block.start.data(), n, count, stride);
+    BlockStates done(block.move.data(), n, count, stride);
+    BlockStates planned(block.planned.data(), n, count, stride);
+    const MatrixXd change = BlockStates(block.change.data(), n, count, stride);
     const MatrixXd plan = close_period(block, change);
     MatrixXd move = plan;
     for (Eigen::Index l = 0; update && l < count; ++l) {

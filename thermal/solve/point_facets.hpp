@@ -26,10 +26,10 @@ class PointFacets {
     explicit PointFacets(const SolveState& solve) : solve_(solve) {}
 
     /// After a pass of the blocks: takes in who needs it, runs all whose surroundings have changed,
-    /// and puts their temperatures in the job's.
+    /// and puts their temperatures in the solve's.
     void pass(SolveState& solve, const Level& level);
 
-    /// Their temperatures once more, where neighbours have moved the job's since.
+    /// Their temperatures once more, where neighbours have moved the solve's since.
     void put(SolveState& solve) const;
 
     std::size_t size() const { return point_.size(); }
@@ -55,6 +55,7 @@ class PointFacets {
         PointFacet::Count count;
     };
     void take_in(const Level& level);
+    double mean_kelvin(std::size_t facet) const;  // over the span, as it is in the solve
     void run(const Level& level, Point& point) const;
     bool rests(const Point& point) const;
 

@@ -1,7 +1,8 @@
-#include "thermal/solve/run_block.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/run_block.hpp"
 
 namespace diurna {
 
@@ -80,100 +81,137 @@ class Stray {
     Batch one_;
 };
 
+/// A block on its way over the span.
+class LayeredRun {
+ public:
+    LayeredRun(SolveState& solve, const Level& level, Block& block)
+        : solve_(solve),
+          level_(level),
+          block_(block),
+          kind_(level.kind[block.material]),
+          count_(block.facet.size()),
+          substep_(level_step(solve, level) / kind_.column.substeps),
+          heat_(solve, level, block, count_) {
+        batch_.resize(kind_.column.grid.size(), count_);
+        batch_.state = block.start;
+        std::copy(block.natural.begin(), block.natural.end(), batch_.natural.begin());
+        for (std::size_t l = 0; l < count_; ++l) {
+            batch_.temperature[l] = batch_.state[l] + kind_.column.reference;
+        }
+    }
+
+    void run() {
+        block_.slope.assign(kind_.forcing.size(), 0.0);
+        block_.record = {};
+        put_kelvin(solve_, block_, 0, batch_.temperature.data());
+        std::size_t stage = 0;
+        for (std::size_t i = level_.stride; i <= solve_.steps(); i += level_.stride) {
+            heat_.begin_step(i);
+            for (int s = 0; s < kind_.column.substeps; ++s, stage += 2) {
+                begin_substep(s, stage);
+                pass_edges();
+                pass_unsettled();
+                advance(kind_.column, air_, {at_stage_[0], at_stage_[1]}, batch_, block_.record);
+                for (const Stray& stray : strays_) stray.give(batch_);
+                std::copy_n(block_.record.slope.begin(), 2, block_.slope.begin() + stage);
+            }
+            heat_.end_step();
+            put_kelvin(solve_, block_, i, batch_.temperature.data());
+        }
+        compare_with_start();
+    }
+
+ private:
+    void begin_substep(int s, std::size_t stage) {
+        substep_number_ = s;
+        strays_.clear();
+        for (std::size_t k = 0; k < 2; ++k) {
+            const StageForcing& forcing = kind_.forcing[stage + k];
+            air_[k] = forcing.air;
+            sky_[k] = kind_.column.surface.emissivity * forcing.sky_longwave;
+            for (std::size_t l = 0; l < count_; ++l) {
+                at_stage_[k][l] = heat_.smooth(l, share_of_step(stage_share[k])) + sky_[k];
+            }
+        }
+    }
+    double share_of_step(double share_of_substep) const {
+        return (substep_number_ + share_of_substep) / kind_.column.substeps;
+    }
+    /// Absorbed longwave of the sky, straight through the substep's stages.
+    double sky_at(double share) const {
+        const double along = (share - stage_share[0]) / (1.0 - stage_share[0]);
+        return sky_[0] + along * (sky_[1] - sky_[0]);
+    }
+
+    /// Lanes that an edge passes in this substep go it by themselves; those it has passed before
+    /// get what it brought.
+    void pass_edges() {
+        for (const HeatJump& edge : heat_.edges()) {
+            const std::size_t l = edge.lane;
+            const double within = edge.share * kind_.column.substeps - substep_number_;
+            if (within >= 1.0) continue;
+            for (auto& heat : at_stage_) heat[l] += heat_.jump(l);
+            if (within < 0.0) continue;
+            unsettled_[l] = unsettled_substeps + 1;
+            strays_.emplace_back(kind_.column, batch_, l)
+                .run(
+                    substep_, std::clamp(within, 1e-3, 1.0 - 1e-3), air_,
+                    [&](double share, bool passed) {
+                        return heat_.smooth(l, share_of_step(share)) + sky_at(share) +
+                               (passed ? heat_.jump(l) : 0.0);
+                    },
+                    block_.record);
+        }
+    }
+    /// Lanes that an edge has passed in a substep shortly before.
+    void pass_unsettled() {
+        for (std::size_t l = 0; l < count_; ++l) {
+            if (unsettled_[l] == 0) continue;
+            if (--unsettled_[l] == unsettled_substeps) continue;  // its edge is in this one
+            // An edge yet to come in this step has not jumped; one that has is in the heat.
+            const double jumped = at_stage_[1][l] - sky_[1] - heat_.smooth(l, share_of_step(1.0));
+            strays_.emplace_back(kind_.column, batch_, l)
+                .run_on(
+                    substep_, air_,
+                    [&](double share) {
+                        return heat_.smooth(l, share_of_step(share)) + sky_at(share) + jumped;
+                    },
+                    block_.record);
+        }
+    }
+
+    void compare_with_start() {
+        block_.residual = block_.heat_change = 0.0;
+        block_.change.resize(batch_.state.size());
+        for (std::size_t i = 0; i < kind_.column.grid.size(); ++i) {
+            for (std::size_t l = 0; l < count_; ++l) {
+                const std::size_t at = i * lanes + l;
+                block_.change[at] = batch_.state[at] - block_.start[at];
+                block_.residual = std::max(block_.residual, std::abs(block_.change[at]));
+            }
+        }
+    }
+
+    SolveState& solve_;
+    const Level& level_;
+    Block& block_;
+    const Kind& kind_;
+    std::size_t count_;
+    double substep_;  // [s]
+    BlockHeat heat_;
+    Batch batch_;
+    int unsettled_[lanes] = {};  // substeps to go in parts
+    // of the substep
+    int substep_number_ = 0;
+    std::array<AirFilm, 2> air_{};
+    double sky_[2] = {}, at_stage_[2][lanes];  // [W m⁻²]
+    std::vector<Stray> strays_;
+};
+
 }  // namespace
 
 void run_layered(SolveState& solve, const Level& level, Block& block) {
-    const Kind& kind = level.kind[block.material];
-    const int substeps = kind.column.substeps;
-    const double substep = level_step(solve, level) / substeps;
-    const std::size_t count = block.facet.size();
-    const double emissivity = kind.column.surface.emissivity;
-    Batch batch;
-    batch.resize(kind.column.grid.size(), count);
-    batch.state = block.start;
-    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    block.slope.assign(kind.forcing.size(), 0.0);
-    StepRecord record;
-
-    double before[lanes], after[lanes], heat[2][lanes], jump[lanes] = {};
-    int unsettled[lanes] = {};  // substeps to go in parts
-    facet_heat(solve, block, kind, 0, before);
-    for (std::size_t l = 0; l < count; ++l) {
-        batch.temperature[l] = batch.state[l] + kind.column.reference;
-        solve.kelvin[block.facet[l]] = float(batch.temperature[l]);
-    }
-    std::vector<Stray> strays;
-    std::size_t stage = 0;
-    for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
-        facet_heat(solve, block, kind, i, after);
-        const std::span<const HeatJump> edges = edges_of(level, block, i);
-        const double absorptance = edges.empty() ? 0.0 : absorptance_at(solve, kind, i);
-        for (const HeatJump& edge : edges) jump[edge.lane] = absorptance * edge.heat;
-        for (int s = 0; s < substeps; ++s, stage += 2) {
-            const std::array<AirFilm, 2> air{kind.forcing[stage].air, kind.forcing[stage + 1].air};
-            const double sky[2]{emissivity * kind.forcing[stage].sky_longwave,
-                                emissivity * kind.forcing[stage + 1].sky_longwave};
-            const auto smooth = [&](std::size_t l, double share_of_step) {
-                return before[l] + share_of_step * (after[l] - before[l] - jump[l]);
-            };
-            for (int k = 0; k < 2; ++k) {
-                const double share = (s + stage_share[k]) / substeps;
-                for (std::size_t l = 0; l < count; ++l) heat[k][l] = smooth(l, share) + sky[k];
-            }
-            strays.clear();
-            const auto sky_at = [&](double share) {
-                const double along = (share - stage_share[0]) / (1.0 - stage_share[0]);
-                return sky[0] + along * (sky[1] - sky[0]);
-            };
-            for (const HeatJump& edge : edges) {
-                const std::size_t l = edge.lane;
-                const double within = edge.share * substeps - s;
-                if (within >= 1.0) continue;
-                for (int k = 0; k < 2; ++k) heat[k][l] += jump[l];
-                if (within < 0.0) continue;
-                unsettled[l] = unsettled_substeps + 1;
-                strays.emplace_back(kind.column, batch, l)
-                    .run(
-                        substep, std::clamp(within, 1e-3, 1.0 - 1e-3), air,
-                        [&](double share, bool passed) {
-                            return smooth(l, (s + share) / substeps) + sky_at(share) +
-                                   (passed ? jump[l] : 0.0);
-                        },
-                        record);
-            }
-            for (std::size_t l = 0; l < count; ++l) {
-                if (unsettled[l] == 0) continue;
-                if (--unsettled[l] == unsettled_substeps) continue;  // its edge is in this one
-                // An edge yet to come in this step has not jumped; one that has is in the heat.
-                const double jumped = heat[1][l] - sky[1] - smooth(l, (s + 1.0) / substeps);
-                strays.emplace_back(kind.column, batch, l)
-                    .run_on(
-                        substep, air,
-                        [&](double share) {
-                            return smooth(l, (s + share) / substeps) + sky_at(share) + jumped;
-                        },
-                        record);
-            }
-            advance(kind.column, air, {heat[0], heat[1]}, batch, record);
-            for (const Stray& stray : strays) stray.give(batch);
-            block.slope[stage] = record.slope[0];
-            block.slope[stage + 1] = record.slope[1];
-        }
-        float* row = solve.kelvin.data() + i * solve.facets;
-        for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
-        for (const HeatJump& edge : edges) jump[edge.lane] = 0.0;
-        std::swap(before, after);
-    }
-    block.record = record;
-    block.residual = block.heat_change = 0.0;
-    block.change.resize(batch.state.size());
-    for (std::size_t i = 0; i < kind.column.grid.size(); ++i) {
-        for (std::size_t l = 0; l < count; ++l) {
-            const std::size_t at = i * lanes + l;
-            block.change[at] = batch.state[at] - block.start[at];
-            block.residual = std::max(block.residual, std::abs(block.change[at]));
-        }
-    }
+    LayeredRun(solve, level, block).run();
 }
 
 }  // namespace diurna

@@ -1,86 +1,92 @@
-#include "thermal/solve/run_block.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/run_block.hpp"
 
 namespace diurna {
 
 namespace {
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
+Eigen::Index lanes_of_unit(const ModeBatch& batch, std::size_t unit) {
+    return Eigen::Index(std::min(lanes, batch.count - unit * lanes));
+}
+/// The states of a batch's unit, of its lanes that are wanted.
+BlockStates unit_states(ModeBatch& batch, std::size_t modes, std::size_t unit) {
+    return {batch.state.data() + unit * lanes * modes, Eigen::Index(modes),
+            lanes_of_unit(batch, unit), Eigen::OuterStride<>(Eigen::Index(lanes))};
+}
+BlockStates block_states(std::vector<double>& states, std::size_t modes, const Block& block) {
+    return {states.data(), Eigen::Index(modes), Eigen::Index(block.facet.size()),
+            Eigen::OuterStride<>(Eigen::Index(block.stride))};
+}
+
+/// The block's start in the modes of the closed column.
+ModeBatch batch_of(const ModeColumn& modes, Block& block) {
+    const auto n = std::size_t(modes.reduced.modes());
+    ModeBatch batch;
+    batch.resize(n, block.facet.size());
+    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
+    const BlockStates start = block_states(block.start, n, block);
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        BlockStates state = unit_states(batch, n, u);
+        state.noalias() =
+            modes.closed.turn.transpose() * start.middleCols(Eigen::Index(u * lanes), state.cols());
+    }
+    return batch;
+}
+
+/// What the span has changed, in the modes of the open column.
+void compare_with_start(const ModeColumn& modes, ModeBatch& batch, Block& block) {
+    const auto n = std::size_t(modes.reduced.modes());
+    block.change.resize(block.start.size());
+    BlockStates change = block_states(block.change, n, block);
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        const BlockStates state = unit_states(batch, n, u);
+        change.middleCols(Eigen::Index(u * lanes), state.cols()).noalias() =
+            modes.closed.turn * state;
+    }
+    change -= block_states(block.start, n, block);
+    block.residual = (modes.probe * change).cwiseAbs().maxCoeff();
+    block.heat_change = 0.0;
+}
 
 }  // namespace
 
 void run_modes(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
-    const ModeColumn& modes = *kind.modes;
-    const ModeStep& step = modes.step;
-    const int substeps = kind.column.substeps;
-    const std::size_t count = block.facet.size();
+    const ModeStep& step = kind.modes->step;
     const double emissivity = kind.column.surface.emissivity;
-    const auto n = modes.reduced.modes();
-    const Eigen::OuterStride<> stride{Eigen::Index(block.stride)};
-    ModeBatch batch;
-    batch.resize(std::size_t(n), count);
-    const std::size_t filled = batch.units() * lanes;
-    std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    Strided start(block.start.data(), n, Eigen::Index(count), stride);
-    const auto of_unit = [&](std::size_t u) {
-        const std::size_t first = u * lanes, facets = std::min(lanes, count - first);
-        return Strided(batch.state.data() + first * std::size_t(n), n, Eigen::Index(facets),
-                       Eigen::OuterStride<>{Eigen::Index(lanes)});
-    };
-    for (std::size_t u = 0; u < batch.units(); ++u) {
-        Strided state = of_unit(u);
-        state.noalias() =
-            modes.closed.turn.transpose() * start.middleCols(Eigen::Index(u * lanes), state.cols());
-    }
+    ModeBatch batch = batch_of(*kind.modes, block);
     block.slope.assign(kind.forcing.size(), 0.0);
     block.steepness.assign(block.stride, 0.0);
-    StepRecord record;
+    block.record = {};
 
-    BlockHeat heat(solve, level, block, filled);
+    BlockHeat heat(solve, level, block, batch.units() * lanes);
     begin_modes(step, kind.forcing[0].air, heat.at_end, emissivity, batch);
-    for (std::size_t l = 0; l < count; ++l) {
-        solve.kelvin[block.facet[l]] = float(batch.temperature[l]);
-    }
+    put_kelvin(solve, block, 0, batch.temperature.data());
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
-        for (int s = 0; s < substeps; ++s) {
+        for (int s = 0; s < kind.column.substeps; ++s) {
             ++at;
-            const StageForcing& forcing = kind.forcing[at];
-            heat.begin_substep(s, forcing.sky_longwave);
+            heat.begin_substep(s, kind.forcing[at].sky_longwave);
             advance_modes(step,
                           {.air_before = kind.forcing[at - 1].air,
-                           .air = forcing.air,
+                           .air = kind.forcing[at].air,
                            .heat_before = heat.at_start,
                            .heat = heat.at_end,
                            .jumps = heat.jumps},
-                          emissivity, batch, record);
-            block.slope[at] = record.slope[0];
-            for (std::size_t l = 0; l < count; ++l) block.steepness[l] += batch.slope[l];
+                          emissivity, batch, block.record);
+            block.slope[at] = block.record.slope[0];
+            for (std::size_t l = 0; l < batch.count; ++l) block.steepness[l] += batch.slope[l];
         }
         heat.end_step();
-        float* row = solve.kelvin.data() + i * solve.facets;
-        for (std::size_t l = 0; l < count; ++l) row[block.facet[l]] = float(batch.temperature[l]);
+        put_kelvin(solve, block, i, batch.temperature.data());
     }
     end_modes(step, batch);
     block.slope[0] = block.slope[at];  // of a span that repeats
-    block.record = record;
-    block.change.resize(block.start.size());
-    Strided change(block.change.data(), n, Eigen::Index(count), stride);
-    for (std::size_t u = 0; u < batch.units(); ++u) {
-        const Strided state = of_unit(u);
-        change.middleCols(Eigen::Index(u * lanes), state.cols()).noalias() =
-            modes.closed.turn * state;
-    }
-    change -= start;
-    block.residual = (modes.probe * change).cwiseAbs().maxCoeff();
-    block.heat_change = 0.0;
+    compare_with_start(*kind.modes, batch, block);
 }
 
 }  // namespace diurna

@@ -1,18 +1,10 @@
-#include "thermal/solve/run_block.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/run_block.hpp"
 
 namespace diurna {
-
-namespace {
-
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using Strided = Eigen::Map<Rows, 0, Eigen::OuterStride<>>;
-
-}  // namespace
 
 void run_plates(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
@@ -25,8 +17,8 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     PlateBatch batch;
     batch.resize(step.modes(), count);
     std::copy(block.natural.begin(), block.natural.end(), batch.natural.begin());
-    const Strided start(block.start.data(), n, facets, stride);
-    Strided state(batch.state.data(), n, facets, stride);
+    const BlockStates start(block.start.data(), n, facets, stride);
+    BlockStates state(batch.state.data(), n, facets, stride);
     state.noalias() = step.into * start;
     block.slope.assign(kind.forcing.size(), 0.0);
     block.back_slope.assign(kind.forcing.size(), 0.0);
@@ -35,12 +27,7 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
 
     BlockHeat heat(solve, level, block, lanes);
     begin_plates(step, surface, kind.forcing[0].air, heat.at_end, batch);
-    const auto keep = [&](std::size_t i) {
-        float* const row = solve.kelvin.data() + i * solve.facets;
-        for (std::size_t l = 0; l < count; ++l)
-            row[block.facet[l]] = float(batch.temperature[0][l]);
-    };
-    keep(0);
+    put_kelvin(solve, block, 0, batch.temperature[0].data());
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
@@ -61,13 +48,13 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
             }
         }
         heat.end_step();
-        keep(i);
+        put_kelvin(solve, block, i, batch.temperature[0].data());
     }
     block.slope[0] = block.slope[at];  // of a span that repeats
     block.back_slope[0] = block.back_slope[at];
     block.record = record;
     block.change.assign(block.start.size(), 0.0);
-    Strided change(block.change.data(), n, facets, stride);
+    BlockStates change(block.change.data(), n, facets, stride);
     change.noalias() = step.turn * state;
     change -= start;
     block.residual = change.cwiseAbs().maxCoeff();

@@ -34,6 +34,13 @@ void facet_heat(const SolveState& solve, const Block& block, const Kind& kind, s
     std::fill(heat + block.facet.size(), heat + block.stride, heat[0]);
 }
 
+void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature) {
+    float* const row = solve.kelvin.data() + i * solve.facets;
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        row[block.facet[l]] = float(temperature[l]);
+    }
+}
+
 std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i) {
     if (level.stride != 1 || block.jumps.empty()) return {};
     return std::span(block.jump).subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);

@@ -55,6 +55,11 @@ struct Block {
     }
 };
 
+/// States of a block where they lie, (state, lane), `stride` lanes from one state to the next.
+using BlockStates =
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>, 0,
+               Eigen::OuterStride<>>;
+
 struct StageForcing {
     AirFilm air;
     double sky_longwave;
@@ -126,6 +131,9 @@ double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i);
 /// longwave, internal.
 void facet_heat(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
                 double* heat);
+
+/// Puts down a block's surface temperatures [lane] at an instant.
+void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature);
 
 /// The jumps of a block's sunlight in the step that ends at instant i; none on coarse levels.
 std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i);

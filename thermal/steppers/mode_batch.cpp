@@ -131,7 +131,7 @@ void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, d
         for (std::size_t m = 0; m < step.modes(); ++m) theta += step.surface[m] * x[m * lanes];
         const double t = theta + step.reference;
         const HeatBalance balance =
-            heat_balance(air, batch.natural[l], emissivity, heat[l], 0.0, 0.0, t);
+            heat_balance(air, batch.natural[l], emissivity, {.absorbed_solar = heat[l]}, t);
         batch.temperature[l] = t;
         batch.slope[l] = -step.film;  // a first guess
         // The flux from below drives the modes as one into the surface does; it rides along.

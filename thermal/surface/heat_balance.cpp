@@ -9,17 +9,16 @@ double HeatBalance::sum() const {
 }
 
 HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissivity,
-                         double absorbed_solar, double longwave_in, double internal,
-                         double temperature) {
+                         const ArrivingHeat& arriving, double temperature) {
     const Film film = film_of(air, natural, temperature);
     const DryLoss dry = dry_loss(air, film, emissivity * stefan_boltzmann, temperature);
     HeatBalance balance;
-    balance.absorbed_solar = absorbed_solar;
-    balance.longwave_in = emissivity * longwave_in;
+    balance.absorbed_solar = arriving.absorbed_solar;
+    balance.longwave_in = emissivity * arriving.longwave;
     balance.longwave_out = -dry.emitted;
     balance.sensible = -dry.sensible;
     if (air.wetness > 0.0) balance.latent = latent_heat(air, film, temperature).flux;
-    balance.internal = internal;
+    balance.internal = arriving.internal;
     return balance;
 }
 

@@ -18,11 +18,15 @@ struct HeatBalance {
     double sum() const;
 };
 
+/// What reaches a surface, whatever its temperature [W m⁻²].
+struct ArrivingHeat {
+    double absorbed_solar = 0.0;
+    double longwave = 0.0;  // irradiance, before absorption
+    double internal = 0.0;
+};
+
 /// Everything but conduction, for one facet.
-///
-/// absorbed_solar  [W m⁻²]   longwave_in  irradiance, before absorption [W m⁻²]
 HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissivity,
-                         double absorbed_solar, double longwave_in, double internal,
-                         double temperature);
+                         const ArrivingHeat& arriving, double temperature);
 
 }  // namespace diurna

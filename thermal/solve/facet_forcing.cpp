@@ -1,0 +1,57 @@
+#include "thermal/solve/facet_forcing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diurna {
+
+FacetForcing::FacetForcing(const SolveState& solve, const std::vector<Forcing>& weather,
+                           const Block& block, std::size_t lane)
+    : solve_(solve), weather_(weather) {
+    const std::size_t facet = block.facet[lane];
+    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+        const std::size_t at = i * solve.facets + facet;
+        double longwave = solve.sky[i].longwave_down;
+        if (!solve.excess.empty()) longwave += solve.excess[at];
+        if (!solve.tilt.empty()) longwave += solve.tilt[facet] * solve.sky[i].tilted_longwave;
+        sunlight_.push_back(solve.sunlight[at]);
+        longwave_.push_back(longwave);
+    }
+    if (block.jump.empty()) return;
+    for (std::size_t i = 0; i < solve.steps(); ++i) {
+        first_jump_.push_back(jump_.size());
+        for (std::size_t k = block.jumps[i]; k < block.jumps[i + 1]; ++k) {
+            if (block.jump[k].lane != lane) continue;
+            jump_.push_back(block.jump[k]);
+            edge_.push_back(later(solve.instant[i], block.jump[k].share * solve.step));
+        }
+    }
+    first_jump_.push_back(jump_.size());
+}
+
+PointForcing FacetForcing::operator()(Instant when) const {
+    const double place = seconds_between(solve_.instant.front(), when) / solve_.step;
+    const auto last = sunlight_.size() - 2;
+    const auto i = std::min(static_cast<std::size_t>(std::max(0.0, place)), last);
+    const double x = std::clamp(place - double(i), 0.0, 1.0);
+    const Forcing weather = between(weather_[i], weather_[i + 1], x);
+    PointForcing f{.air = weather.air,
+                   .wind_speed = weather.wind_speed,
+                   .rain_mm_h = weather.rain_mm_h,
+                   .sunlight = std::lerp(sunlight_[i], sunlight_[i + 1], x),
+                   .own_light = 0.0,
+                   .albedo = std::lerp(solve_.sky[i].albedo, solve_.sky[i + 1].albedo, x),
+                   .longwave_in = std::lerp(longwave_[i], longwave_[i + 1], x),
+                   .own_view = 0.0};
+    // The straight line has the jump in it; a millisecond behind the edge it is done.
+    const std::size_t from = jump_.empty() ? 0 : first_jump_[i];
+    const std::size_t to = jump_.empty() ? 0 : first_jump_[i + 1];
+    for (std::size_t k = from; k < to; ++k) {
+        const double done = std::clamp((x - jump_[k].share) * solve_.step / 1e-3, 0.0, 1.0);
+        f.sunlight += (done - x) * jump_[k].heat;
+    }
+    f.sunlight = std::max(0.0, f.sunlight);
+    return f;
+}
+
+}  // namespace diurna

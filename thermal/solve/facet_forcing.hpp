@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "thermal/point/point_facet.hpp"
+#include "thermal/solve/solve_state.hpp"
+
+namespace diurna {
+
+/// What one facet of a solve meets at any instant: sun, sky and neighbours straight between the
+/// instants of the steps, but for the jumps of sunlight at shadows' edges.
+class FacetForcing {
+ public:
+    /// weather  at the solve's instants; it and the solve must outlive this
+    FacetForcing(const SolveState& solve, const std::vector<Forcing>& weather, const Block& block,
+                 std::size_t lane);
+
+    PointForcing operator()(Instant when) const;
+
+    /// Where its sunlight jumps, ascending.
+    const std::vector<Instant>& edges() const { return edge_; }
+
+ private:
+    const SolveState& solve_;
+    const std::vector<Forcing>& weather_;      // (instant)
+    std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
+    std::vector<HeatJump> jump_;  // of step i from first_jump_[i] to first_jump_[i + 1]
+    std::vector<std::size_t> first_jump_;
+    std::vector<Instant> edge_;  // (jump)
+};
+
+}  // namespace diurna

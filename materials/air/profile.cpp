@@ -49,14 +49,7 @@ std::vector<std::string> afgl_profile_names() {
 Profile afgl_profile(const std::string& name) {
     const auto& table = afgl_table();
     const auto found = table.find(name);
-    if (found == table.end()) {
-        const std::vector<std::string> names = afgl_profile_names();
-        const std::string hint = did_you_mean(name, names);
-        throw InputError("profile",
-                         fmt::format("found '{}', expected one of {}", name.substr(0, 40),
-                                     fmt::join(names, " ")),
-                         hint);
-    }
+    if (found == table.end()) refuse_word("profile", name, afgl_profile_names());
     return found->second;
 }
 

@@ -10,10 +10,6 @@
 
 namespace diurna {
 
-void check(const Atmosphere& atmosphere) {
-    if (const auto* model = std::get_if<BandModel>(&atmosphere)) check(*model);
-}
-
 double air_temperature_at(const Atmosphere& atmosphere, double height_km) {
     if (const auto* model = std::get_if<BandModel>(&atmosphere)) {
         return air_at(model->profile, height_km).temperature;

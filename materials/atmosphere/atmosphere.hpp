@@ -20,9 +20,6 @@ struct Vacuum {
 
 using Atmosphere = std::variant<Vacuum, BandModel, Tabulated>;
 
-/// Throws InputError if the atmosphere cannot be used.
-void check(const Atmosphere& atmosphere);
-
 /// Temperature of the air at a height [K]; of space in a vacuum.
 double air_temperature_at(const Atmosphere& atmosphere, double height_km);
 

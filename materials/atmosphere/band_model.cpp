@@ -1,7 +1,5 @@
 #include "materials/atmosphere/band_model.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "materials/atmosphere/band_model_tables.hpp"
@@ -19,10 +17,7 @@ void check(const BandModel& model) {
     check(model.profile);
     const std::vector<std::string> names = aerosol_names();
     if (std::find(names.begin(), names.end(), model.aerosol) == names.end()) {
-        throw InputError("aerosol",
-                         fmt::format("found '{}', expected one of {}", model.aerosol.substr(0, 40),
-                                     fmt::join(names, " ")),
-                         did_you_mean(model.aerosol, names));
+        refuse_word("aerosol", model.aerosol, names);
     }
     check_within("visibility_km", model.visibility_km, 0.05, 300.0);
     check_within("co2_ppm", model.co2_ppm, 0.0, 10000.0);

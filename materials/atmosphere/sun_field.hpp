@@ -32,8 +32,6 @@ class SunField {
  public:
     SunField(const BandModel& model, const SunLight& sun, std::span<const double> node_um);
 
-    std::size_t nodes() const;
-
     /// Sunlight scattered into a line on its way from its far end to its start, (node)
     /// [W m⁻² sr⁻¹ µm⁻¹]. What is behind its end is not in it.
     ///

@@ -51,6 +51,14 @@ void check_within(const std::string& where, double value, double least, double m
     throw InputError(where, fmt::format("found {:g}, expected {:g} to {:g}", value, least, most));
 }
 
+void refuse_word(const std::string& where, std::string_view word,
+                 std::span<const std::string> known) {
+    throw InputError(
+        where,
+        fmt::format("found '{}', expected one of {}", word.substr(0, 40), fmt::join(known, " ")),
+        did_you_mean(word, known));
+}
+
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
     std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
     std::string found;

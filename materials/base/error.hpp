@@ -33,6 +33,11 @@ class InputError : public std::runtime_error {
 /// Throws InputError(where, "found 3, expected 0 to 1") for a value outside, or NaN.
 void check_within(const std::string& where, double value, double least, double most);
 
+/// Throws InputError(where, "found 'rurl', expected one of ...") with the nearest of the known
+/// words.
+[[noreturn]] void refuse_word(const std::string& where, std::string_view word,
+                              std::span<const std::string> known);
+
 /// The candidate with the smallest edit distance to `word`, or "" if none is near enough
 /// (distance at most 2, or a third of the word's length).
 std::string nearest(std::string_view word, std::span<const std::string> candidates);

@@ -35,10 +35,7 @@ const Choice& choice(const std::array<Choice, Size>& all, const std::string& nam
     }
     std::vector<std::string> names;
     for (const Choice& each : all) names.emplace_back(each.name);
-    throw InputError(
-        std::string("MODTRAN ") + what,
-        fmt::format("found '{}', expected one of {}", name.substr(0, 40), fmt::join(names, " ")),
-        did_you_mean(name, names));
+    refuse_word(std::string("MODTRAN ") + what, name, names);
 }
 
 void check(const ModtranDeck& d) {

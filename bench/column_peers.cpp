@@ -11,6 +11,8 @@
 
 #include "materials/base/error.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
+#include "thermal/steppers/layered_step.hpp"
+#include "thermal/surface/heat_balance.hpp"
 
 namespace diurna {
 
@@ -83,7 +85,7 @@ std::vector<double> periodic_start(const FacetDay& day) {
     std::vector<double> x(n, day.air_at(0.0).air.air_temperature - c.reference);
     for (int newton = 0; newton < 6; ++newton) {
         // One lane from x, one each from x with a node warmed by half a kelvin.
-        Batch batch;
+        LayeredBatch batch;
         batch.resize(n, n + 1);
         batch.natural.fill(day.natural);
         for (std::size_t i = 0; i < n; ++i) {

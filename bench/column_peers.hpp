@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "thermal/solve/time_level.hpp"
-#include "thermal/steppers/layered_batch.hpp"
+#include "thermal/steppers/material_column.hpp"
 
 // What others do with the same column under the same forcing (bench/column_bench.cpp).
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "thermal/steppers/layered_batch.hpp"
+#include "thermal/steppers/layered_step.hpp"
 
 using namespace diurna;
 
@@ -14,7 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 /// Surface of one lane under given heat, no emission, film h to air of `air` K.
 struct Bar {
     MaterialColumn column;
-    Batch batch;
+    LayeredBatch batch;
     StepRecord record;
     double film, air;
 
@@ -137,7 +137,7 @@ TEST_CASE("a radiating plate follows its closed form", "[thermal][column][a7]") 
     const MaterialColumn column = material_column(
         surface, {.step = step, .reference = 300.0, .most_substeps = 1, .grid = {}});
     for (const double sky : {0.0, 250.0}) {
-        Batch batch;
+        LayeredBatch batch;
         StepRecord record;
         batch.resize(column.grid.size(), 1);
         for (std::size_t i = 0; i < column.grid.size(); ++i) batch.state[i * lanes] = 20.0;

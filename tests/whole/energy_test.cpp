@@ -4,7 +4,8 @@
 
 #include "materials/matter/library.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
-#include "thermal/steppers/layered_batch.hpp"
+#include "thermal/steppers/layered_step.hpp"
+#include "thermal/surface/heat_balance.hpp"
 
 using namespace diurna;
 
@@ -20,13 +21,15 @@ double stored(const ColumnGrid& grid, const std::vector<double>& state) {
 double heat_in(const MaterialColumn& column, const AirFilm& air, NaturalFilm natural, double heat,
                double surface, double bottom) {
     const ColumnGrid& grid = column.grid;
-    return heat_balance(air, natural, column.surface.emissivity, {.absorbed_solar = heat}, surface).sum() +
+    return heat_balance(air, natural, column.surface.emissivity, {.absorbed_solar = heat}, surface)
+               .sum() +
            grid.below_flux +
            grid.conductance.back() * (grid.below_temperature - column.reference - bottom);
 }
 
 /// The step's first stage alone, from the column's and the balance's own functions.
-double first_stage(const MaterialColumn& column, const AirFilm& air, double heat, Batch batch) {
+double first_stage(const MaterialColumn& column, const AirFilm& air, double heat,
+                   LayeredBatch batch) {
     const std::size_t n = column.grid.size();
     std::vector<double> offset(n * lanes);
     double a, flux, slope;
@@ -58,7 +61,7 @@ TEST_CASE("heat in is heat stored, at each step, for every library material", "[
         const MaterialColumn column =
             material_column(library[library.find(name)].thermal, {.step = step, .grid = {}});
         if (column.surface.back) continue;  // two-sided: tests/thermal/point_job_test.cpp
-        Batch batch;
+        LayeredBatch batch;
         batch.resize(column.grid.size(), 1);
         batch.temperature[0] = column.reference;
         batch.natural[0] = natural_film(unit(random));

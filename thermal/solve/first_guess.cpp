@@ -5,6 +5,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "thermal/solve/time_level.hpp"
+#include "thermal/steppers/layered_step.hpp"
 
 namespace diurna {
 
@@ -52,7 +53,7 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
     block.start.assign(states * block.stride, 0.0);
     block.film = 0.0;
     for (std::size_t first = 0; first < count; first += lanes) {
-        Batch batch;
+        LayeredBatch batch;
         batch.resize(kind.column.grid.size(), std::min(lanes, count - first));
         std::copy_n(block.natural.begin() + std::ptrdiff_t(first), batch.count,
                     batch.natural.begin());

@@ -3,6 +3,7 @@
 
 #include "thermal/solve/block_heat.hpp"
 #include "thermal/solve/run_block.hpp"
+#include "thermal/steppers/layered_step.hpp"
 
 namespace diurna {
 
@@ -16,7 +17,7 @@ constexpr int equal_parts = 4;
 /// One lane of a block that a shadow's edge passes within a substep, or has just passed.
 class Stray {
  public:
-    Stray(const MaterialColumn& column, const Batch& batch, std::size_t lane)
+    Stray(const MaterialColumn& column, const LayeredBatch& batch, std::size_t lane)
         : column_(column), lane_(lane) {
         one_.resize(column.grid.size(), 1);
         for (std::size_t i = 0; i < column.grid.size(); ++i) {
@@ -50,7 +51,7 @@ class Stray {
         }
     }
 
-    void give(Batch& batch) const {
+    void give(LayeredBatch& batch) const {
         for (std::size_t i = 0; i < column_.grid.size(); ++i) {
             batch.state[i * lanes + lane_] = one_.state[i * lanes];
         }
@@ -78,7 +79,7 @@ class Stray {
 
     MaterialColumn column_;
     std::size_t lane_;
-    Batch one_;
+    LayeredBatch one_;
 };
 
 /// A block on its way over the span.
@@ -199,7 +200,7 @@ class LayeredRun {
     std::size_t count_;
     double substep_;  // [s]
     BlockHeat heat_;
-    Batch batch_;
+    LayeredBatch batch_;
     int unsettled_[lanes] = {};  // substeps to go in parts
     // of the substep
     int substep_number_ = 0;

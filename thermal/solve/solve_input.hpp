@@ -19,7 +19,7 @@ namespace diurna {
 /// for the surface's curvature, split where a shadow's edge passes
 /// (thermal/steppers/mode_batch.hpp); thin plates likewise with two faces
 /// (thermal/steppers/plate_batch.hpp). `layered`: node by node
-/// (thermal/steppers/layered_batch.hpp), the reference; it follows edges too.
+/// (thermal/steppers/layered_step.hpp), the reference; it follows edges too.
 enum class Method { modes, layered };
 
 struct SolveOptions {

@@ -8,6 +8,7 @@
 
 #include "thermal/solve/facet_exchange.hpp"
 #include "thermal/solve/solve_input.hpp"
+#include "thermal/steppers/material_column.hpp"
 #include "thermal/steppers/mode_batch.hpp"
 #include "thermal/steppers/plate_batch.hpp"
 

@@ -4,8 +4,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "materials/air/moist_air.hpp"
 #include "thermal/column/step_weights.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
+#include "thermal/surface/heat_balance.hpp"
 
 namespace diurna {
 
@@ -13,13 +15,9 @@ namespace {
 
 const ModeKernel& kernel() { return wide_vectors() ? modes_avx512 : modes_avx2; }
 
-/// Where vapour above the surface is as dense as the air's [K]: Murray's formula (1967), as in
-/// thermal/surface/turbulence.hpp, solved for the temperature.
-double dew_point(const AirFilm& air) {
-    constexpr double a = 17.2693882, b = 35.86, triple = 273.16;
-    if (air.wetness <= 0.0) return 0.0;
-    const double l = std::log(std::max(air.vapour_pressure, 1e-3) / 610.78);
-    return (a * triple - l * b) / (a - l);
+/// [K] where the balance bends: the air's dew point, on a surface that evaporates or takes dew.
+double bend_of(const AirFilm& air) {
+    return air.wetness > 0.0 ? dew_point(air.vapour_pressure) : 0.0;
 }
 
 /// Of a lane's first mode in ModeBatch::state.
@@ -54,6 +52,20 @@ struct Strays {
             state[m * split_capacity + k] = x[m * lanes] + step.to[m] * batch.drive[l];
         }
     }
+    /// Fills the last vector with copies of the last lane; returns the vectors.
+    std::size_t fill(std::size_t modes) {
+        const std::size_t groups = (count + split_lanes - 1) / split_lanes, last = count - 1;
+        for (std::size_t k = count; k < groups * split_lanes; ++k) {
+            natural[k] = natural[last];
+            for (double* column : {share, jump, heat_before, heat, temperature, drive, slope}) {
+                column[k] = column[last];
+            }
+            for (std::size_t m = 0; m < modes; ++m) {
+                state[m * split_capacity + k] = state[m * split_capacity + last];
+            }
+        }
+        return groups;
+    }
     void give(const ModeStep& step, ModeBatch& batch, std::size_t k) const {
         const std::size_t l = lane[k];
         batch.temperature[l] = temperature[k];
@@ -65,6 +77,67 @@ struct Strays {
         }
     }
 };
+
+/// The lanes whose heat jumps in this step, or did in the last and where that takes parts too.
+void take_strays(const ModeStep& step, const ModeForcing& forcing, ModeBatch& batch,
+                 Strays& strays) {
+    strays.count = 0;
+    for (const HeatJump& edge : forcing.jumps) strays.take(step, forcing, batch, edge);
+    for (const std::size_t l : batch.unsettled) {
+        const bool again = std::any_of(forcing.jumps.begin(), forcing.jumps.end(),
+                                       [&](const HeatJump& edge) { return edge.lane == l; });
+        if (!again) strays.take(step, forcing, batch, {.lane = l, .share = 1e-3, .heat = 0.0});
+    }
+    batch.unsettled.clear();
+    // A surface that follows the film nearly at once takes its whole way in two steps.
+    if (step.response * step.film > 0.5) {
+        for (const HeatJump& edge : forcing.jumps) batch.unsettled.push_back(edge.lane);
+    }
+}
+
+/// The strays' whole step, in parts.
+void split_strays(const ModeStep& step, const ModeForcing& forcing, double emissivity,
+                  Strays& strays, StepRecord& record) {
+    const std::size_t groups = strays.fill(step.modes());
+    const bool halved =
+        kernel().split(forcing.air_before, forcing.air, step.coefficients(emissivity),
+                       {.groups = groups,
+                        .dew_point_before = bend_of(forcing.air_before),
+                        .dew_point = bend_of(forcing.air),
+                        .natural = strays.natural,
+                        .share = strays.share,
+                        .jump = strays.jump,
+                        .heat_before = strays.heat_before,
+                        .heat = strays.heat,
+                        .state = strays.state,
+                        .temperature = strays.temperature,
+                        .drive = strays.drive,
+                        .slope = strays.slope,
+                        .to = strays.to});
+    record.bisections += halved ? strays.count : 0;
+}
+
+/// All units at one pace.
+void advance_units(const ModeStep& step, const ModeForcing& forcing, double emissivity,
+                   ModeBatch& batch, StepRecord& record) {
+    const ModeCoefficients coefficients = step.coefficients(emissivity);
+    const double bend = bend_of(forcing.air);
+    for (std::size_t u = 0; u < batch.units(); ++u) {
+        const std::size_t first = u * lanes;
+        const ModeOutcome outcome =
+            kernel().advance(forcing.air_before, forcing.air, coefficients,
+                             {.dew_point = bend,
+                              .natural = batch.natural.data() + first,
+                              .heat_before = forcing.heat_before + first,
+                              .heat = forcing.heat + first,
+                              .state = batch.state.data() + first * step.modes(),
+                              .temperature = batch.temperature.data() + first,
+                              .drive = batch.drive.data() + first,
+                              .slope = batch.slope.data() + first});
+        record.count(outcome.iterations, outcome.halved ? std::min(lanes, batch.count - first) : 0);
+        record.worst_closure = std::max(record.worst_closure, outcome.closure);
+    }
+}
 
 }  // namespace
 
@@ -150,70 +223,11 @@ void end_modes(const ModeStep& step, ModeBatch& batch) {
 void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,
                    ModeBatch& batch, StepRecord& record) {
     static thread_local Strays strays;
-    strays.count = 0;
-    for (const HeatJump& edge : forcing.jumps) strays.take(step, forcing, batch, edge);
-    for (const std::size_t l : batch.unsettled) {
-        const bool again = std::any_of(forcing.jumps.begin(), forcing.jumps.end(),
-                                       [&](const HeatJump& edge) { return edge.lane == l; });
-        if (!again) strays.take(step, forcing, batch, {.lane = l, .share = 1e-3, .heat = 0.0});
-    }
-    batch.unsettled.clear();
-
-    const ModeCoefficients coefficients = step.coefficients(emissivity);
-    const double dew = dew_point(forcing.air);
-    for (std::size_t u = 0; u < batch.units(); ++u) {
-        const std::size_t first = u * lanes;
-        const ModeOutcome outcome =
-            kernel().advance(forcing.air_before, forcing.air, coefficients,
-                             {.dew_point = dew,
-                              .natural = batch.natural.data() + first,
-                              .heat_before = forcing.heat_before + first,
-                              .heat = forcing.heat + first,
-                              .state = batch.state.data() + first * step.modes(),
-                              .temperature = batch.temperature.data() + first,
-                              .drive = batch.drive.data() + first,
-                              .slope = batch.slope.data() + first});
-        ++record.stages;
-        record.iterations += outcome.iterations;
-        record.worst_iterations = std::max(record.worst_iterations, outcome.iterations);
-        record.bisections += outcome.halved ? std::min(lanes, batch.count - first) : 0;
-        record.worst_closure = std::max(record.worst_closure, outcome.closure);
-    }
-
-    if (const std::size_t count = strays.count; count > 0) {
-        const std::size_t groups = (count + split_lanes - 1) / split_lanes;
-        while (strays.count < groups * split_lanes) {
-            // The last one once more, to fill the vector.
-            const std::size_t last = count - 1, k = strays.count++;
-            strays.natural[k] = strays.natural[last];
-            for (double* column : {strays.share, strays.jump, strays.heat_before, strays.heat,
-                                   strays.temperature, strays.drive, strays.slope}) {
-                column[k] = column[last];
-            }
-            for (std::size_t m = 0; m < step.modes(); ++m) {
-                strays.state[m * split_capacity + k] = strays.state[m * split_capacity + last];
-            }
-        }
-        const bool halved = kernel().split(forcing.air_before, forcing.air, coefficients,
-                                           {.groups = groups,
-                                            .dew_point_before = dew_point(forcing.air_before),
-                                            .dew_point = dew,
-                                            .natural = strays.natural,
-                                            .share = strays.share,
-                                            .jump = strays.jump,
-                                            .heat_before = strays.heat_before,
-                                            .heat = strays.heat,
-                                            .state = strays.state,
-                                            .temperature = strays.temperature,
-                                            .drive = strays.drive,
-                                            .slope = strays.slope,
-                                            .to = strays.to});
-        record.bisections += halved ? count : 0;
-        for (std::size_t k = 0; k < count; ++k) strays.give(step, batch, k);
-        // A surface that follows the film nearly at once takes its whole way in two steps.
-        if (step.response * step.film > 0.5) {
-            for (const HeatJump& edge : forcing.jumps) batch.unsettled.push_back(edge.lane);
-        }
+    take_strays(step, forcing, batch, strays);
+    advance_units(step, forcing, emissivity, batch, record);
+    if (strays.count > 0) {
+        split_strays(step, forcing, emissivity, strays, record);
+        for (std::size_t k = 0; k < strays.count; ++k) strays.give(step, batch, k);
     }
     double sum = 0.0;
     for (std::size_t l = 0; l < batch.count; ++l) sum += batch.slope[l];

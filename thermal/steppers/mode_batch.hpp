@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "thermal/column/reduced_column.hpp"
 #include "thermal/kernels/mode_kernel.hpp"
-#include "thermal/steppers/layered_batch.hpp"
+#include "thermal/steppers/mode_forcing.hpp"
+#include "thermal/steppers/step_record.hpp"
 
 namespace diurna {
 
@@ -43,21 +43,6 @@ struct ModeBatch {
 
     void resize(std::size_t modes, std::size_t facets);
     std::size_t units() const { return (count + lanes - 1) / lanes; }
-};
-
-/// Where one lane's heat jumps within a step.
-struct HeatJump {
-    std::size_t lane;
-    double share;  // of the step, 0 to 1
-    double heat;   // [W m⁻²] what it rises by
-};
-
-/// Air and heat [lane], units filled up, (absorbed sun and longwave, internal) at the instants a
-/// step joins.
-struct ModeForcing {
-    const AirFilm &air_before, &air;
-    const double *heat_before, *heat;
-    std::span<const HeatJump> jumps;  // the step is split there, for those lanes
 };
 
 /// Sets temperature and drive from the state.

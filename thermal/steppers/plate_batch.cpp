@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "thermal/kernels/mode_kernel.hpp"
 #include "thermal/steppers/plate_faces.hpp"
 
 namespace diurna {
@@ -119,9 +120,9 @@ Bases decay_modes(const PlateStep& step, PlateBatch& batch) {
     return base;
 }
 
-/// Newton for all plates' drives side by side; those it leaves unsettled one by one.
+/// Newton for all plates' drives side by side; whether it has settled them.
 template <bool Plate, bool Wet>
-void solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing& forcing,
+bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing& forcing,
                   const Bases& base, PlateBatch& batch, StepRecord& record) {
     // Values of its own, which no store through a pointer can change, let the loops become vectors.
     const AirFilm air = forcing.air;
@@ -170,16 +171,22 @@ void solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing&
         }
         ++iterations;
     } while (largest > plate_settled && iterations < plate_newton_steps);
-    ++record.stages;
-    record.iterations += iterations;
-    record.worst_iterations = std::max(record.worst_iterations, iterations);
-    for (std::size_t l = 0; largest > plate_settled && l < batch.count; ++l) {
-        const Faces faces{
-            .base = {base0[l], base1[l]}, .heat = {heat[l], arriving}, .response = {r0, r1, r2}};
-        double drive[2]{heat[l], arriving};
-        solve_faces<Plate, Wet>(airs, natural[l], step, faces, drive, record);
-        u0[l] = drive[0];
-        u1[l] = drive[1];
+    record.count(iterations, 0);
+    return largest <= plate_settled;
+}
+
+/// Each plate by itself.
+template <bool Plate, bool Wet>
+void solve_one_by_one(const PlateStep& step, const TwoAirs& airs, const double* heat,
+                      const Bases& base, PlateBatch& batch, StepRecord& record) {
+    for (std::size_t l = 0; l < batch.count; ++l) {
+        const Faces faces{.base = {base.of[0][l], base.of[1][l]},
+                          .heat = {heat[l], airs.arriving},
+                          .response = {step.response[0], step.response[1], step.response[2]}};
+        double drive[2]{heat[l], airs.arriving};
+        solve_faces<Plate, Wet>(airs, batch.natural[l], step, faces, drive, record);
+        batch.drive[0][l] = drive[0];
+        batch.drive[1][l] = drive[1];
     }
 }
 
@@ -238,7 +245,9 @@ void advance(const PlateStep& step, const ThermalSurface& surface, const ModeFor
     const std::vector<Stray> strays = run_strays<Plate, Wet>(step, surface, forcing, batch, record);
     const TwoAirs airs(surface, forcing.air);
     const Bases base = decay_modes(step, batch);
-    solve_drives<Plate, Wet>(step, airs, forcing, base, batch, record);
+    if (!solve_drives<Plate, Wet>(step, airs, forcing, base, batch, record)) {
+        solve_one_by_one<Plate, Wet>(step, airs, forcing.heat, base, batch, record);
+    }
     take_drives(step, strays, batch);
     tell_faces<Plate, Wet>(step, airs, forcing.heat, batch, record);
 }

@@ -2,12 +2,11 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "thermal/column/plate_column.hpp"
-#include "thermal/steppers/layered_batch.hpp"
-#include "thermal/steppers/mode_batch.hpp"
+#include "thermal/steppers/mode_forcing.hpp"
+#include "thermal/steppers/step_record.hpp"
 
 namespace diurna {
 

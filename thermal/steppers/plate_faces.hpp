@@ -4,7 +4,7 @@
 
 #include "materials/matter/material.hpp"
 #include "thermal/column/plate_column.hpp"
-#include "thermal/steppers/layered_batch.hpp"
+#include "thermal/steppers/step_record.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {

@@ -25,13 +25,10 @@ struct SceneArguments {
     JobOptions job;
     std::string progress;
     int threads = 0;
-    bool exact = false;
 
     Scene read() const {
         set_thread_count(threads);
-        Scene input = read_scene(scene, settings);
-        input.exact = exact;
-        return input;
+        return read_scene(scene, settings);
     }
     ProgressStyle style() const {
         if (progress == "json") return ProgressStyle::json;
@@ -124,8 +121,6 @@ void run_program(int argc, char** argv) {
     verb->add_option("--out", scene.job.out, "folder for the results (default: out)");
     verb->add_flag("--resume", scene.job.resume,
                    "keep what an earlier run of the same inputs left");
-    verb->add_flag("--exact", scene.exact,
-                   "skip nothing that costs accuracy, whatever the plan allows");
     verb->callback([&] { run_verb(scene); });
 
     verb = app.add_subcommand("solve", "temperatures alone");
@@ -217,7 +212,7 @@ void run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
-        std::fputs("diurna: this processor has no AVX2; build with -DDIURNA_ARCH=x86-64\n", stderr);
+        std::fputs("diurna: this processor has no AVX2 and FMA, which the program needs\n", stderr);
         return failed;
     }
     try {

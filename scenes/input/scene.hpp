@@ -133,7 +133,6 @@ struct Scene {
     int object_sky_rays = 256;  // per facet of buildings and objects
     int sun_samples = 4;        // per facet and instant
     std::uint64_t seed = 1;
-    bool exact = false;  // skip nothing
 };
 
 /// "runway", "hangar", ...: the name of each ObjectId: 0 the ground, then polygons, buildings

@@ -70,7 +70,6 @@ void write_manifest(const fs::path& folder, const Scene& scene,
     manifest["scene"] = scene.name;
     manifest["seed"] = scene.seed;
     manifest["settings"] = settings;
-    manifest["exact"] = scene.exact;
     manifest["threads"] = thread_count();
     for (const fs::path& file : input_files(scene)) {
         manifest["inputs"][file.lexically_normal().string()] = sha256_of_file(file);

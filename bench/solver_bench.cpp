@@ -15,7 +15,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/run/heat.hpp"
 
 using namespace diurna;
 

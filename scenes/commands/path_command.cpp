@@ -1,9 +1,17 @@
+#include "scenes/commands/path_command.hpp"
+
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
 #include <span>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "materials/air/radiosonde.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
@@ -14,11 +22,29 @@
 #include "materials/modtran/run.hpp"
 #include "materials/modtran/tape7.hpp"
 #include "materials/radiation/spectrum.hpp"
-#include "scenes/commands/raster_commands.hpp"
 
 namespace diurna {
 
 namespace {
+
+struct PathArguments {
+    std::string profile = "US76";  // or a radiosonde's CSV file
+    std::string aerosol = "none";
+    double visibility_km = 23.0;
+    double co2_ppm = todays_co2_ppm;
+    double ground_km = 0.0;  // where the haze begins
+    double rain_mm_h = 0.0;
+    double height_km = 0.0;   // start of the path, above the sea
+    double zenith_deg = 0.0;  // there
+    std::optional<double> range_km, to_height_km;
+    bool to_ground = false, to_space = false;
+    std::optional<double> sun_zenith_deg;  // named: scattered sunlight too
+    double azimuth_from_sun_deg = 0.0;     // of the path
+    double ground_albedo = 0.2;
+    std::vector<std::string> bands;
+    std::filesystem::path csv;  // whole spectrum, if named
+    std::string modtran;        // absolute path of MODTRAN 5, which then stands in for the model
+};
 
 /// Length [km] of the line from one height to another under a zenith angle at its start.
 double range_to_height(double from_km, double to_km, double zenith_deg) {
@@ -154,9 +180,7 @@ void write_spectrum(const std::filesystem::path& file, const BandModel& model,
     write_whole_file(file, text);
 }
 
-}  // namespace
-
-void path_command(const PathArguments& arguments) {
+void path_verb(const PathArguments& arguments) {
     const BandModel model{.profile = named_profile(arguments.profile),
                           .aerosol = arguments.aerosol,
                           .visibility_km = arguments.visibility_km,
@@ -189,6 +213,35 @@ void path_command(const PathArguments& arguments) {
     }
     if (!arguments.csv.empty()) write_spectrum(arguments.csv, model, line);
     fmt::print("{}", out);
+}
+
+}  // namespace
+
+void add_path_verb(CLI::App& app) {
+    const auto a = std::make_shared<PathArguments>();
+    CLI::App* verb =
+        app.add_subcommand("path", "transmittance and radiance of one path through the air");
+    verb->add_option("--profile", a->profile,
+                     "TROP MLS MLW SAS SAW US76, or a radiosonde's .csv file");
+    verb->add_option("--aerosol", a->aerosol, "none, rural, maritime, urban, ...");
+    verb->add_option("--visibility-km", a->visibility_km);
+    verb->add_option("--co2-ppm", a->co2_ppm);
+    verb->add_option("--ground-km", a->ground_km, "where the haze begins");
+    verb->add_option("--rain-mm-h", a->rain_mm_h);
+    verb->add_option("--height-km", a->height_km, "start of the path above the sea");
+    verb->add_option("--zenith-deg", a->zenith_deg, "at the start of the path");
+    verb->add_option("--range-km", a->range_km);
+    verb->add_option("--to-height-km", a->to_height_km);
+    verb->add_flag("--to-ground", a->to_ground);
+    verb->add_flag("--to-space", a->to_space);
+    verb->add_option("--sun-zenith-deg", a->sun_zenith_deg, "adds scattered sunlight");
+    verb->add_option("--azimuth-from-sun-deg", a->azimuth_from_sun_deg, "of the path");
+    verb->add_option("--ground-albedo", a->ground_albedo);
+    verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be given again")->required();
+    verb->add_option("--csv", a->csv, "file for the whole spectrum");
+    verb->add_option("--modtran", a->modtran,
+                     "MODTRAN 5 to run in place of the embedded model (absolute path)");
+    verb->callback([a] { path_verb(*a); });
 }
 
 }  // namespace diurna

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "materials/atmosphere/atmosphere.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
@@ -13,39 +18,34 @@
 #include "materials/matter/library.hpp"
 #include "terrain/ground/affordable_tin.hpp"
 #include "terrain/ground/tin_check.hpp"
+#include "terrain/ground/triangulate.hpp"
+#include "terrain/objects/object_mesh.hpp"
 #include "terrain/objects/ply_file.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/raster/dem.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geotiff.hpp"
+#include "terrain/raster/raster_file.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/relief/height_field.hpp"
 #include "terrain/relief/relief_sky.hpp"
 #include "terrain/relief/relief_sun.hpp"
+#include "terrain/visibility/facet_views.hpp"
 #include "thermal/point/point_csv.hpp"
 #include "thermal/point/point_job.hpp"
 
 namespace diurna {
 
-void sun_command(const SunArguments& arguments) {
-    if (!(std::abs(arguments.latitude_deg) <= 90.0)) {
-        throw InputError("--latitude-deg",
-                         fmt::format("found {:g}, expected -90 to 90", arguments.latitude_deg));
-    }
-    if (!(std::abs(arguments.longitude_deg) <= 360.0)) {
-        throw InputError("--longitude-deg",
-                         fmt::format("found {:g}, expected -360 to 360", arguments.longitude_deg));
-    }
-    const Site site{arguments.latitude_deg, arguments.longitude_deg, arguments.height_m};
-    const Instant instant = parse_instant(arguments.time, "--time");
-    const SunPosition sun =
-        arguments.pressure_hPa
-            ? sun_position(site, instant, *arguments.pressure_hPa, arguments.temperature_C)
-            : sun_position(site, instant);
-    fmt::print("azimuth_deg,elevation_deg,distance_au\n{:.6f},{:.6f},{:.9f}\n", sun.azimuth_deg,
-               sun.elevation_deg, sun.distance_au);
-}
+namespace {
 
-void mesh_command(const MeshArguments& arguments) {
+struct MeshArguments {
+    std::filesystem::path dem;
+    double tolerance_m = 1.0;
+    std::string frame = "enu";  // or grid: (column, row, height) in the raster's own posts
+    std::filesystem::path out;  // PLY, if named
+};
+
+void mesh_verb(const MeshArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::fill, .centre = {}});
     const auto read = std::chrono::steady_clock::now();
@@ -80,7 +80,14 @@ void mesh_command(const MeshArguments& arguments) {
         found.worst_error, found.rms_error, seconds(begin, read), seconds(read, meshed));
 }
 
-void visibility_command(const VisibilityArguments& arguments) {
+struct VisibilityArguments {
+    std::vector<std::filesystem::path> dem;  // tiles of one lattice
+    int azimuths = 32;
+    std::optional<double> sun_azimuth_deg, sun_elevation_deg;
+    std::filesystem::path out;  // GeoTIFF, if named: sky view, then sun fraction
+};
+
+void visibility_verb(const VisibilityArguments& arguments) {
     if (arguments.sun_azimuth_deg.has_value() != arguments.sun_elevation_deg.has_value()) {
         throw InputError("visibility",
                          "a sun needs both --sun-azimuth-deg and --sun-elevation-deg");
@@ -123,34 +130,30 @@ void visibility_command(const VisibilityArguments& arguments) {
         lit.empty() ? "" : fmt::format("{:.5f}", sun / posts), took.count());
 }
 
-void column_command(const std::filesystem::path& file, const std::filesystem::path& out) {
-    const PointJob job = read_column_job(file);
-    const PointResult result = run_column(job);
-    const std::string text = column_csv(result);
-    if (out.empty()) {
-        fmt::print("{}", text);
-        return;
-    }
-    write_whole_file(out, text);
-    fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
-               result.row.size(), result.passes, result.periodic_residual,
-               result.worst_energy_closure);
+}  // namespace
+
+void add_mesh_verb(CLI::App& app) {
+    const auto a = std::make_shared<MeshArguments>();
+    CLI::App* verb =
+        app.add_subcommand("mesh", "triangulate an elevation raster to a vertical tolerance");
+    verb->add_option("DEM", a->dem, "any raster of the drivers GDAL is allowed")->required();
+    verb->add_option("--tolerance-m", a->tolerance_m)->required()->check(CLI::NonNegativeNumber);
+    verb->add_option("--frame", a->frame)->check(CLI::IsMember({"enu", "grid"}));
+    verb->add_option("--out", a->out, "PLY file");
+    verb->callback([a] { mesh_verb(*a); });
 }
 
-void doctor_command() {
-    const auto has = [](bool there) { return there ? "yes" : "no"; };
-    fmt::print("diurna            {}\ncompiler          g++ {}\n", DIURNA_VERSION, __VERSION__);
-    fmt::print("libraries         {}\n", DIURNA_LIBRARIES);
-    fmt::print("AVX2, FMA         {}, {} (needed)\n", has(__builtin_cpu_supports("avx2")),
-               has(__builtin_cpu_supports("fma")));
-    fmt::print("AVX-512           {}\n", has(__builtin_cpu_supports("avx512f")));
-    fmt::print("threads           {}\n", thread_count());
-    const std::filesystem::path data = data_folder();
-    fmt::print("data              {} ({})\n", data.string(),
-               std::filesystem::is_directory(data) ? "found" : "missing: set DIURNA_DATA");
-    fmt::print("materials         {}\n", fmt::join(default_material_library().names(), " "));
-    fmt::print("profiles          {}\n", fmt::join(afgl_profile_names(), " "));
-    fmt::print("aerosols          {}\n", fmt::join(aerosol_names(), " "));
+void add_visibility_verb(CLI::App& app) {
+    const auto a = std::make_shared<VisibilityArguments>();
+    CLI::App* verb =
+        app.add_subcommand("visibility", "sky view and shadows of every post of a raster");
+    verb->add_option("DEM", a->dem, "elevation raster, or several tiles of one lattice")
+        ->required();
+    verb->add_option("--azimuths", a->azimuths)->check(CLI::Range(4, 4096));
+    verb->add_option("--sun-azimuth-deg", a->sun_azimuth_deg, "clockwise from north");
+    verb->add_option("--sun-elevation-deg", a->sun_elevation_deg)->check(CLI::Range(-90.0, 90.0));
+    verb->add_option("--out", a->out, "GeoTIFF in the raster's place");
+    verb->callback([a] { visibility_verb(*a); });
 }
 
 }  // namespace diurna

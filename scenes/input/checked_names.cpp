@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 fs::path Reading::file(const Section& section, const std::string& key) const {
     const std::string name = section.text(key);
-    const fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder / name;
+    const fs::path path = folder / name;
     if (!name.empty() && !fs::is_regular_file(path)) {
         section.mistake(key, fmt::format("no such file: {}", path.string()));
     }

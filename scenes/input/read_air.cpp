@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "materials/atmosphere/path_file.hpp"
-
 namespace diurna {
 
 namespace {
@@ -50,11 +48,12 @@ AirInput read_air(const Section& section, const Reading& reading) {
     return air;
 }
 
-void check_table_bands(const Section& section, const Scene& scene) {
-    if (!scene.air.table) return;
+void check_table_bands(const Section& section, const AirInput& air,
+                       std::span<const SeenRange> ranges) {
+    if (!air.table) return;
     constexpr double least_um = 3.0;
-    const TableSpan span = scene.air.table->span;
-    const auto check = [&](const std::string& name, double from_um, double to_um) {
+    const TableSpan span = table_span(*air.table);
+    for (const auto& [name, from_um, to_um] : ranges) {
         if (from_um < least_um) {
             section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "
                                                  "scattered sun, expected {:g} um or more",
@@ -65,18 +64,7 @@ void check_table_bands(const Section& section, const Scene& scene) {
                                         "{:.4g}",
                                         name, from_um, to_um, span.least_um, span.most_um));
         }
-    };
-    for (const ObserverInput& observer : scene.observers) {
-        for (const std::string& name : observer.bands) {
-            try {
-                const Band band = named_band(scene.bands, name, bin_edges_um());
-                check(name, band.from_um(), band.to_um());
-            } catch (const InputError&) {
-                // Told of where the observer names it.
-            }
-        }
     }
-    for (const CubeInput& cube : scene.cubes) check(cube.name, cube.from_um, cube.to_um);
 }
 
 }  // namespace diurna

@@ -1,15 +1,41 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "materials/atmosphere/atmosphere.hpp"
 #include "scenes/input/checked_names.hpp"
-#include "scenes/input/scene.hpp"
 
 namespace diurna {
+
+/// The air between surface and eye: an AFGL profile made to meet the weather at the ground, or
+/// none, or a table of paths from a file, the same at every instant.
+struct AirInput {
+    std::filesystem::path table_file;  // "": no table
+    std::optional<Tabulated> table;
+    bool vacuum = false;
+    std::string profile = "MLS";
+    std::string aerosol = "rural";
+    double visibility_km = 23.0;
+    double co2_ppm = todays_co2_ppm;
+    double cloud_base_km = 2.0;  // above the ground
+    bool drives_heat = false;    // the heat balance takes its sun and sky from this air
+};
 
 /// The section [atmosphere].
 AirInput read_air(const Section& section, const Reading& reading);
 
-/// If the air is a table of paths, every band and cube of the scene needs its bins in it and, as
-/// tables have no scattered sun, has to begin at 3 µm or more: mistakes of `section` otherwise.
-void check_table_bands(const Section& section, const Scene& scene);
+/// A band or a cube's range that somebody is to look through the air in.
+struct SeenRange {
+    std::string name;
+    double from_um, to_um;
+};
+
+/// A table of paths has to hold the bins of every range and, as tables have no scattered sun, none
+/// may begin below 3 µm: mistakes of `section` otherwise. Air without a table passes.
+void check_table_bands(const Section& section, const AirInput& air,
+                       std::span<const SeenRange> ranges);
 
 }  // namespace diurna

@@ -51,7 +51,8 @@ AdaptiveOptions read_adaptive(const Section& section) {
 
 }  // namespace
 
-ObserverInput read_observer(const Section& section, const Scene& scene) {
+ObserverInput read_observer(const Section& section, const std::vector<BandInput>& bands,
+                            const std::vector<CubeInput>& cubes) {
     ObserverInput observer;
     observer.name = section.text("name");
     observer.place = place(section, "place_m");
@@ -94,19 +95,19 @@ ObserverInput read_observer(const Section& section, const Scene& scene) {
     observer.bands = section.texts_or("bands", {"3-5", "8-12"});
     for (const std::string& band : observer.bands) {
         try {
-            named_band(scene.bands, band);
+            named_band(bands, band);
         } catch (const InputError& error) {
             section.mistake("bands", error.mistakes().front().problem,
                             error.mistakes().front().hint);
         }
     }
     observer.cubes = section.texts_or("cubes", {});
-    std::vector<std::string> cubes;
-    for (const CubeInput& cube : scene.cubes) cubes.push_back(cube.name);
+    std::vector<std::string> known;
+    for (const CubeInput& cube : cubes) known.push_back(cube.name);
     for (const std::string& cube : observer.cubes) {
-        if (std::find(cubes.begin(), cubes.end(), cube) == cubes.end()) {
+        if (std::find(known.begin(), known.end(), cube) == known.end()) {
             section.mistake("cubes", fmt::format("no cube \"{}\" in [[cubes]]", cube),
-                            did_you_mean(cube, cubes));
+                            did_you_mean(cube, known));
         }
     }
     return observer;

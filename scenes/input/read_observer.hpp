@@ -1,11 +1,37 @@
 #pragma once
 
-#include "materials/base/document.hpp"
-#include "scenes/input/scene.hpp"
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "render/view/adaptive.hpp"
+#include "render/view/observer.hpp"
+#include "scenes/input/bands.hpp"
 
 namespace diurna {
 
+struct ObserverInput {
+    std::string name;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();
+    double height_above_ground = 2.0;
+    std::optional<Eigen::Vector2d> look_at;  // a point of the ground; else the two angles
+    double azimuth_deg = 0.0, elevation_deg = 0.0, roll_deg = 0.0;
+    Projection projection = Projection::pinhole;
+    double horizontal_fov_deg = 20.0;
+    double picture_width = 0.0;  // [m] orthographic
+    int width = 640, height = 512;
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // east, north, up [m s⁻¹]
+    double row_time = 0.0, exposure = 0.0;               // [s]
+    int samples = 16;
+    std::optional<AdaptiveOptions> adaptive;  // samples where pixels need them
+    std::vector<std::string> bands;           // "3-5", "8-12", "lwir", a name of [[bands]]
+    std::vector<std::string> cubes;           // names of [[cubes]]
+    bool terms = false;                       // planes for the terms of the radiance, one by one
+};
+
 /// One table [[observer]]; the scene's bands and cubes are known already.
-ObserverInput read_observer(const Section& section, const Scene& scene);
+ObserverInput read_observer(const Section& section, const std::vector<BandInput>& bands,
+                            const std::vector<CubeInput>& cubes);
 
 }  // namespace diurna

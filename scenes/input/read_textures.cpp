@@ -1,14 +1,13 @@
+#include "scenes/input/read_textures.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "materials/base/document.hpp"
-#include "scenes/world/textures.hpp"
+#include "materials/base/error.hpp"
 
 namespace diurna {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -40,9 +39,9 @@ void read_clutter(const Section& section, TextureInput& texture) {
     texture.clutter = clutter;
 }
 
-void read_image(const Section& section, const fs::path& folder, TextureInput& texture) {
+void read_image(const Section& section, const Reading& reading, TextureInput& texture) {
     const std::string name = section.text("file");
-    texture.file = fs::path(name).is_absolute() ? fs::path(name) : folder / name;
+    texture.file = reading.folder / name;
     const int channel = section.integer_or("channel", 1, 1, 1000);
     const double scale = section.number_or("scale", 1.0), offset = section.number_or("offset", 0.0);
     texture.nearest = section.word_or("sampling", "linear", {"linear", "nearest"}) == "nearest";
@@ -83,8 +82,7 @@ void read_image(const Section& section, const fs::path& folder, TextureInput& te
     }
 }
 
-TextureInput read_texture(const Section& section, const fs::path& folder,
-                          const std::vector<std::string>& materials) {
+TextureInput read_texture(const Section& section, const Reading& reading) {
     using What = TextureInput::What;
     TextureInput texture;
     texture.name = section.text("name");
@@ -100,9 +98,10 @@ TextureInput read_texture(const Section& section, const fs::path& folder,
         } else {
             texture.between = {between[0], between[1]};
             for (const std::string& name : between) {
-                if (std::find(materials.begin(), materials.end(), name) == materials.end()) {
+                if (std::find(reading.materials.begin(), reading.materials.end(), name) ==
+                    reading.materials.end()) {
                     section.mistake("between", fmt::format("no material \"{}\"", name),
-                                    did_you_mean(name, materials));
+                                    did_you_mean(name, reading.materials));
                 }
             }
         }
@@ -113,7 +112,7 @@ TextureInput read_texture(const Section& section, const fs::path& folder,
     const std::string kind =
         section.word_or("kind", section.has("file") ? "raster" : "clutter", {"raster", "clutter"});
     if (kind == "raster") {
-        read_image(section, folder, texture);
+        read_image(section, reading, texture);
     } else {
         read_clutter(section, texture);
     }
@@ -122,11 +121,10 @@ TextureInput read_texture(const Section& section, const fs::path& folder,
 
 }  // namespace
 
-std::vector<TextureInput> read_textures(const Section& root, const fs::path& folder,
-                                        const std::vector<std::string>& materials) {
+std::vector<TextureInput> read_textures(const Section& root, const Reading& reading) {
     std::vector<TextureInput> textures;
     for (const Section& section : root.sections("texture")) {
-        TextureInput texture = read_texture(section, folder, materials);
+        TextureInput texture = read_texture(section, reading);
         if (std::any_of(textures.begin(), textures.end(),
                         [&](const TextureInput& other) { return other.name == texture.name; })) {
             section.mistake("name", fmt::format("a second texture named \"{}\"", texture.name));

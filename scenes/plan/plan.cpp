@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/solve/point_facets.hpp"
 
@@ -25,13 +26,6 @@ constexpr double render_per_pixel = 0.3e-6;  // and band
 constexpr double light_per_facet = 0.23e-6;  // and frame: its sun and temperature
 constexpr double annotate_per_pixel = 0.25e-6;
 constexpr double seen_through = 4.0;  // of casting and rendering, where rays pass smoke or nets
-
-std::vector<Instant> instants(Instant start, double duration, double every) {
-    std::vector<Instant> found;
-    const int count = static_cast<int>(std::lround(duration / every));
-    for (int i = 0; i <= count; ++i) found.push_back(later(start, i * every));
-    return found;
-}
 
 std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     std::vector<bool> used(scene.materials.size(), false);
@@ -63,9 +57,8 @@ std::size_t always_points(const Scene& scene, const World& world) {
 Plan make_plan(const Scene& scene, const World& world) {
     Plan plan;
     plan.facets = world.surfaces().size();
-    plan.steps = instants(scene.time.start, scene.time.duration, scene.time.step);
-    plan.frames = instants(scene.time.start, scene.time.duration, scene.time.frame_every);
-    plan.frames.pop_back();  // the end of a periodic day is its start
+    plan.steps = step_instants(scene_solve_options(scene));
+    plan.frames = frame_instants(scene.time);
     for (const Instant step : plan.steps) {
         // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
         if (sun_position(world.site, step).elevation_deg > -0.84) plan.sunlit_steps.push_back(step);

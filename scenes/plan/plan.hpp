@@ -27,7 +27,7 @@ struct PlannedStage {
 /// What a scene needs, worked out before anything is computed: as a database explains a query.
 struct Plan {
     std::size_t facets = 0;
-    std::vector<Instant> steps;         // step instants of the heat balance, ends included
+    std::vector<Instant> steps;         // step_instants() of the heat balance, ends included
     std::vector<Instant> sunlit_steps;  // those with the sun above the horizon: shadows are cast
     std::vector<Instant> frames;
     std::size_t sky_rays = 0, sun_rays = 0, view_rays = 0;

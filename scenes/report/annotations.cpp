@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "materials/base/files.hpp"
+#include "render/picture/exr.hpp"
+#include "scenes/plan/frame_files.hpp"
 
 namespace diurna {
 
@@ -81,6 +83,31 @@ void write_annotations(const std::filesystem::path& folder, const std::vector<An
         }
     }
     write_whole_file(folder / "annotations.json", coco.dump() + "\n");
+}
+
+void annotate_frames(const Prepared& prepared, const std::filesystem::path& out) {
+    const Scene& scene = prepared.scene;
+    std::vector<std::vector<ObjectMask>> masks;  // (observer)
+    for (const ObserverInput& observer : scene.observers) {
+        const Instant first = prepared.plan.frames.front();
+        masks.push_back(object_masks(
+            read_exr(out / (frame_base(observer.name, observer.bands.front(), first) + ".exr"))));
+    }
+    std::vector<Annotated> images;
+    for (std::size_t o = 0; o < scene.observers.size(); ++o) {
+        const ObserverInput& observer = scene.observers[o];
+        for (const Instant instant : prepared.plan.frames) {
+            for (const std::string& band : observer.bands) {
+                images.push_back({.file = frame_base(observer.name, band, instant) + ".exr",
+                                  .instant = instant,
+                                  .observer = observer.name,
+                                  .width = observer.width,
+                                  .height = observer.height,
+                                  .masks = &masks[o]});
+            }
+        }
+    }
+    write_annotations(out, images, prepared.world.objects);
 }
 
 }  // namespace diurna

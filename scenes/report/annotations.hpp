@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/picture/frame.hpp"
+#include "scenes/plan/prepared.hpp"
 
 namespace diurna {
 
@@ -33,5 +34,9 @@ struct Annotated {
 /// and object seen in it a box, an area and an uncompressed run-length mask.
 void write_annotations(const std::filesystem::path& folder, const std::vector<Annotated>& images,
                        const std::vector<std::string>& object_names);
+
+/// Writes annotations.json for all frames of a job, which lie in `out` already. Nothing moves, so
+/// one frame of an observer tells where the objects are in all of them.
+void annotate_frames(const Prepared& prepared, const std::filesystem::path& out);
 
 }  // namespace diurna

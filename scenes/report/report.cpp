@@ -2,20 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <optional>
-
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
-#include "materials/base/units.hpp"
-#include "render/picture/exr.hpp"
-#include "render/picture/quicklook.hpp"
 #include "scenes/input/bands.hpp"
-#include "scenes/report/chart.hpp"
+#include "scenes/report/contact_sheet.hpp"
+#include "scenes/report/html.hpp"
+#include "scenes/report/material_days.hpp"
 
 namespace diurna {
 
@@ -32,59 +25,6 @@ td.n,th.n{text-align:right}.sheet{display:grid;grid-template-columns:repeat(4,1f
 svg text{font:12px system-ui,sans-serif}svg .t{font-size:14px;font-weight:600}svg .e{text-anchor:end;fill:#566}
 svg .m{text-anchor:middle;fill:#566}svg .g{stroke:#e3e7ee;fill:none}
 </style>)";
-
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += c;
-    }
-    return out;
-}
-
-std::string base64(std::span<const std::byte> bytes) {
-    constexpr const char* digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    out.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t block = 0;
-        for (std::size_t k = 0; k < 3; ++k) {
-            block = (block << 8) |
-                    (i + k < bytes.size() ? static_cast<std::uint32_t>(bytes[i + k]) : 0u);
-        }
-        for (std::size_t k = 0; k < 4; ++k) {
-            out += i + k <= bytes.size() ? digits[(block >> (18 - 6 * k)) & 63u] : '=';
-        }
-    }
-    return out;
-}
-
-/// Colours of the materials that many scenes have, and of air; the others take theirs in turn.
-std::string colour_of(const std::string& material, std::size_t turn = 0) {
-    static const std::map<std::string, std::string> known = {
-        {"grass", "#4c9f38"}, {"forest", "#14532d"},        {"bare_soil", "#a0622d"},
-        {"rock", "#7a7a7a"},  {"asphalt", "#1c2330"},       {"concrete", "#c08a00"},
-        {"water", "#1f77d0"}, {"painted_steel", "#d62728"}, {"glass", "#17a2b8"},
-        {"air", "#9467bd"}};
-    static constexpr std::array others = {"#e377c2", "#6b8e23", "#ff7f0e", "#5b5bd6",
-                                          "#b8405e", "#2aa198", "#8c564b", "#9aa3b2"};
-    const auto colour = known.find(material);
-    return colour != known.end() ? colour->second : others[turn % others.size()];
-}
-
-/// Hours of the day in the offset the scene's start was written in are not kept; UTC is.
-double hour(const std::vector<Instant>& instants, std::size_t i) {
-    return seconds_between(instants.front(), instants[i]) / 3600.0;
-}
 
 std::string facts(const Prepared& prepared, const JobReport& report) {
     const Plan& plan = report.plan;
@@ -158,107 +98,6 @@ std::string decisions(const Plan& plan) {
                         escaped(decision.why), decision.error, decision.error_unit);
     }
     return out + "</table>\n";
-}
-
-std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& instants,
-                         const std::vector<DiurnalCurve>& curves) {
-    Chart chart{.title = "Surface temperature by material, mean over area",
-                .x_title = "hours after " + format_instant(instants.front()),
-                .y_title = "°C",
-                .x_last = hour(instants, instants.size() - 1),
-                .x_tick = 2.0,
-                .lines = {}};
-    ChartLine air{.name = "air", .colour = colour_of("air"), .x = {}, .y = {}, .dashed = true};
-    for (std::size_t i = 0; i < instants.size(); ++i) {
-        air.x.push_back(hour(instants, i));
-        air.y.push_back(celsius(prepared.weather.at(instants[i]).air.temperature));
-    }
-    for (const DiurnalCurve& curve : curves) {
-        ChartLine line{.name = curve.material,
-                       .colour = colour_of(curve.material, chart.lines.size()),
-                       .x = air.x,
-                       .y = {}};
-        for (const double kelvin : curve.mean) line.y.push_back(celsius(kelvin));
-        chart.lines.push_back(std::move(line));
-    }
-    chart.lines.push_back(std::move(air));
-    return svg(chart);
-}
-
-std::string curves_table(const std::vector<Instant>& instants,
-                         const std::vector<DiurnalCurve>& curves, const std::string& background) {
-    const auto reference = std::find_if(curves.begin(), curves.end(), [&](const DiurnalCurve& c) {
-        return c.material == background;
-    });
-    std::string out =
-        "<table>\n<tr><th>material</th><th class=\"n\">facets</th><th class=\"n\">hectares</th>"
-        "<th class=\"n\">coldest mean °C</th><th class=\"n\">warmest mean °C</th>"
-        "<th class=\"n\">spread (10 to 90 %) at the warmest, K</th><th>crossover with " +
-        escaped(background) + ", UTC</th></tr>\n";
-    for (const DiurnalCurve& curve : curves) {
-        const auto [low, high] = std::minmax_element(curve.mean.begin(), curve.mean.end());
-        const auto warmest = static_cast<std::size_t>(high - curve.mean.begin());
-        std::string crossed;
-        if (reference != curves.end() && &*reference != &curve) {
-            for (const Instant instant : crossovers(instants, curve, *reference)) {
-                crossed += (crossed.empty() ? "" : ", ") + format_instant(instant).substr(11, 5);
-            }
-            if (crossed.empty()) crossed = "none";
-        }
-        out += fmt::format(
-            "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{:.2f}</td><td "
-            "class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td><td class=\"n\">{:.1f}</td>"
-            "<td>{}</td></tr>\n",
-            escaped(curve.material), curve.facets, curve.area / 1e4, celsius(*low), celsius(*high),
-            curve.ninetieth[warmest] - curve.tenth[warmest], crossed);
-    }
-    return out + "</table>\n";
-}
-
-/// All frames of an observer in a band, on one colour scale.
-std::string contact_sheet(const fs::path& folder, const std::string& observer, const Band& band,
-                          const std::vector<Instant>& frames) {
-    const std::string plane = shown_plane(band);
-    std::vector<Frame> pictures(frames.size());
-    for_each_index(
-        frames.size(),
-        [&](std::size_t i) {
-            Frame named;
-            named.observer = observer;
-            named.instant = frames[i];
-            Frame whole = read_exr(folder / "frames" / (frame_name(named, band.name) + ".exr"));
-            pictures[i] = whole;
-            pictures[i].planes = {whole[plane]};
-            if (const Plane* solid = whole.find("temperature")) {
-                pictures[i].planes.push_back(*solid);
-            }
-        },
-        1);
-    ColourScale scale{1e9, -1e9};
-    for (const Frame& picture : pictures) {
-        const ColourScale own = colour_scale(picture, plane);
-        scale = {std::min(scale.low, own.low), std::max(scale.high, own.high)};
-    }
-    std::vector<std::string> figures(frames.size());
-    for_each_index(
-        frames.size(),
-        [&](std::size_t i) {
-            const std::vector<std::byte> png = encode_thumbnail(pictures[i], plane, scale, 2);
-            figures[i] = fmt::format(
-                "<figure><img alt=\"{0}\" "
-                "src=\"data:image/png;base64,{1}\"/><figcaption>{0}</figcaption>"
-                "</figure>\n",
-                format_instant(frames[i]), base64(png));
-        },
-        1);
-    const bool radiance = plane.starts_with("radiance");
-    std::string out = fmt::format(
-        "<h3>{}, {}, {:g} to {:g} µm: {} {:.3g} to {:.3g} {}</h3>\n<div class=\"sheet\">\n",
-        escaped(observer), escaped(band.name), band.from_um(), band.to_um(),
-        radiance ? "radiance" : "apparent temperature", scale.low, scale.high,
-        colour_unit(pictures.front()[plane]));
-    for (const std::string& figure : figures) out += figure;
-    return out + "</div>\n";
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "scenes/plan/job_report.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "scenes/report/curves.hpp"
-#include "scenes/run/job.hpp"
 
 namespace diurna {
 

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 
+#include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
-#include "terrain/texture/level_values.hpp"
-#include "terrain/visibility/sun_fraction.hpp"
 
 namespace diurna {
 
@@ -23,13 +22,9 @@ std::vector<Instant> some_of(const std::vector<Instant>& frames) {
 
 std::vector<float> sunlit_appearance(const Prepared& prepared, const FacetViews& views,
                                      const SunPosition& sun, const Band& band) {
-    const World& world = prepared.world;
-    const FacetSet& facets = world.surfaces();
+    const FacetSet& facets = prepared.world.surfaces();
     const Eigen::Vector3f to_sun = sun_direction(sun).cast<float>();
-    std::vector<float> fraction(world.facets.size());
-    sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
-                 {.samples = 1, .seed = prepared.scene.seed});
-    if (!world.texture_levels.empty()) fraction = for_all_levels(world.texture_levels, fraction);
+    const std::vector<float> fraction = sun_on_surfaces(prepared, sun, 1);
     const double middle = 0.5 * (band.from_um() + band.to_um());
     std::vector<float> reflectance;
     for (std::size_t m = 0; m < prepared.scene.materials.size(); ++m) {

@@ -5,7 +5,7 @@
 
 #include "materials/radiation/band.hpp"
 #include "render/view/adaptive.hpp"
-#include "scenes/run/job.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {

@@ -9,6 +9,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/sky_state.hpp"
 
@@ -24,12 +25,11 @@ Stamp stamp_of(const std::string& interval) {
 Weather driven_by_air(const Scene& scene, const World& world, const Weather& weather) {
     Weather driven = weather;
     driven.note = "sun and longwave that were not measured come from the scene's atmosphere";
-    const auto steps = static_cast<std::size_t>(std::lround(scene.time.duration / scene.time.step));
-    driven.instant.resize(steps + 1);
-    driven.sample.resize(steps + 1);
+    driven.instant = step_instants(scene_solve_options(scene));
+    driven.sample.resize(driven.instant.size());
     const double ground_km = world.sea_level_height / 1000.0;
     const auto fill = [&](std::size_t i) {
-        const Instant instant = later(scene.time.start, static_cast<double>(i) * scene.time.step);
+        const Instant instant = driven.instant[i];
         const SunPosition sun = sun_position(world.site, instant);
         const GroundFluxes flux = ground_fluxes(
             atmosphere_at(scene, world, weather, instant),
@@ -40,10 +40,9 @@ Weather driven_by_air(const Scene& scene, const World& world, const Weather& wea
             forcing.diffuse = flux.sun_diffuse;
         }
         if (std::isnan(forcing.longwave_down)) forcing.longwave_down = flux.thermal;
-        driven.instant[i] = instant;
         driven.sample[i] = forcing;
     };
-    for_each_index(steps + 1, fill, 4);
+    for_each_index(driven.instant.size(), fill, 4);
     return driven;
 }
 

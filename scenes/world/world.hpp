@@ -1,12 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "scenes/input/scene.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/relief/height_field.hpp"
@@ -33,15 +31,5 @@ struct World {
         return texture_levels.empty() ? facets : texture_levels.facets;
     }
 };
-
-/// Triangulates the elevation along the polygons' borders, gives every facet its material and
-/// puts up the buildings. Throws InputError if the elevation cannot be used or something lies
-/// outside it.
-World build_world(const Scene& scene, const Dem& dem);
-
-/// The point of the ground below or above (east, north) in the site's frame, from the raster.
-/// Throws InputError(where, ...) outside the raster or over a void.
-Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
-                             const std::string& where);
 
 }  // namespace diurna

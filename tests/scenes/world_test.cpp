@@ -1,4 +1,4 @@
-#include "scenes/world/world.hpp"
+#include "scenes/world/build_world.hpp"
 
 #include <catch2/catch.hpp>
 #include <map>

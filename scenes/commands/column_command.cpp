@@ -1,0 +1,46 @@
+#include "scenes/commands/column_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "materials/base/files.hpp"
+#include "thermal/point/point_job.hpp"
+
+namespace diurna {
+
+namespace {
+
+struct ColumnArguments {
+    std::filesystem::path file;
+    std::filesystem::path out;  // empty: to stdout
+};
+
+void column_verb(const ColumnArguments& a) {
+    const PointJob job = read_column_job(a.file);
+    const PointResult result = run_column(job);
+    const std::string text = column_csv(result);
+    if (a.out.empty()) {
+        fmt::print("{}", text);
+        return;
+    }
+    write_whole_file(a.out, text);
+    fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
+               result.row.size(), result.passes, result.periodic_residual,
+               result.worst_energy_closure);
+}
+
+}  // namespace
+
+void add_column_verb(CLI::App& app) {
+    const auto a = std::make_shared<ColumnArguments>();
+    CLI::App* verb = app.add_subcommand("column", "one facet driven by a weather file");
+    verb->add_option("COLUMN", a->file, "column file (TOML)")->required();
+    verb->add_option("--out", a->out, "CSV file; without it the result goes to stdout");
+    verb->callback([a] { column_verb(*a); });
+}
+
+}  // namespace diurna

@@ -1,0 +1,41 @@
+#include "scenes/commands/doctor_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "materials/air/profile.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/matter/library.hpp"
+
+namespace diurna {
+
+namespace {
+
+void doctor_verb() {
+    const auto has = [](bool there) { return there ? "yes" : "no"; };
+    fmt::print("diurna            {}\ncompiler          g++ {}\n", DIURNA_VERSION, __VERSION__);
+    fmt::print("libraries         {}\n", DIURNA_LIBRARIES);
+    fmt::print("AVX2, FMA         {}, {} (needed)\n", has(__builtin_cpu_supports("avx2")),
+               has(__builtin_cpu_supports("fma")));
+    fmt::print("AVX-512           {}\n", has(__builtin_cpu_supports("avx512f")));
+    fmt::print("threads           {}\n", thread_count());
+    const std::filesystem::path data = data_folder();
+    fmt::print("data              {} ({})\n", data.string(),
+               std::filesystem::is_directory(data) ? "found" : "missing: set DIURNA_DATA");
+    fmt::print("materials         {}\n", fmt::join(default_material_library().names(), " "));
+    fmt::print("profiles          {}\n", fmt::join(afgl_profile_names(), " "));
+    fmt::print("aerosols          {}\n", fmt::join(aerosol_names(), " "));
+}
+
+}  // namespace
+
+void add_doctor_verb(CLI::App& app) {
+    app.add_subcommand("doctor", "versions, processor, threads, where data are found")
+        ->callback(doctor_verb);
+}
+
+}  // namespace diurna

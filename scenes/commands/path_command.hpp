@@ -1,0 +1,13 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace diurna {
+
+/// `diurna path`: transmittance and radiance of one path through the air, by the embedded model or
+/// by a MODTRAN 5 of the user's.
+void add_path_verb(CLI::App& app);
+
+}  // namespace diurna

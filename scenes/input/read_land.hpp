@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <string>
+
+#include "scenes/input/checked_names.hpp"
+
+/// Ground cover and footprints that a scene takes from files of its own.
+namespace diurna {
+
+/// Classes of a raster, with a material for some of them. Where it knows one it goes before the
+/// rules of slope and height; polygons and shapes go before it.
+struct LandCoverInput {
+    std::filesystem::path file;
+    std::map<int, std::string> material;  // of a class
+};
+
+/// Polygons and lines of a vector file: ground of a material, or buildings.
+struct ShapesInput {
+    std::filesystem::path file;
+    std::string name;                             // of the object that its buildings are
+    std::string kind_field;                       // what tells the kind of a shape
+    std::map<std::string, std::string> material;  // of a kind
+    std::string default_material;                 // of other kinds; "": these are left out
+    double line_width = 6.0;                      // [m] of roads
+    double largest_edge = 30.0;                   // [m]
+    bool buildings = false;
+    std::string height_field;
+    double default_height = std::numeric_limits<double>::quiet_NaN();  // NaN: left out [m]
+    std::string wall, roof;
+};
+
+/// The keys of [terrain.land_cover] and [[shapes]]; mistakes are noted in the sections.
+LandCoverInput read_land_cover(const Section& section, const Reading& reading);
+ShapesInput read_shapes_input(const Section& section, const Reading& reading);
+
+}  // namespace diurna

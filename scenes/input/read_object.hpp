@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/input/checked_names.hpp"
+#include "terrain/objects/mesh_file.hpp"
+
+/// Vehicles, sheds, panels: meshes of files that a scene puts on its ground.
+namespace diurna {
+
+struct ObjectInput {
+    std::string name;
+    std::filesystem::path file;
+    MeshFile mesh;
+    Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
+    Placing placing;                                  // its base is found on the ground
+    double height_above_ground = 0.0;                 // of its lowest point [m]
+    std::vector<std::string> material;                // (part of the mesh)
+};
+
+/// One table [[object]].
+ObjectInput read_object(const Section& section, Reading& reading);
+
+}  // namespace diurna

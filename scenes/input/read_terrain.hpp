@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/input/checked_names.hpp"
+#include "scenes/input/read_land.hpp"
+#include "scenes/input/read_object.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// Ground of this slope and height (and not within a named polygon) is of this material.
+struct GroundRule {
+    std::string material;
+    double least_slope_deg = 0.0, most_slope_deg = 90.0;
+    double least_height = -1e4, most_height = 1e4;  // above the sea [m]
+};
+
+struct GroundPolygon {
+    std::string name;
+    std::string material;               // "": by the rules, on a finer mesh
+    std::vector<Eigen::Vector2d> ring;  // corners, not repeated; east, north [m]
+    double largest_edge = 30.0;         // of the triangles within [m]
+};
+
+struct Building {
+    std::string name;
+    Eigen::Vector2d place;  // middle of its plan
+    double width, depth, height;
+    double heading_deg;  // the way its front faces, clockwise from north
+    std::string wall, front, roof;
+};
+
+struct TerrainInput {
+    std::filesystem::path elevation;
+    std::vector<std::filesystem::path> tiles;  // more of it, on the same lattice
+    DemOptions reading;
+    double tolerance = 1.0;  // vertical [m]
+    /// The full grid as quads of two triangles instead of a network within the tolerance: always,
+    /// or where it has no more than `most_grid_triangles`.
+    enum class Mesh { network, grid, grid_where_it_fits };
+    Mesh mesh = Mesh::network;
+    static constexpr std::size_t most_grid_triangles = 500'000;
+    double refraction = 0.0;  // k of lines of sight (Site)
+    double coarsest = 0.0;    // of the tolerance where no observer looks closely; 0: the same [m]
+    std::string default_material;
+    std::vector<GroundRule> rules;  // the first that fits wins
+    std::vector<GroundPolygon> polygons;
+    std::vector<Building> buildings;
+    std::vector<ObjectInput> objects;
+    std::optional<LandCoverInput> land_cover;
+    std::vector<ShapesInput> shapes;
+};
+
+/// The section [terrain] and the tables that stand on it: [[ground]], [[building]], [[object]],
+/// [[shapes]].
+TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading);
+
+}  // namespace diurna

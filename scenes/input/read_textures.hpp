@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenes/input/checked_names.hpp"
+#include "terrain/texture/clutter.hpp"
+#include "terrain/texture/texture_file.hpp"
+
+namespace diurna {
+
+/// A table [[texture]]: what varies, and by a picture or a random field.
+struct TextureInput {
+    enum class What { albedo, emissivity, mixture };
+
+    std::string name;
+    std::string where;  // in the scene file, for mistakes found later
+    What what = What::albedo;
+    std::array<std::string, 2> between;  // materials of a mixture: shares 0 and 1 of the second
+    int levels = 0;                      // solved at; 0: one each 0.3 of albedo, 0.2 of emissivity
+
+    // A random field. The value is normal about `mean` with standard deviation `deviation`, cut off
+    // at three deviations and at the parameter's own bounds.
+    std::optional<ClutterSpec> clutter;
+    std::optional<double> mean;  // none: the material's own
+    double deviation = 0.0;
+
+    // A picture, in values of the parameter.
+    std::filesystem::path file;
+    TextureImage image;
+    bool nearest = false, repeat = false;
+    double metres_per_texel = 0.0;  // 0: where the file's georeference says
+    Eigen::Vector2d place =
+        Eigen::Vector2d::Zero();  // of its middle; of an object: from its middle
+    double heading_deg = 0.0;     // the way its upper edge looks
+};
+
+/// The tables [[texture]]; mistakes are noted in the sections.
+std::vector<TextureInput> read_textures(const Section& root, const Reading& reading);
+
+/// Which texture lies on what: by name.
+struct TextureUses {
+    std::map<std::string, std::string> of_object;  // the ground, polygons, buildings, objects
+    std::map<std::string, std::string> of_material;
+};
+/// The keys `texture` of [terrain], [[ground]], [[building]], [[object]] and [material.NAME].
+/// Ground of a polygon that names neither material nor texture is the terrain's.
+TextureUses read_texture_uses(const Section& root, const std::vector<TextureInput>& textures);
+
+}  // namespace diurna

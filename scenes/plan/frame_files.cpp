@@ -1,0 +1,51 @@
+#include "scenes/plan/frame_files.hpp"
+
+#include <algorithm>
+
+#include "render/picture/frame.hpp"
+
+namespace diurna {
+
+std::string frame_base(const std::string& observer, const std::string& band, Instant instant) {
+    Frame named;
+    named.observer = observer;
+    named.instant = instant;
+    return "frames/" + frame_name(named, band);
+}
+
+std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant) {
+    std::vector<std::string> files;
+    for (const std::string& band : observer.bands) {
+        const std::string name = frame_base(observer.name, band, instant);
+        files.push_back(name + ".exr");
+        files.push_back(name + ".png");
+    }
+    for (const std::string& cube : observer.cubes) {
+        const std::string name = frame_base(observer.name, cube, instant);
+        for (const char* extension : {".exr", ".img", ".hdr"}) files.push_back(name + extension);
+    }
+    return files;
+}
+
+std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,
+                                     const std::vector<Instant>& instants) {
+    std::vector<std::string> files;
+    for (const ObserverInput& observer : observers) {
+        for (const Instant instant : instants) {
+            for (std::string& file : frame_files(observer, instant)) {
+                files.push_back(std::move(file));
+            }
+        }
+    }
+    return files;
+}
+
+bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,
+                    Instant instant) {
+    const std::vector<std::string> files = frame_files(observer, instant);
+    return std::all_of(files.begin(), files.end(), [&](const std::string& file) {
+        return std::filesystem::exists(folder / file);
+    });
+}
+
+}  // namespace diurna

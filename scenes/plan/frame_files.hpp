@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/input/read_observer.hpp"
+#include "terrain/place/instant.hpp"
+
+/// Where a job's pictures lie, relative to its folder.
+namespace diurna {
+
+/// "frames/east_8-12_20260715T040000Z": a band's or a cube's picture without its extension.
+std::string frame_base(const std::string& observer, const std::string& band, Instant instant);
+
+/// The files of one frame: for every band an EXR and a PNG beside it, for every cube an EXR and
+/// ENVI's two.
+std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant);
+/// Of all observers at all instants.
+std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,
+                                     const std::vector<Instant>& instants);
+
+/// All files of a frame are there.
+bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,
+                    Instant instant);
+
+}  // namespace diurna

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/plan/plan.hpp"
+#include "scenes/plan/progress.hpp"
+#include "terrain/ground/triangulate.hpp"
+#include "thermal/solve/solver.hpp"
+
+namespace diurna {
+
+struct JobOptions {
+    std::filesystem::path out = "out";
+    std::vector<std::string> settings;  // "key=value" given on the command line
+    bool resume = false;                // keep what an earlier run with the same inputs has left
+    ProgressStyle progress = ProgressStyle::silent;
+};
+
+/// What a run did, for the report and for tests.
+struct JobReport {
+    Plan plan;
+    TinCheck ground_check;
+    std::size_t posts = 0;
+    SolveReport solve;
+    bool solved = false;              // false: temperatures were kept from an earlier run
+    std::size_t frames_rendered = 0;  // the others were kept
+    std::vector<std::string> files;   // written or kept, relative to the folder
+    std::vector<Progress::Stage> stages;
+    std::vector<std::string> notes;  // what was modelled for want of data
+};
+
+}  // namespace diurna

@@ -1,0 +1,72 @@
+#include "scenes/plan/prepared.hpp"
+
+#include <fmt/format.h>
+
+#include "scenes/world/air.hpp"
+#include "scenes/world/build_world.hpp"
+#include "scenes/world/ground.hpp"
+#include "scenes/world/plumes.hpp"
+#include "scenes/world/textures.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+namespace {
+
+Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
+                const RayScene& rays, const Scene& scene) {
+    const std::string where = fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
+    Observer observer{.name = input.name,
+                      .position = ground_point(dem, world.site, input.place, where) +
+                                  Eigen::Vector3d(0.0, 0.0, input.height_above_ground),
+                      .azimuth_deg = input.azimuth_deg,
+                      .elevation_deg = input.elevation_deg,
+                      .roll_deg = input.roll_deg,
+                      .horizontal_fov_deg = input.horizontal_fov_deg,
+                      .width = input.width,
+                      .height = input.height,
+                      .projection = input.projection,
+                      .picture_width = input.picture_width,
+                      .velocity = input.velocity,
+                      .row_time = input.row_time,
+                      .exposure = input.exposure};
+    if (input.look_at) {
+        observer = looking_at(observer, ground_point(dem, world.site, *input.look_at, where));
+    }
+    check_observer(observer, world.facets, rays);
+    return observer;
+}
+
+}  // namespace
+
+Prepared prepare(Scene scene) {
+    std::vector<std::filesystem::path> tiles{scene.terrain.elevation};
+    tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
+    const Dem dem = read_dem(tiles, scene.terrain.reading);
+    World world = build_world(scene, dem);
+    RayScene rays(world.facets);
+    Weather weather = scene_weather(scene, world);
+    std::vector<Observer> observers;
+    for (const ObserverInput& observer : scene.observers) {
+        observers.push_back(placed(observer, dem, world, rays, scene));
+    }
+    check_table(scene, world, observers);
+    std::vector<Plume> plumes;
+    for (const PlumeInput& plume : scene.plumes) {
+        const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
+        plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
+    }
+    std::vector<std::string> notes = dem.notes;
+    for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
+    Plan plan = make_plan(scene, world);
+    for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
+    if (world.filled_facets > 0) {
+        notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
+                                    dem.voids, dem.height.size(), world.filled_facets,
+                                    world.ground_facets));
+    }
+    return {std::move(scene),     std::move(world), std::move(rays),   std::move(weather),
+            std::move(observers), std::move(plan),  std::move(plumes), std::move(notes)};
+}
+
+}  // namespace diurna

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "render/rays/plume.hpp"
+#include "render/view/observer.hpp"
+#include "scenes/input/scene.hpp"
+#include "scenes/plan/plan.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// Everything a job knows once the scene stands: place, triangles, weather, what is to be done.
+struct Prepared {
+    Scene scene;
+    World world;
+    RayScene rays;
+    Weather weather;
+    std::vector<Observer> observers;  // placed above the ground, in the order of the scene
+    Plan plan;
+    std::vector<Plume> plumes;       // placed likewise
+    std::vector<std::string> notes;  // what a reader should know of the elevation data
+};
+
+/// Builds the world and checks what can be checked before anything is computed or written.
+Prepared prepare(Scene scene);
+
+}  // namespace diurna

@@ -1,0 +1,85 @@
+#include "scenes/run/heat.hpp"
+
+#include <span>
+#include <vector>
+
+#include "scenes/world/stepping.hpp"
+#include "terrain/place/sun.hpp"
+#include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/relief_visibility.hpp"
+#include "thermal/solve/shadow_edges.hpp"
+
+namespace diurna {
+
+namespace {
+
+ReliefVisibility light_of(const Prepared& prepared) {
+    return {prepared.world.facets, prepared.rays, *prepared.world.relief,
+            prepared.world.ground_facets};
+}
+
+}  // namespace
+
+FacetViews scene_sky_view(const Prepared& prepared) {
+    FacetViews view = light_of(prepared).facet_views({.rays = prepared.scene.sky_rays,
+                                                      .first_object = prepared.world.ground_facets,
+                                                      .object_rays = prepared.scene.object_sky_rays,
+                                                      .seed = prepared.scene.seed});
+    make_reciprocal(prepared.world.facets, view);
+    const TextureLevels& texture_levels = prepared.world.texture_levels;
+    return texture_levels.empty() ? view : for_copies(texture_levels, view);
+}
+
+SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
+    const Scene& scene = prepared.scene;
+    const std::size_t facets = prepared.world.facets.size();
+    const ReliefVisibility light = light_of(prepared);
+    SunExposure exposure{.instant = prepared.plan.steps, .fraction = {}};
+    exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
+    for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
+        const SunPosition sun = sun_position(prepared.world.site, exposure.instant[i]);
+        light.sun_fraction(sun_direction(sun),
+                           std::span(exposure.fraction).subspan(i * facets, facets),
+                           {.samples = scene.sun_samples, .seed = scene.seed});
+        progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
+    }
+    // When within a step the sun comes and goes: by rays, which answer for single facets.
+    find_edges(exposure,
+               [&](Instant when, std::span<const std::uint8_t> chosen, std::span<float> fraction) {
+                   sun_fraction(prepared.world.facets, prepared.rays,
+                                sun_direction(sun_position(prepared.world.site, when)), chosen,
+                                fraction, {.samples = scene.sun_samples, .seed = scene.seed});
+               },
+               {.tolerance = 20.0});
+    const TextureLevels& texture_levels = prepared.world.texture_levels;
+    if (texture_levels.empty()) return exposure;
+    exposure.fraction = for_copies(texture_levels, exposure.fraction);
+    std::vector<ShadowEdge> edges;
+    for (const ShadowEdge& edge : exposure.edge) {
+        edges.push_back(edge);
+        const TextureLevels::OfFacet& of_facet = texture_levels.of_facet[edge.facet];
+        for (std::uint32_t copy = 0; copy + 1 < of_facet.levels; ++copy) {
+            edges.push_back({edge.step, of_facet.first_copy + copy, edge.share});
+        }
+    }
+    exposure.edge = std::move(edges);
+    return exposure;
+}
+
+SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
+    progress.stage("shadows");
+    const SunExposure exposure = scene_sun_exposure(prepared, progress);
+    progress.stage("heat balance");
+    SolveOptions options = scene_solve_options(prepared.scene);
+    options.progress = [&](double share) { progress.done(share); };
+    return solve({.facets = prepared.world.surfaces(),
+                  .views = views,
+                  .sun = exposure,
+                  .materials = prepared.scene.materials,
+                  .weather = prepared.weather,
+                  .site = prepared.world.site,
+                  .elevation = prepared.world.sea_level_height},
+                 options);
+}
+
+}  // namespace diurna

@@ -1,0 +1,17 @@
+#include "scenes/run/sun_on_surfaces.hpp"
+
+#include "terrain/visibility/facet_views.hpp"
+
+namespace diurna {
+
+std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples) {
+    if (!(sun.elevation_deg > 0.0)) return {};
+    const World& world = prepared.world;
+    std::vector<float> fraction(world.facets.size());
+    sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
+                 {.samples = samples, .seed = prepared.scene.seed});
+    if (world.texture_levels.empty()) return fraction;
+    return for_copies(world.texture_levels, fraction);
+}
+
+}  // namespace diurna

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes/plan/prepared.hpp"
+#include "terrain/place/sun.hpp"
+
+namespace diurna {
+
+/// Share of each surface that the sun reaches, 0 to 1, by `samples` rays a facet; empty while the
+/// sun is down. A texture's levels on a facet are lit as the facet is.
+std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples);
+
+}  // namespace diurna

@@ -1,0 +1,71 @@
+#include "scenes/world/build_world.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "materials/base/error.hpp"
+#include "scenes/world/ground.hpp"
+#include "scenes/world/land.hpp"
+#include "scenes/world/structures.hpp"
+
+namespace diurna {
+
+namespace {
+
+Site resolved_site(const Scene& scene, const Dem& dem) {
+    if (!scene.site) {
+        const Geodetic centre = dem_centre(dem);
+        return {centre.latitude_deg, centre.longitude_deg, centre.height, scene.terrain.refraction};
+    }
+    Site site = *scene.site;
+    site.refraction = scene.terrain.refraction;
+    if (std::isnan(site.height)) {
+        site.height = height_at(dem, site.latitude_deg, site.longitude_deg);
+        if (std::isnan(site.height)) {
+            throw InputError(scene.file.string() + ": site",
+                             fmt::format("{:.5f}, {:.5f} lies outside {} or over a void",
+                                         site.latitude_deg, site.longitude_deg, dem.source));
+        }
+    }
+    return site;
+}
+
+/// "runway", "hangar", ...: the name of each ObjectId: 0 the ground, then polygons, buildings
+/// and objects.
+std::vector<std::string> object_names(const Scene& scene) {
+    std::vector<std::string> names{"ground"};
+    for (const auto& polygon : scene.terrain.polygons) names.push_back(polygon.name);
+    for (const auto& building : scene.terrain.buildings) names.push_back(building.name);
+    for (const auto& object : scene.terrain.objects) names.push_back(object.name);
+    return names;
+}
+
+}  // namespace
+
+World build_world(const Scene& scene, const Dem& dem) {
+    World world;
+    world.site = resolved_site(scene, dem);
+    world.sea_level_height = world.site.height;
+    if (scene.terrain.reading.geoid) {
+        const Geodetic here{world.site.latitude_deg, world.site.longitude_deg, 0.0};
+        world.sea_level_height -= geoid_heights({&here, 1}).front();
+    }
+    world.objects = object_names(scene);
+    world.posts = dem.height.size();
+    const std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
+    std::vector<ShapeBuilding> shapes =
+        shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
+    std::vector<std::vector<Eigen::Vector2d>> plans;
+    for (const BoxSpec& spec : boxes) plans.push_back(plan_of(spec));
+    for (const ShapeBuilding& building : shapes) plans.push_back(building.prism.ring);
+    append_ground(world, scene, dem, plans);
+    append_buildings(world, scene, boxes);
+    append_objects(world, scene, dem);
+    append_shape_buildings(world, scene, std::move(shapes));
+    mark_filled(world, dem);
+    world.relief.emplace(height_field(dem, world.site));
+    return world;
+}
+
+}  // namespace diurna

@@ -1,0 +1,237 @@
+#include "scenes/world/ground.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+#include "scenes/world/land.hpp"
+#include "scenes/world/objects.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/rings.hpp"
+#include "terrain/raster/land_cover.hpp"
+
+namespace diurna {
+
+namespace {
+
+MaterialId material_by_rules(const Scene& scene, double slope_deg, double height) {
+    for (const GroundRule& rule : scene.terrain.rules) {
+        if (slope_deg >= rule.least_slope_deg && slope_deg <= rule.most_slope_deg &&
+            height >= rule.least_height && height <= rule.most_height) {
+            return scene.materials.find(rule.material);
+        }
+    }
+    return scene.materials.find(scene.terrain.default_material);
+}
+
+/// The land cover's material at each triangle's middle; none where it has no class or no table
+/// entry.
+std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& dem,
+                                               const GroundMesh& mesh) {
+    std::vector<std::optional<MaterialId>> found(mesh.triangle.size());
+    if (!scene.terrain.land_cover) return found;
+    std::vector<Eigen::Vector2d> middle;
+    std::vector<float> height;
+    for (const auto& [a, b, c] : mesh.triangle) {
+        middle.push_back((mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0);
+        height.push_back(mesh.height[a]);
+    }
+    const ClassRaster raster = read_class_raster(scene.terrain.land_cover->file);
+    const auto classes = classes_at(raster, geodetic_places(dem, middle, height));
+    for (std::size_t t = 0; t < found.size(); ++t) {
+        const auto entry = scene.terrain.land_cover->material.find(classes[t]);
+        if (entry != scene.terrain.land_cover->material.end()) {
+            found[t] = scene.materials.find(entry->second);
+        }
+    }
+    return found;
+}
+
+/// A pixel of each observer, and a hundredth of the distance from each building and polygon.
+std::vector<float> slack_of(const Scene& scene, const Dem& dem, const Site& site) {
+    if (!(scene.terrain.coarsest > scene.terrain.tolerance)) return {};
+    std::vector<Viewpoint> viewpoints;
+    const auto add = [&](const Eigen::Vector2d& place, double height, double angle) {
+        viewpoints.push_back({raster_places(dem, site, {&place, 1}).front(), height, angle});
+    };
+    for (const ObserverInput& observer : scene.observers) {
+        add(observer.place, observer.height_above_ground,
+            radians(observer.horizontal_fov_deg) / observer.width);
+    }
+    for (const Building& building : scene.terrain.buildings) add(building.place, 0.0, 0.01);
+    for (const ObjectInput& object : scene.terrain.objects) add(object.place, 0.0, 0.01);
+    for (const GroundPolygon& polygon : scene.terrain.polygons) {
+        for (const Eigen::Vector2d& corner : polygon.ring) add(corner, 0.0, 0.01);
+    }
+    return level_of_detail(dem, viewpoints, std::max(scene.terrain.tolerance, 1e-3),
+                           scene.terrain.coarsest);
+}
+
+/// The network the scene asks for: the full grid, or what the tolerance leaves of it.
+GroundMesh ground_of(const Scene& scene, const Dem& dem, const Site& site,
+                     const std::vector<Footprint>& footprints) {
+    using Mesh = TerrainInput::Mesh;
+    const TerrainInput& terrain = scene.terrain;
+    const std::size_t triangles = 2 * std::size_t(dem.columns - 1) * std::size_t(dem.rows - 1);
+    if (terrain.mesh == Mesh::grid || (terrain.mesh == Mesh::grid_where_it_fits &&
+                                       triangles <= TerrainInput::most_grid_triangles)) {
+        return ground_mesh(dem, full_grid(dem), terrain.tolerance, footprints);
+    }
+    return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, site));
+}
+
+/// What cuts the ground, lowest first: shapes of files, polygons of the scene, the plans of
+/// buildings, and last the finer patches around objects, which have neither material nor object.
+struct Cuts {
+    static constexpr int nothing = -1;  // no ground at all
+
+    std::vector<Footprint> footprint;
+    std::vector<std::string> material;  // (footprint) "": by land cover and rules
+    std::vector<int> object;            // (footprint) 0 the ground, polygon i is i + 1
+
+    void add(Footprint cut, std::string of_material, int of_object) {
+        footprint.push_back(std::move(cut));
+        material.push_back(std::move(of_material));
+        object.push_back(of_object);
+    }
+    bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
+};
+
+Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
+             const std::vector<std::vector<Eigen::Vector2d>>& buildings) {
+    Cuts cuts;
+    for (const GroundShape& shape : ground_shapes(scene.terrain.shapes, dem, site)) {
+        cuts.add(shape.footprint, shape.material, 0);
+    }
+    int object = 0;
+    for (const GroundPolygon& polygon : scene.terrain.polygons) {
+        ++object;
+        cuts.add({raster_places(dem, site, polygon.ring), polygon.largest_edge}, polygon.material,
+                 polygon.material.empty() ? 0 : object);
+    }
+    for (const auto& ring : buildings) {
+        cuts.add({raster_places(dem, site, ring)}, "", Cuts::nothing);
+    }
+    for (const ObjectInput& input : scene.terrain.objects) {
+        const GroundPatch patch = ground_patch(input);
+        cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
+    }
+    return cuts;
+}
+
+/// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it
+/// lies on.
+std::int32_t cut_under(const Cuts& cuts, const GroundMesh& mesh, std::size_t triangle) {
+    std::int32_t f = mesh.footprint[triangle];
+    if (f < 0 || !cuts.is_patch(f)) return f;
+    const auto& [a, b, c] = mesh.triangle[triangle];
+    const Eigen::Vector2d middle = (mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0;
+    for (f = static_cast<std::int32_t>(cuts.object.size()) - 1; f >= 0; --f) {
+        if (contains(cuts.footprint[std::size_t(f)].ring, middle)) break;
+    }
+    return f;
+}
+
+/// Whether a triangle of raster places holds a post without elevation in the file; one that holds
+/// no post at all, whether its middle's cell has such a one.
+bool over_void(const Dem& dem, const std::array<Eigen::Vector2d, 3>& corner) {
+    const auto is_void = [&](int row, int column) {
+        return row >= 0 && column >= 0 && row < dem.rows && column < dem.columns &&
+               dem.is_void[std::size_t(row) * dem.columns + column];
+    };
+    Eigen::Matrix2d edges;
+    edges << corner[1] - corner[0], corner[2] - corner[0];
+    const Eigen::Matrix2d inverse = edges.inverse();
+    const Eigen::Vector2d low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]);
+    const Eigen::Vector2d high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]);
+    bool any = false;
+    constexpr double near = 1e-3;  // places come from metres kept as float
+    for (int row = int(std::ceil(low.y() - near)); row <= int(high.y() + near); ++row) {
+        for (int column = int(std::ceil(low.x() - near)); column <= int(high.x() + near);
+             ++column) {
+            const Eigen::Vector2d at = inverse * (Eigen::Vector2d(column, row) - corner[0]);
+            if (at.minCoeff() < -near || at.sum() > 1.0 + near) continue;
+            if (is_void(row, column)) return true;
+            any = true;
+        }
+    }
+    const Eigen::Vector2d middle = (corner[0] + corner[1] + corner[2]) / 3.0;
+    const int left = int(std::floor(middle.x())), above = int(std::floor(middle.y()));
+    return !any && (is_void(above, left) || is_void(above, left + 1) || is_void(above + 1, left) ||
+                    is_void(above + 1, left + 1));
+}
+
+}  // namespace
+
+Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
+                             const std::string& where) {
+    const Geodetic below = to_geodetic(site, {place.x(), place.y(), 0.0});
+    const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
+    if (std::isnan(height)) {
+        throw InputError(where,
+                         fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
+                                     place.x(), place.y(), dem.source));
+    }
+    return to_local(site, {below.latitude_deg, below.longitude_deg, height});
+}
+
+void append_ground(World& world, const Scene& scene, const Dem& dem,
+                   const std::vector<std::vector<Eigen::Vector2d>>& buildings) {
+    const Cuts cuts = cuts_of(scene, dem, world.site, buildings);
+    const GroundMesh mesh = ground_of(scene, dem, world.site, cuts.footprint);
+    world.ground_check = check_ground_mesh(dem, mesh);
+    const std::vector<Eigen::Vector3d> vertex =
+        local_vertices(dem, world.site, mesh.place, mesh.height);
+    const auto cover = covered(scene, dem, mesh);
+
+    const auto material_of = [&](std::size_t t, std::int32_t cut) {
+        if (cut >= 0 && !cuts.material[std::size_t(cut)].empty()) {
+            return scene.materials.find(cuts.material[std::size_t(cut)]);
+        }
+        if (cover[t]) return *cover[t];
+        const auto& [a, b, c] = mesh.triangle[t];
+        const Eigen::Vector3d across = (vertex[b] - vertex[a]).cross(vertex[c] - vertex[a]);
+        const double slope = degrees(std::acos(std::clamp(across.normalized().z(), -1.0, 1.0)));
+        const double height = (mesh.height[a] + mesh.height[b] + mesh.height[c]) / 3.0;
+        return material_by_rules(scene, slope, height);
+    };
+    // One batch of triangles per object: the ground first, then each polygon.
+    for (int batch = 0; batch <= static_cast<int>(scene.terrain.polygons.size()); ++batch) {
+        std::vector<std::array<std::uint32_t, 3>> triangles;
+        std::vector<MaterialId> materials;
+        for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+            const std::int32_t cut = cut_under(cuts, mesh, t);
+            if ((cut < 0 ? 0 : cuts.object[std::size_t(cut)]) != batch) continue;
+            triangles.push_back(mesh.triangle[t]);
+            materials.push_back(material_of(t, cut));
+        }
+        append_facets(world.facets, vertex, triangles, materials,
+                      ObjectId{static_cast<std::uint16_t>(batch)});
+    }
+    world.ground_facets = world.facets.size();
+}
+
+void mark_filled(World& world, const Dem& dem) {
+    if (dem.is_void.empty()) return;
+    std::vector<Eigen::Vector2d> east_north;
+    for (const Eigen::Vector3f& v : world.facets.vertex) {
+        east_north.push_back(v.head<2>().cast<double>());
+    }
+    const auto place = raster_places(dem, world.site, east_north);
+    std::vector<std::uint8_t> filled(world.facets.size(), 0);
+    for (std::size_t f = 0; f < world.ground_facets; ++f) {
+        const auto& [a, b, c] = world.facets.corner[f];
+        filled[f] = over_void(dem, {place[a], place[b], place[c]});
+        world.filled_facets += filled[f];
+    }
+    if (world.filled_facets > 0) world.filled = std::move(filled);
+}
+
+}  // namespace diurna

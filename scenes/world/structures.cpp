@@ -1,0 +1,82 @@
+#include "scenes/world/structures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+#include "scenes/world/ground.hpp"
+#include "scenes/world/objects.hpp"
+
+namespace diurna {
+
+std::vector<Eigen::Vector2d> plan_of(const BoxSpec& spec) {
+    const double heading = radians(spec.heading_deg);
+    const Eigen::Vector2d ahead(std::sin(heading), std::cos(heading));
+    const Eigen::Vector2d right(ahead.y(), -ahead.x());
+    std::vector<Eigen::Vector2d> ring;
+    for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}) {
+        ring.push_back(spec.base.head<2>() + x * spec.width * right + y * spec.depth * ahead);
+    }
+    return ring;
+}
+
+std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& site) {
+    std::vector<BoxSpec> boxes;
+    for (const Building& building : scene.terrain.buildings) {
+        const std::string where =
+            fmt::format("{}: building \"{}\"", scene.file.string(), building.name);
+        BoxSpec spec{.base = ground_point(dem, site, building.place, where),
+                     .width = building.width,
+                     .depth = building.depth,
+                     .height = building.height,
+                     .heading_deg = building.heading_deg,
+                     .wall = scene.materials.find(building.wall),
+                     .front = scene.materials.find(building.front),
+                     .roof = scene.materials.find(building.roof)};
+        // Walls reach below the lowest corner's ground, so that no light passes under them.
+        double lowest = spec.base.z();
+        for (const Eigen::Vector2d& corner : plan_of(spec)) {
+            lowest = std::min(lowest, ground_point(dem, site, corner, where).z());
+        }
+        spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.tolerance;
+        boxes.push_back(spec);
+    }
+    return boxes;
+}
+
+void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpec>& boxes) {
+    std::size_t object = scene.terrain.polygons.size();
+    for (const BoxSpec& spec : boxes) {
+        append_facets(world.facets, box(spec), ObjectId{static_cast<std::uint16_t>(++object)});
+    }
+}
+
+void append_objects(World& world, const Scene& scene, const Dem& dem) {
+    std::size_t object = scene.terrain.polygons.size() + scene.terrain.buildings.size();
+    for (const ObjectInput& input : scene.terrain.objects) {
+        const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
+        const Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
+        append_facets(world.facets, object_mesh(input, ground, scene.materials),
+                      ObjectId{static_cast<std::uint16_t>(++object)});
+    }
+}
+
+void append_shape_buildings(World& world, const Scene& scene,
+                            std::vector<ShapeBuilding> buildings) {
+    const auto& inputs = scene.terrain.shapes;
+    std::vector<std::uint16_t> object(inputs.size(), 0);
+    for (ShapeBuilding& building : buildings) {
+        const ShapesInput& input = inputs[building.input];
+        if (object[building.input] == 0) {
+            object[building.input] = static_cast<std::uint16_t>(world.objects.size());
+            world.objects.push_back(input.name);
+        }
+        building.prism.wall = scene.materials.find(input.wall);
+        building.prism.roof = scene.materials.find(input.roof);
+        append_facets(world.facets, prism(building.prism), ObjectId{object[building.input]});
+    }
+}
+
+}  // namespace diurna

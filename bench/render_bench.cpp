@@ -19,6 +19,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "materials/matter/read_library.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/light/lit_facets.hpp"
 #include "render/picture/exr.hpp"

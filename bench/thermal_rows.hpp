@@ -13,6 +13,7 @@
 
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "tests/support/measured_days.hpp"
 #include "tests/support/thermal_cases.hpp"
 #include "thermal/point/point_job.hpp"

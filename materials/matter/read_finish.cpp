@@ -6,6 +6,8 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/matter/broadband.hpp"
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/library.hpp"
 
@@ -43,47 +45,61 @@ void read_index(const std::filesystem::path& path, Glossy& finish) {
     finish.extinction.wavelength_um = um;
 }
 
-Finish read_kind(const Section& section, const std::filesystem::path& folder) {
-    const std::vector<std::string> kinds = {"lambert", "gloss", "metal", "by_angle"};
-    const std::string kind = section.word_or("kind", "lambert", kinds);
-    if (kind == "gloss" || kind == "metal") {
-        Glossy finish{.roughness = section.number("roughness", 0.0, 1.0),
-                      .metal = kind == "metal",
-                      .index = {},
-                      .extinction = {}};
-        if (finish.metal) return finish;
-        if (section.has("index_file")) {
-            try {
-                read_index(folder / section.text("index_file"), finish);
-                return finish;
-            } catch (const InputError& error) {
-                section.mistake("index_file", error.what());
-            }
+/// n and k of a gloss: of a file, or one number.
+void read_refraction(const Section& section, const std::filesystem::path& folder, Glossy& finish) {
+    double index = 1.5;
+    if (section.has("index_file")) {
+        try {
+            read_index(
+                folder / section.text("index_file", "of the coat: CSV of wavelength_um, n and k"),
+                finish);
+            return;
+        } catch (const InputError& error) {
+            section.mistake("index_file", error.what());
         }
-        const double index =
-            section.has("index_file") ? 1.5 : section.number("index", 1.0 + 1e-6, 5.0);
-        finish.index = flat_spectrum(index);
-        finish.extinction = {};
-        return finish;
+    } else {
+        index =
+            section.number("index", "of the coat: n at all wavelengths, unless index_file is given",
+                           {1.0 + 1e-6, 5.0});
     }
-    if (kind == "by_angle") {
-        ByAngle finish;
-        for (const std::vector<double>& row : section.rows("factors", 2, 2)) {
-            const bool ascends = finish.angle_deg.empty() || row[0] > finish.angle_deg.back();
-            if (row[0] < 0.0 || row[0] > 90.0 || row[1] < 0.0 || !ascends) {
-                section.mistake("factors",
-                                "expected [angle_deg, factor] with ascending angles of 0 to 90 and "
-                                "factors of zero or more");
-                return Lambert{};
-            }
-            finish.angle_deg.push_back(row[0]);
-            finish.factor.push_back(row[1]);
+    finish.index = flat_spectrum(index);
+    finish.extinction = {};
+}
+
+/// Factors on the reflectance over the angle.
+Finish read_by_angle(const Section& section) {
+    ByAngle finish;
+    const auto rows = section.rows(
+        "factors", "[[angle_deg, factor], ...] on the reflectance, straight between", 2, 2);
+    for (const std::vector<double>& row : rows) {
+        const bool ascends = finish.angle_deg.empty() || row[0] > finish.angle_deg.back();
+        if (row[0] < 0.0 || row[0] > 90.0 || row[1] < 0.0 || !ascends) {
+            section.mistake("factors",
+                            "expected [angle_deg, factor] with ascending angles of 0 to 90 and "
+                            "factors of zero or more");
+            return Lambert{};
         }
-        if (finish.angle_deg.size() < 2) return Lambert{};
-        return finish;
+        finish.angle_deg.push_back(row[0]);
+        finish.factor.push_back(row[1]);
     }
-    if (section.has("kind") && section.text_or("kind", kind) != kind) section.free_keys();
-    return Lambert{};
+    if (finish.angle_deg.size() < 2) return Lambert{};
+    return finish;
+}
+
+Finish read_law(const Section& section, const std::filesystem::path& folder) {
+    const std::string kind = section.kind_or(
+        "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish, glass, "
+        "water; metal: a bare one; by_angle: a table",
+        "lambert", {"lambert", "gloss", "metal", "by_angle"});
+    if (kind == "by_angle") return read_by_angle(section);
+    if (kind != "gloss" && kind != "metal") return Lambert{};
+    Glossy finish{
+        .roughness = section.number("roughness", "of its microfacets: 0 a mirror", {0.0, 1.0}),
+        .metal = kind == "metal",
+        .index = {},
+        .extinction = {}};
+    if (!finish.metal) read_refraction(section, folder, finish);
+    return finish;
 }
 
 /// The share that is not covered lets everything through.
@@ -104,7 +120,8 @@ void open_up(double cover, Material& material) {
 
 void read_finish(const Section& section, const std::filesystem::path& folder, Material& material) {
     if (section.has("finish")) {
-        material.finish = read_kind(section.section("finish"), folder);
+        material.finish =
+            read_law(section.section("finish", "how light is sent back over the angle"), folder);
         if (!section.has("emissivity") && !std::holds_alternative<Lambert>(material.finish)) {
             Spectrum emissivity{.wavelength_um = material.reflectance.wavelength_um, .value = {}};
             for (const double um : emissivity.wavelength_um) {
@@ -113,15 +130,19 @@ void read_finish(const Section& section, const std::filesystem::path& folder, Ma
             material.thermal.emissivity = planck_mean(emissivity);
         }
     }
-    material.see_through = section.flag_or("see_through", material.see_through);
+    material.see_through = section.flag_or(
+        "see_through", "rays go on behind it, where its transmittance lets them: panes",
+        material.see_through);
     if (section.has("cover")) {
-        open_up(section.number("cover", 0.0, 1.0), material);
+        open_up(
+            section.number("cover", "a net, of which this share is the material; the rest is open",
+                           {0.0, 1.0}),
+            material);
         material.see_through = true;
     }
     if (material.see_through && material.transmittance.empty()) {
         section.mistake("see_through",
-                        "expected a transmittance or a cover: nothing lets light "
-                        "through");
+                        "expected a transmittance or a cover: nothing lets light through");
     }
 }
 

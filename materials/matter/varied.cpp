@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/matter/library.hpp"
+#include "materials/matter/broadband.hpp"
 
 namespace diurna {
 

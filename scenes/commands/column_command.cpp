@@ -6,9 +6,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "materials/base/files.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/spin_up.hpp"
+#include "thermal/point/point_job_file.hpp"
 
 namespace diurna {
 
@@ -20,17 +24,22 @@ struct ColumnArguments {
 };
 
 void column_verb(const ColumnArguments& a) {
-    const PointJob job = read_column_job(a.file);
-    const PointResult result = run_column(job);
+    const PointResult result = run_column(read_column_job(a.file));
     const std::string text = column_csv(result);
     if (a.out.empty()) {
         fmt::print("{}", text);
-        return;
+    } else {
+        write_whole_file(a.out, text);
+        fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
+                   result.row.size(), result.passes, result.periodic_residual,
+                   result.worst_energy_closure);
     }
-    write_whole_file(a.out, text);
-    fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
-               result.row.size(), result.passes, result.periodic_residual,
-               result.worst_energy_closure);
+    if (result.converged) return;
+    throw std::runtime_error(
+        fmt::format("the spin-up has not converged in {} passes: periodic to {:.1e} K (tolerance "
+                    "{:.0e} K), water on the surface to {:.1e} mm (tolerance {:.0e} mm)",
+                    result.passes, result.periodic_residual, periodic_tolerance,
+                    result.standing_residual, standing_tolerance));
 }
 
 }  // namespace

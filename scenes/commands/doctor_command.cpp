@@ -10,6 +10,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 
 namespace diurna {
 

@@ -10,6 +10,7 @@
 #include "materials/base/error.hpp"
 #include "scenes/commands/column_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
+#include "scenes/commands/keys_command.hpp"
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
 #include "scenes/commands/scene_commands.hpp"
@@ -23,20 +24,20 @@ enum ExitCode { done = 0, failed = 1, bad_input = 2 };
 
 /// The verbs in the order of `diurna --help`.
 constexpr void (*verbs[])(CLI::App&) = {
-    add_check_verb,  add_plan_verb,       add_run_verb,    add_solve_verb,
-    add_render_verb, add_column_verb,     add_path_verb,   add_sun_verb,
-    add_mesh_verb,   add_visibility_verb, add_doctor_verb,
+    add_check_verb,  add_plan_verb,       add_run_verb,  add_solve_verb,
+    add_render_verb, add_column_verb,     add_path_verb, add_sun_verb,
+    add_mesh_verb,   add_visibility_verb, add_keys_verb, add_doctor_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.
 void check_first_word(const CLI::App& app, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return;
-    std::vector<std::string> verbs;
-    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-    if (std::find(verbs.begin(), verbs.end(), argv[1]) != verbs.end()) return;
-    const std::string hint = did_you_mean(argv[1], verbs);
+    std::vector<std::string> known;
+    for (const CLI::App* verb : app.get_subcommands({})) known.push_back(verb->get_name());
+    if (std::find(known.begin(), known.end(), argv[1]) != known.end()) return;
+    const std::string hint = did_you_mean(argv[1], known);
     throw InputError("diurna", fmt::format("no verb '{}'", argv[1]),
-                     hint.empty() ? fmt::format("{}", fmt::join(verbs, ", ")) : hint);
+                     hint.empty() ? fmt::format("{}", fmt::join(known, ", ")) : hint);
 }
 
 void run_program(int argc, char** argv) {

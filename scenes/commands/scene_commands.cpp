@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,11 @@ std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
     return a;
 }
 
+/// Results that have not converged are kept, but the program fails.
+void check_converged(const std::string& not_converged) {
+    if (!not_converged.empty()) throw std::runtime_error(not_converged);
+}
+
 void check_verb(const SceneArguments& a) {
     const Prepared prepared = prepare(a.read());
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
@@ -67,6 +73,7 @@ void run_verb(const SceneArguments& a, JobOptions job) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
+    check_converged(report.not_converged);
 }
 
 void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
@@ -76,6 +83,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const FacetViews view = scene_sky_view(prepared);
     const SolveResult result = solve_scene(prepared, view, progress);
     save_temperature_field(out, result.temperature, prepared.world.surfaces(), prepared.world.site);
+    check_converged(not_converged(prepared.scene, result.report));
 }
 
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,

@@ -23,18 +23,17 @@ constexpr std::array<Word, 5> words = {{{"visible", 0.4, 0.7},
                                         {"lwir", 8.0, 12.0}}};
 
 /// A name for planes and files: letters, digits, '_' and '-', the first a letter.
-std::string read_name(const Section& section, std::set<std::string>& taken) {
-    const std::string name = section.text("name");
+std::string read_name(const Section& section, const char* says, std::set<std::string>& taken) {
+    const std::string name = section.text("name", says);
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     const bool fits =
         !name.empty() && letter(name[0]) && std::all_of(name.begin(), name.end(), [&](char c) {
             return letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
         });
     if (!fits) {
-        section.mistake("name",
-                        fmt::format("found \"{}\", expected a letter, then letters, digits, "
-                                    "'_' or '-'",
-                                    name.substr(0, 40)));
+        section.mistake(
+            "name", fmt::format("found \"{}\", expected a letter, then letters, digits, '_' or '-'",
+                                name.substr(0, 40)));
     } else if (!taken.insert(name).second) {
         section.mistake("name", fmt::format("a second \"{}\"", name));
     }
@@ -42,8 +41,8 @@ std::string read_name(const Section& section, std::set<std::string>& taken) {
 }
 
 /// [from, to] in µm; a harmless range where it is wrong.
-std::array<double, 2> read_range(const Section& section) {
-    const std::vector<double> range = section.numbers("range_um", 2);
+std::array<double, 2> read_range(const Section& section, const char* says) {
+    const std::vector<double> range = section.numbers("range_um", says, 2);
     if (range.size() == 2 && range[0] >= 0.2 && range[0] < range[1] && range[1] <= 100.0) {
         return {range[0], range[1]};
     }
@@ -53,23 +52,22 @@ std::array<double, 2> read_range(const Section& section) {
 
 }  // namespace
 
-std::vector<std::string> band_names() {
-    std::vector<std::string> names;
-    for (const Word& word : words) names.emplace_back(word.name);
-    return names;
-}
-
 std::vector<BandInput> read_bands(const Section& root, const std::filesystem::path& folder) {
+    constexpr const char* flat = "[from, to] of a flat band; or response";
     std::vector<BandInput> bands;
     std::set<std::string> taken;
-    for (const Section& section : root.sections("bands")) {
-        BandInput band{.name = read_name(section, taken), .file = {}, .response = {}};
+    for (const Section& section :
+         root.sections("bands", "a band of an instrument of yours, by a name of its own")) {
+        BandInput band{.name = read_name(section, "by which an observer names it", taken),
+                       .file = {},
+                       .response = {}};
         if (section.has("response") == section.has("range_um")) {
             section.mistake("", "expected either response, a CSV file, or range_um = [from, to]");
-            if (section.has("range_um")) section.numbers("range_um", 2);
+            if (section.has("range_um")) section.numbers("range_um", flat, 2);
         }
         if (section.has("response")) {
-            band.file = folder / section.text("response");
+            band.file =
+                folder / section.text("response", "CSV of wavelength_um and response, 0 to 1");
             try {
                 band.response = read_response(band.file);
             } catch (const InputError& error) {
@@ -77,7 +75,7 @@ std::vector<BandInput> read_bands(const Section& root, const std::filesystem::pa
                 band.response = flat_spectrum(1.0, 8.0, 12.0);
             }
         } else if (section.has("range_um")) {
-            const auto [from, to] = read_range(section);
+            const auto [from, to] = read_range(section, flat);
             band.response = flat_spectrum(1.0, from, to);
         }
         bands.push_back(std::move(band));
@@ -88,13 +86,14 @@ std::vector<BandInput> read_bands(const Section& root, const std::filesystem::pa
 std::vector<CubeInput> read_cubes(const Section& root) {
     std::vector<CubeInput> cubes;
     std::set<std::string> taken;
-    for (const Section& section : root.sections("cubes")) {
+    for (const Section& section : root.sections(
+             "cubes", "a hyperspectral cube: channels side by side, in OpenEXR and ENVI")) {
         CubeInput cube;
-        cube.name = read_name(section, taken);
-        const auto [from, to] = read_range(section);
+        cube.name = read_name(section, "by which an observer names it", taken);
+        const auto [from, to] = read_range(section, "[from, to] of all channels together");
         cube.from_um = from;
         cube.to_um = to;
-        cube.channels = section.integer_or("channels", 64, 1, 2000);
+        cube.channels = section.integer_or("channels", "equally wide", 64, {1, 2000});
         cubes.push_back(std::move(cube));
     }
     return cubes;
@@ -110,13 +109,14 @@ Band named_band(const std::vector<BandInput>& own, const std::string& name,
     if (word != words.end()) return flat_band(name, word->from_um, word->to_um, breakpoints_um);
     const bool range = !name.empty() && (name[0] == '.' || (name[0] >= '0' && name[0] <= '9'));
     if (range) return parse_band(name, breakpoints_um);
-    std::vector<std::string> known = band_names();
+    std::vector<std::string> known;
+    for (const Word& w : words) known.emplace_back(w.name);
     for (const BandInput& band : own) known.push_back(band.name);
-    throw InputError("band",
-                     fmt::format("no band \"{}\", expected a name of [[bands]] or FROM-TO in "
-                                 "µm, such as 8-12",
-                                 name.substr(0, 40)),
-                     did_you_mean(name, known));
+    throw InputError(
+        "band",
+        fmt::format("no band \"{}\", expected a name of [[bands]] or FROM-TO in µm, such as 8-12",
+                    name.substr(0, 40)),
+        did_you_mean(name, known));
 }
 
 }  // namespace diurna

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "materials/base/document.hpp"
+#include "materials/base/section.hpp"
 #include "materials/radiation/band.hpp"
 
 namespace diurna {
@@ -23,17 +23,14 @@ struct CubeInput {
     int channels = 0;
 };
 
-/// Bands that go by a word instead of their range: "visible" 0.4-0.7, "nir" 0.75-1, "swir" 1.5-1.8,
-/// "mwir" 3-5, "lwir" 8-12 µm.
-std::vector<std::string> band_names();
-
 /// Reads every table of [[bands]] and [[cubes]]. A name may be used once, and not look like a
 /// range.
 std::vector<BandInput> read_bands(const Section& root, const std::filesystem::path& folder);
 std::vector<CubeInput> read_cubes(const Section& root);
 
-/// The band an observer names: one of the scene's own, a word of band_names() or a range such as
-/// "3-5". Throws InputError with the nearest name.
+/// The band an observer names: one of the scene's own, a range such as "3-5", or a word: "visible"
+/// 0.4-0.7, "nir" 0.75-1, "swir" 1.5-1.8, "mwir" 3-5, "lwir" 8-12 µm. Throws InputError with the
+/// nearest name.
 Band named_band(const std::vector<BandInput>& own, const std::string& name,
                 std::span<const double> breakpoints_um = {});
 

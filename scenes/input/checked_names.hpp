@@ -2,30 +2,39 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
-#include <vector>
 
-#include "materials/base/document.hpp"
+#include "materials/base/section.hpp"
 
 namespace diurna {
+
+/// Which texture lies on what: by name.
+struct TextureUses {
+    std::map<std::string, std::string> of_object;  // the ground, polygons, buildings, objects
+    std::map<std::string, std::string> of_material;
+};
 
 /// What the parts of a scene file need to know of the rest of it.
 struct Reading {
     std::filesystem::path folder;  // relative names of files start here
-    std::vector<std::string> materials;
-    std::set<std::string> object_names;
+    Names materials{.what = "material", .known = {}};
+    Names textures{.what = "texture", .known = {}, .where = " in [[texture]]"};
+    TextureUses texture_uses{};
+    std::set<std::string> object_names{"ground"};
 
     /// The file a key names; a mistake if there is none.
-    std::filesystem::path file(const Section& section, const std::string& key) const;
-    /// The material a key names, or else `fallback`; a mistake if there is neither.
-    std::string material(const Section& section, const std::string& key,
-                         const std::string& fallback = "") const;
-    /// The name of an object; a mistake if another has it.
-    std::string object(const Section& section);
+    std::filesystem::path file(const Section& section, const std::string& key,
+                               const char* says) const;
+    /// The key `name` of an object; a mistake if another has it.
+    std::string object(const Section& section, const char* says);
+    /// The key `texture`, which lays one on what is called `on` among `uses`.
+    void texture(const Section& section, std::map<std::string, std::string>& uses,
+                 const std::string& on) const;
 };
 
 /// East and north of the site [m].
-Eigen::Vector2d place(const Section& section, const std::string& key);
+Eigen::Vector2d place(const Section& section, const std::string& key, const char* says);
 
 }  // namespace diurna

@@ -11,7 +11,11 @@ namespace {
 
 /// The table of paths, its own mistakes told where the scene names it.
 void read_table(const Section& section, const Reading& reading, AirInput& air) {
-    air.table_file = reading.file(section, "table");
+    air.table_file =
+        reading.file(section, "table",
+                     "a MODTRAN 4/5 tape7 in place of the embedded air: IEMSCT 1 or 2, one run a "
+                     "path, from every H1 to every H2 and to space; bands from 3 µm on, no "
+                     "scattered sun, the same at every instant");
     if (air.vacuum || air.drives_heat) {
         section.mistake("table", air.vacuum
                                      ? "a vacuum has no table of paths"
@@ -33,13 +37,22 @@ AirInput read_air(const Section& section, const Reading& reading) {
     std::vector<std::string> profiles = afgl_profile_names();
     profiles.push_back("vacuum");
     AirInput air;
-    air.profile = section.word_or("profile", air.profile, profiles);
+    air.profile = section.word_or(
+        "profile", "AFGL's, its lowest 1.5 km made to meet the weather; vacuum: no air",
+        air.profile, profiles);
     air.vacuum = air.profile == "vacuum";
-    air.aerosol = section.word_or("aerosol", air.aerosol, aerosol_names());
-    air.visibility_km = section.number_or("visibility_km", air.visibility_km, 0.05, 300);
-    air.co2_ppm = section.number_or("co2_ppm", air.co2_ppm, 0, 10000);
-    air.cloud_base_km = section.number_or("cloud_base_km", air.cloud_base_km, 0.05, 15);
-    air.drives_heat = section.flag_or("drives_heat", air.drives_heat);
+    air.aerosol =
+        section.word_or("aerosol", "of the haze near the ground", air.aerosol, aerosol_names());
+    air.visibility_km =
+        section.number_or("visibility_km", "through that haze", air.visibility_km, {0.05, 300.0});
+    air.co2_ppm = section.number_or("co2_ppm", "of carbon dioxide", air.co2_ppm, {0.0, 10000.0});
+    air.cloud_base_km =
+        section.number_or("cloud_base_km", "above the ground, of the weather's cloud",
+                          air.cloud_base_km, {0.05, 15.0});
+    air.drives_heat = section.flag_or("drives_heat",
+                                      "sun and sky of the heat balance that nobody measured come "
+                                      "from this air, not from the broadband formulas",
+                                      air.drives_heat);
     if (air.vacuum && air.drives_heat) {
         section.mistake("drives_heat",
                         "a vacuum has neither sky nor air to drive the heat balance");
@@ -59,10 +72,10 @@ void check_table_bands(const Section& section, const AirInput& air,
                                                  "scattered sun, expected {:g} um or more",
                                                  name, from_um, least_um));
         } else if (from_um < span.least_um || to_um > span.most_um) {
-            section.mistake("table",
-                            fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to "
-                                        "{:.4g}",
-                                        name, from_um, to_um, span.least_um, span.most_um));
+            section.mistake(
+                "table",
+                fmt::format("band {} needs {:g} to {:g} um, the table has {:.4g} to {:.4g}", name,
+                            from_um, to_um, span.least_um, span.most_um));
         }
     }
 }

@@ -5,10 +5,47 @@
 
 namespace diurna {
 
+namespace {
+
+void read_buildings(const Section& section, const Reading& reading, ShapesInput& input) {
+    input.wall = section.name("wall", "of the buildings' walls", reading.materials);
+    input.roof =
+        section.name_or("roof", "of their flat roofs", {input.wall, "wall"}, reading.materials);
+    input.height_field = section.text_or(
+        "height_field", "field of the file that holds a building's height in metres", "");
+    input.default_height =
+        section.number_or("height_m", "of buildings without a height_field; else they are left out",
+                          input.default_height, {0.5, 1000.0});
+    if (input.height_field.empty() && std::isnan(input.default_height)) {
+        section.mistake("height_m", "missing, expected it or a height_field");
+    }
+}
+
+void read_ground_shapes(const Section& section, const Reading& reading, ShapesInput& input) {
+    input.line_width =
+        section.number_or("line_width_m", "of lines, which become roads", 6.0, {0.1, 1000.0});
+    input.default_material = section.name_or(
+        "material", "of shapes whose kind is none of `kinds`; without one they are left out", "",
+        reading.materials);
+    if (section.has("field")) {
+        input.kind_field = section.text("field", "field of the file that tells a shape's kind");
+        const Section table =
+            section.required_section("kinds", "with field: a material for each kind");
+        for (const std::string& key : table.free_keys()) {
+            input.material[key] = table.name(key, "of shapes of this kind", reading.materials);
+        }
+    } else if (input.default_material.empty()) {
+        section.mistake("material", "missing, expected a material, or a field and its kinds");
+    }
+}
+
+}  // namespace
+
 LandCoverInput read_land_cover(const Section& section, const Reading& reading) {
     LandCoverInput input;
-    input.file = reading.file(section, "file");
-    const Section table = section.section("material", true);
+    input.file = reading.file(section, "file", "a raster of classes, any that GDAL reads");
+    const Section table = section.required_section(
+        "material", "a material for some of the classes, by their numbers");
     for (const std::string& key : table.free_keys()) {
         int value = 0;
         const auto [end, problem] = std::from_chars(key.data(), key.data() + key.size(), value);
@@ -16,39 +53,23 @@ LandCoverInput read_land_cover(const Section& section, const Reading& reading) {
             table.mistake(key, "expected a class, a whole number");
             continue;
         }
-        input.material[value] = reading.material(table, key);
+        input.material[value] = table.name(key, "of ground of this class", reading.materials);
     }
     return input;
 }
 
 ShapesInput read_shapes_input(const Section& section, const Reading& reading) {
     ShapesInput input;
-    input.file = reading.file(section, "file");
-    input.name = section.text_or("name", input.file.stem().string());
-    input.largest_edge = section.number_or("largest_edge_m", 30.0, 1.0, 1e4);
+    input.file = reading.file(section, "file", "GeoJSON, Shapefile or GeoPackage");
+    input.name = section.text_or("name", "of the object that its buildings are",
+                                 {input.file.stem().string(), "the file's name"});
+    input.largest_edge =
+        section.number_or("largest_edge_m", "of the triangles within", 30.0, {1.0, 1e4});
     input.buildings = section.has("wall") || section.has("roof");
     if (input.buildings) {
-        input.wall = reading.material(section, "wall");
-        input.roof = section.has("roof") ? reading.material(section, "roof") : input.wall;
-        input.height_field = section.text_or("height_field", "");
-        input.default_height = section.number_or("height_m", input.default_height, 0.5, 1000.0);
-        if (input.height_field.empty() && std::isnan(input.default_height)) {
-            section.mistake("height_m", "missing, expected it or a height_field");
-        }
-        return input;
-    }
-    input.line_width = section.number_or("line_width_m", 6.0, 0.1, 1000.0);
-    if (section.has("material")) {
-        input.default_material = reading.material(section, "material");
-    }
-    if (section.has("field")) {
-        input.kind_field = section.text("field");
-        const Section table = section.section("kinds", true);
-        for (const std::string& key : table.free_keys()) {
-            input.material[key] = reading.material(table, key);
-        }
-    } else if (input.default_material.empty()) {
-        section.mistake("material", "missing, expected a material, or a field and its kinds");
+        read_buildings(section, reading, input);
+    } else {
+        read_ground_shapes(section, reading, input);
     }
     return input;
 }

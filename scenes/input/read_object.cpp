@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 namespace diurna {
 
@@ -11,17 +10,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array<std::pair<const char*, double>, 5> units = {
-    {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}};
-
 double metres_per_unit(const Section& section) {
-    std::vector<std::string> names;
-    for (const auto& [name, metres] : units) names.emplace_back(name);
-    const std::string unit = section.word_or("unit", "m", names);
-    const auto found = std::find_if(units.begin(), units.end(),
-                                    [&](const auto& entry) { return unit == entry.first; });
-    const double scale = section.number_or("scale", 1.0, 1e-6, 1e6);
-    return scale * (found != units.end() ? found->second : 1.0);
+    const double unit = section.choice_or(
+        "unit", "of the file's coordinates", 1.0,
+        {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}});
+    return unit *
+           section.number_or("scale", "times `unit`: of the file's coordinates", 1.0, {1e-6, 1e6});
 }
 
 MeshFile read_mesh(const Section& section, const fs::path& file) {
@@ -42,14 +36,8 @@ MeshFile read_mesh(const Section& section, const fs::path& file) {
     }
 }
 
-/// The material of each part: what [object.parts] says of its node or its material's name, else
-/// the object's own.
-std::vector<std::string> part_materials(const Section& section, const MeshFile& mesh,
-                                        const Reading& reading) {
-    std::vector<std::string> material(mesh.part.size());
-    if (section.has("material")) {
-        std::fill(material.begin(), material.end(), reading.material(section, "material"));
-    }
+/// The names by which a scene may tell a mesh's parts apart.
+std::vector<std::string> part_names(const MeshFile& mesh) {
     std::vector<std::string> names;
     for (const MeshFile::Part& part : mesh.part) {
         for (const std::string& name : {part.node, part.material}) {
@@ -58,9 +46,22 @@ std::vector<std::string> part_materials(const Section& section, const MeshFile& 
             }
         }
     }
-    const Section table = section.section("parts");
+    return names;
+}
+
+/// The material of each part: what [object.parts] says of its node or its material's name, else
+/// the object's own.
+std::vector<std::string> part_materials(const Section& section, const MeshFile& mesh,
+                                        const Reading& reading) {
+    const std::string own = section.name_or(
+        "material", "of the parts that `parts` does not name; needed where there are any", "",
+        reading.materials);
+    std::vector<std::string> material(mesh.part.size(), own);
+    const std::vector<std::string> names = part_names(mesh);
+    const Section table = section.section(
+        "parts", "a material for some parts, by the file's names of groups, nodes or materials");
     for (const std::string& key : table.free_keys()) {
-        const std::string chosen = reading.material(table, key);
+        const std::string chosen = table.name(key, "of the part of this name", reading.materials);
         bool any = false;
         for (std::size_t p = 0; p < mesh.part.size(); ++p) {
             if (mesh.part[p].node != key && mesh.part[p].material != key) continue;
@@ -85,18 +86,28 @@ std::vector<std::string> part_materials(const Section& section, const MeshFile& 
 
 ObjectInput read_object(const Section& section, Reading& reading) {
     ObjectInput object;
-    object.name = reading.object(section);
-    object.file = reading.folder / section.text_or("mesh", "");
+    object.name = reading.object(section, "of the object");
+    reading.texture(section, reading.texture_uses.of_object, object.name);
+    object.file =
+        reading.folder / section.text_or("mesh", "needed: an OBJ, PLY, STL or glTF 2 file", "");
     object.mesh = read_mesh(section, object.file);
-    object.place = place(section, "place_m");
-    object.height_above_ground = section.number_or("height_above_ground_m", 0.0, -100.0, 1e4);
+    object.place = place(section, "place_m", "[east, north] of the middle of its plan");
+    object.height_above_ground =
+        section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
     const std::string extension = object.file.extension().string();
     const bool upright = extension == ".stl" || extension == ".ply";
-    const std::string up = section.word_or("up", upright ? "z" : "y", {"y", "z"});
-    object.placing = {.heading_deg = section.number_or("heading_deg", 0.0, -360.0, 360.0),
-                      .up = up == "z" ? UpAxis::z : UpAxis::y,
-                      .metres = metres_per_unit(section),
-                      .largest_edge = section.number_or("largest_edge_m", 0.5, 0.01, 100.0)};
+    const std::string up =
+        section.word_or("up", "axis of the file that points up",
+                        {upright ? "z" : "y", "z in STL and PLY, else y"}, {"y", "z"});
+    object.placing = {
+        .heading_deg = section.number_or("heading_deg",
+                                         "the way its front faces, clockwise from north: the "
+                                         "file's +z where y is up, +y where z is",
+                                         0.0, {-360.0, 360.0}),
+        .up = up == "z" ? UpAxis::z : UpAxis::y,
+        .metres = metres_per_unit(section),
+        .largest_edge = section.number_or(
+            "largest_edge_m", "of its triangles; longer ones are divided", 0.5, {0.01, 100.0})};
     object.material = part_materials(section, object.mesh, reading);
     return object;
 }

@@ -10,89 +10,105 @@ namespace diurna {
 
 namespace {
 
-/// A field of view, or a focal plane behind a lens, or the width of a picture of parallel rays.
+/// The field of view from a focal plane behind a lens.
+double read_lens(const Section& section, const ObserverInput& observer) {
+    const double focal_length = section.number(
+        "focal_length_mm", "with pixel_pitch_um, of a pinhole: in place of horizontal_fov_deg",
+        {0.1, 1e5});
+    const double pitch =
+        section.number("pixel_pitch_um", "with focal_length_mm: of its pixels", {0.1, 1e4});
+    const double fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
+    if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
+        section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
+    } else if (!(fov_deg <= 150.0)) {
+        section.mistake(
+            "focal_length_mm",
+            fmt::format("makes a field of view of {:.1f} degrees, expected at most 150", fov_deg));
+    }
+    return fov_deg;
+}
+
+/// A field of view, or the width of a picture of parallel rays.
 void read_projection(const Section& section, ObserverInput& observer) {
-    const std::vector<std::string> names = {"pinhole", "equidistant", "equisolid", "panorama",
-                                            "orthographic"};
-    const std::string name = section.word_or("projection", "pinhole", names);
-    const auto found = std::find(names.begin(), names.end(), name);
-    observer.projection = static_cast<Projection>(found - names.begin());
+    observer.projection =
+        section.choice_or("projection", "how directions lie on the picture", Projection::pinhole,
+                          {{"pinhole", Projection::pinhole},
+                           {"equidistant", Projection::equidistant},
+                           {"equisolid", Projection::equisolid},
+                           {"panorama", Projection::panorama},
+                           {"orthographic", Projection::orthographic}});
     if (observer.projection == Projection::orthographic) {
-        observer.picture_width = section.number("picture_width_m", 0.01, 2e5);
+        observer.picture_width =
+            section.number("picture_width_m", "that the picture is wide", {0.01, 2e5});
     } else if (section.has("focal_length_mm")) {
-        const double focal_length = section.number("focal_length_mm", 0.1, 1e5);
-        const double pitch = section.number("pixel_pitch_um", 0.1, 1e4);
-        observer.horizontal_fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
-        if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
-            section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
-        } else if (!(observer.horizontal_fov_deg <= 150.0)) {
-            section.mistake("focal_length_mm",
-                            fmt::format("makes a field of view of {:.1f} degrees, expected at most "
-                                        "150",
-                                        observer.horizontal_fov_deg));
-        }
+        observer.horizontal_fov_deg = read_lens(section, observer);
     } else {
         const bool pinhole = observer.projection == Projection::pinhole;
         observer.horizontal_fov_deg = section.number_or(
-            "horizontal_fov_deg", pinhole ? 20.0 : 180.0, 0.01, pinhole ? 150.0 : 360.0);
+            "horizontal_fov_deg", "that the picture is wide; of a pinhole 20, at most 150",
+            pinhole ? 20.0 : 180.0, {0.01, pinhole ? 150.0 : 360.0});
+    }
+}
+
+/// A camera that flies: rows read one after the other, each blurred by its exposure.
+void read_motion(const Section& section, ObserverInput& observer) {
+    if (section.has("velocity_m_s")) {
+        const std::vector<double> velocity =
+            section.numbers("velocity_m_s", "[east, north, up] of a camera that moves", 3);
+        observer.velocity = {velocity[0], velocity[1], velocity[2]};
+        if (!(observer.velocity.cwiseAbs().maxCoeff() <= 1e4)) {
+            section.mistake("velocity_m_s", "faster than 10000 m/s");
+        }
+    }
+    observer.row_time =
+        section.number_or("row_time_s", "with velocity_m_s: from a row's reading to the next row's",
+                          0.0, {0.0, 60.0});
+    observer.exposure = section.number_or(
+        "exposure_s", "with velocity_m_s: that each row is exposed and blurred", 0.0, {0.0, 60.0});
+    for (const char* key : {"row_time_s", "exposure_s"}) {
+        if (section.has(key) && !section.has("velocity_m_s")) {
+            section.mistake(key,
+                            "tells nothing of a camera that stands still, expected velocity_m_s = "
+                            "[east, north, up] beside it");
+        }
     }
 }
 
 AdaptiveOptions read_adaptive(const Section& section) {
     AdaptiveOptions options;
-    options.from = section.integer_or("from", options.from, 2, 1024);
-    options.to = section.integer_or("to", std::max(options.to, options.from), 2, 4096);
-    options.tolerance = section.number_or("tolerance_K", options.tolerance, 1e-4, 100.0);
+    options.from = section.integer_or("from", "samples of every pixel", options.from, {2, 1024});
+    options.to = section.integer_or(
+        "to", "samples of a pixel at most",
+        {std::max(options.to, options.from), std::to_string(options.to)}, {2, 4096});
+    options.tolerance = section.number_or("tolerance_K", "rms error of the picture to be reached",
+                                          options.tolerance, {1e-4, 100.0});
     if (options.to < options.from) {
         section.mistake("to", fmt::format("{} is less than from, {}", options.to, options.from));
     }
     return options;
 }
 
-}  // namespace
+/// How often each pixel is sampled.
+void read_sampling(const Section& section, ObserverInput& observer) {
+    observer.samples = section.integer_or("samples", "rays a pixel", 16, {1, 1024});
+    if (!section.has("adaptive")) return;
+    observer.adaptive = read_adaptive(
+        section.section("adaptive",
+                        "in place of samples: more rays where a pixel's facets differ in heat or "
+                        "sunlight; pixels of panes, nets, mirrors and plumes take `from`"));
+    if (section.has("samples")) {
+        section.mistake("samples", "is for uniform sampling, adaptive says from and to");
+    }
+    observer.samples = observer.adaptive->from;
+}
 
-ObserverInput read_observer(const Section& section, const std::vector<BandInput>& bands,
-                            const std::vector<CubeInput>& cubes) {
-    ObserverInput observer;
-    observer.name = section.text("name");
-    observer.place = place(section, "place_m");
-    observer.height_above_ground = section.number("height_above_ground_m", 0.1, 50000);
-    if (section.has("look_at_m")) {
-        observer.look_at = place(section, "look_at_m");
-    } else {
-        observer.azimuth_deg = section.number("azimuth_deg", -360, 360);
-        observer.elevation_deg = section.number("elevation_deg", -90, 90);
-    }
-    observer.roll_deg = section.number_or("roll_deg", 0.0, -180, 180);
-    observer.width = section.integer_or("width", 640, 1, 16384);
-    observer.height = section.integer_or("height", 512, 1, 16384);
-    read_projection(section, observer);
-    if (section.has("velocity_m_s")) {
-        const std::vector<double> velocity = section.numbers("velocity_m_s", 3);
-        observer.velocity = {velocity[0], velocity[1], velocity[2]};
-        if (!(observer.velocity.cwiseAbs().maxCoeff() <= 1e4)) {
-            section.mistake("velocity_m_s", "faster than 10000 m/s");
-        }
-    }
-    observer.row_time = section.number_or("row_time_s", 0.0, 0.0, 60.0);
-    observer.exposure = section.number_or("exposure_s", 0.0, 0.0, 60.0);
-    for (const char* key : {"row_time_s", "exposure_s"}) {
-        if (section.has(key) && !section.has("velocity_m_s")) {
-            section.mistake(key,
-                            "tells nothing of a camera that stands still, expected "
-                            "velocity_m_s = [east, north, up] beside it");
-        }
-    }
-    observer.samples = section.integer_or("samples", 16, 1, 1024);
-    if (section.has("adaptive")) {
-        observer.adaptive = read_adaptive(section.section("adaptive"));
-        if (section.has("samples")) {
-            section.mistake("samples", "is for uniform sampling, adaptive says from and to");
-        }
-        observer.samples = observer.adaptive->from;
-    }
-    observer.terms = section.flag_or("terms", false);
-    observer.bands = section.texts_or("bands", {"3-5", "8-12"});
+void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& bands,
+                          const std::vector<CubeInput>& cubes, ObserverInput& observer) {
+    observer.terms =
+        section.flag_or("terms", "planes for the terms of the radiance, one by one", false);
+    observer.bands = section.texts_or(
+        "bands", "FROM-TO in µm, visible, nir, swir, mwir, lwir, or names of [[bands]]",
+        std::vector<std::string>{"3-5", "8-12"});
     for (const std::string& band : observer.bands) {
         try {
             named_band(bands, band);
@@ -101,7 +117,7 @@ ObserverInput read_observer(const Section& section, const std::vector<BandInput>
                             error.mistakes().front().hint);
         }
     }
-    observer.cubes = section.texts_or("cubes", {});
+    observer.cubes = section.texts_or("cubes", "names of [[cubes]]", {});
     std::vector<std::string> known;
     for (const CubeInput& cube : cubes) known.push_back(cube.name);
     for (const std::string& cube : observer.cubes) {
@@ -110,6 +126,35 @@ ObserverInput read_observer(const Section& section, const std::vector<BandInput>
                             did_you_mean(cube, known));
         }
     }
+}
+
+}  // namespace
+
+ObserverInput read_observer(const Section& section, const std::vector<BandInput>& bands,
+                            const std::vector<CubeInput>& cubes) {
+    ObserverInput observer;
+    observer.name = section.text("name", "of the observer, in the names of its pictures");
+    observer.place = place(section, "place_m", "[east, north] of its eye");
+    observer.height_above_ground =
+        section.number("height_above_ground_m", "of its eye", {0.1, 50000.0});
+    if (section.has("look_at_m")) {
+        observer.look_at = place(section, "look_at_m",
+                                 "[east, north] of the point of the ground in the middle of the "
+                                 "picture; or azimuth_deg and elevation_deg");
+    } else {
+        observer.azimuth_deg =
+            section.number("azimuth_deg", "it looks, clockwise from north", {-360.0, 360.0});
+        observer.elevation_deg =
+            section.number("elevation_deg", "it looks, above the horizon", {-90.0, 90.0});
+    }
+    observer.roll_deg =
+        section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
+    observer.width = section.integer_or("width", "pixels", 640, {1, 16384});
+    observer.height = section.integer_or("height", "pixels", 512, {1, 16384});
+    read_projection(section, observer);
+    read_motion(section, observer);
+    read_sampling(section, observer);
+    read_bands_and_cubes(section, bands, cubes, observer);
     return observer;
 }
 

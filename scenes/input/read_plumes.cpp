@@ -4,31 +4,47 @@
 
 namespace diurna {
 
+namespace {
+
+PlumeInput read_plume(const Section& section, const Reading& reading) {
+    PlumeInput plume;
+    plume.name = section.text("name", "of the plume");
+    plume.place = place(section, "place_m", "[east, north] of the middle of its foot");
+    plume.height_above_ground =
+        section.number_or("height_above_ground_m", "of its foot", 0.0, {0.0, 1e4});
+    plume.height = section.number("height_m", "from its foot to its top", {0.1, 1e4});
+    plume.radius = section.number("radius_m", "of its foot", {0.01, 1e3});
+    plume.top_radius =
+        section.number_or("top_radius_m", "of its top", {plume.radius, "radius_m"}, {0.01, 1e3});
+    const std::vector<double> lean = section.numbers_or(
+        "lean_m", "[east, north] of its top from its foot", std::vector{0.0, 0.0}, 2);
+    plume.lean = {lean[0], lean[1]};
+    plume.temperature =
+        section.number("temperature_K", "of the gas or smoke, which glows by it", {150.0, 3000.0});
+    plume.absorption = flat_spectrum(0.0);
+    if (!section.has("absorption")) {
+        plume.absorption = flat_spectrum(section.number(
+            "absorption_per_m",
+            "Beer's coefficient at all wavelengths, unless `absorption` is given", {0.0, 1e4}));
+        return plume;
+    }
+    plume.file = reading.folder /
+                 section.text("absorption", "CSV of Beer's coefficient over wavelength_um, per m");
+    try {
+        plume.absorption = read_spectrum(plume.file, 0.0, 1e4);
+    } catch (const InputError& error) {
+        section.mistake("absorption", error.what());
+    }
+    return plume;
+}
+
+}  // namespace
+
 std::vector<PlumeInput> read_plumes(const Section& root, const Reading& reading) {
     std::vector<PlumeInput> plumes;
-    for (const Section& section : root.sections("plume")) {
-        PlumeInput plume;
-        plume.name = section.text("name");
-        plume.place = place(section, "place_m");
-        plume.height_above_ground = section.number_or("height_above_ground_m", 0.0, 0.0, 1e4);
-        plume.height = section.number("height_m", 0.1, 1e4);
-        plume.radius = section.number("radius_m", 0.01, 1e3);
-        plume.top_radius = section.number_or("top_radius_m", plume.radius, 0.01, 1e3);
-        const std::vector<double> lean = section.numbers_or("lean_m", {0.0, 0.0}, 2);
-        plume.lean = {lean[0], lean[1]};
-        plume.temperature = section.number("temperature_K", 150.0, 3000.0);
-        plume.absorption = flat_spectrum(0.0);
-        if (section.has("absorption")) {
-            plume.file = reading.folder / section.text("absorption");
-            try {
-                plume.absorption = read_spectrum(plume.file, 0.0, 1e4);
-            } catch (const InputError& error) {
-                section.mistake("absorption", error.what());
-            }
-        } else {
-            plume.absorption = flat_spectrum(section.number("absorption_per_m", 0.0, 1e4));
-        }
-        plumes.push_back(std::move(plume));
+    for (const Section& section : root.sections(
+             "plume", "gas or smoke: a leaning frustum that absorbs by Beer's law and emits")) {
+        plumes.push_back(read_plume(section, reading));
     }
     return plumes;
 }

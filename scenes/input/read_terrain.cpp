@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
 
 #include "materials/base/units.hpp"
 
@@ -27,92 +26,161 @@ std::vector<Eigen::Vector2d> rectangle(const std::vector<double>& spec) {
 
 GroundPolygon read_polygon(const Section& section, Reading& reading) {
     GroundPolygon polygon;
-    polygon.name = reading.object(section);
-    if (section.has("material")) polygon.material = reading.material(section, "material");
-    polygon.largest_edge = section.number_or("largest_edge_m", 30.0, 1.0, 1e4);
+    polygon.name = reading.object(section, "of the object that this ground is");
+    polygon.material = section.name_or(
+        "material", "of the ground within; without one it is as the rules say, on a finer mesh", "",
+        reading.materials);
+    reading.texture(section, reading.texture_uses.of_object, polygon.name);
+    polygon.largest_edge =
+        section.number_or("largest_edge_m", "of the triangles within", 30.0, {1.0, 1e4});
     if (section.has("rectangle_m")) {
-        const std::vector<double> spec = section.numbers("rectangle_m", 5);
+        const std::vector<double> spec =
+            section.numbers("rectangle_m",
+                            "[east, north, length, width, heading_deg]: middle, sides, the way its "
+                            "length points; or ring_m",
+                            5);
         if (!(spec[2] > 0.0 && spec[3] > 0.0)) {
             section.mistake("rectangle_m",
                             "expected [east, north, length > 0, width > 0, heading_deg]");
         }
         polygon.ring = rectangle(spec);
     } else {
-        for (const auto& corner : section.rows("ring_m", 2, 3)) {
-            polygon.ring.emplace_back(corner[0], corner[1]);
-        }
+        const auto corners = section.rows(
+            "ring_m", "[[east, north], ...]: its corners in turn, the first not repeated", 2, 3);
+        for (const auto& corner : corners) polygon.ring.emplace_back(corner[0], corner[1]);
     }
     return polygon;
 }
 
 Building read_building(const Section& section, Reading& reading) {
-    const std::string wall = reading.material(section, "wall");
-    return {.name = reading.object(section),
-            .place = place(section, "place_m"),
-            .width = section.number("width_m", 0.5, 1000),
-            .depth = section.number("depth_m", 0.5, 1000),
-            .height = section.number("height_m", 0.5, 500),
-            .heading_deg = section.number_or("heading_deg", 180.0, -360, 360),
-            .wall = wall,
-            .front = reading.material(section, "front", wall),
-            .roof = reading.material(section, "roof", wall)};
+    Building building;
+    building.name = reading.object(section, "of the object that it is");
+    reading.texture(section, reading.texture_uses.of_object, building.name);
+    building.place = place(section, "place_m", "[east, north] of the middle of its plan");
+    building.width = section.number("width_m", "of its front", {0.5, 1000.0});
+    building.depth = section.number("depth_m", "from its front to its back", {0.5, 1000.0});
+    building.height = section.number("height_m", "above the ground at its middle", {0.5, 500.0});
+    building.heading_deg = section.number_or(
+        "heading_deg", "the way its front faces, clockwise from north", 180.0, {-360.0, 360.0});
+    building.wall = section.name("wall", "of its walls", reading.materials);
+    const Or<std::string> as_wall{building.wall, "wall"};
+    building.front = section.name_or("front", "of its front wall", as_wall, reading.materials);
+    building.roof = section.name_or("roof", "of its flat roof", as_wall, reading.materials);
+    return building;
 }
 
-}  // namespace
+GroundRule read_rule(const Section& rule, const Reading& reading) {
+    const auto slope = rule.numbers_or("slope_deg", "[least, most] of the ground it holds for",
+                                       std::vector{0.0, 90.0}, 2);
+    const auto height = rule.numbers_or("height_m", "[least, most] above the sea it holds for",
+                                        std::vector{-1e4, 1e4}, 2);
+    if (!(slope[0] < slope[1])) {
+        rule.mistake("slope_deg", "expected [least, most] in ascending order");
+    }
+    if (!(height[0] < height[1])) {
+        rule.mistake("height_m", "expected [least, most] in ascending order");
+    }
+    return {.material = rule.name("material", "of such ground", reading.materials),
+            .least_slope_deg = slope[0],
+            .most_slope_deg = slope[1],
+            .least_height = height[0],
+            .most_height = height[1]};
+}
 
-TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading) {
-    TerrainInput terrain;
-    terrain.elevation = reading.file(section, "elevation");
-    terrain.tolerance = section.number_or("tolerance_m", 1.0, 0.0, 1000.0);
-    if (section.has("coarsest_m")) terrain.coarsest = section.number("coarsest_m", 0.0, 1000.0);
-    terrain.default_material = reading.material(section, "material");
-    const std::string voids = section.word_or("voids", "refuse", {"refuse", "fill"});
-    terrain.reading.voids = voids == "fill" ? VoidPolicy::fill : VoidPolicy::refuse;
-    const std::string mesh = section.word_or("mesh", "network", {"network", "grid", "auto"});
-    terrain.mesh = mesh == "grid"   ? TerrainInput::Mesh::grid
-                   : mesh == "auto" ? TerrainInput::Mesh::grid_where_it_fits
-                                    : TerrainInput::Mesh::network;
-    terrain.refraction = section.number_or("refraction", 0.0, 0.0, 0.5);
-    const std::map<std::string, double> units{
-        {"m", 1.0}, {"dm", 0.1}, {"cm", 0.01}, {"ft", 0.3048}, {"us_ft", 1200.0 / 3937.0}};
-    const std::string unit =
-        section.word_or("height_unit", "file", {"file", "m", "dm", "cm", "ft", "us_ft"});
-    if (const auto known = units.find(unit); known != units.end()) {
-        terrain.reading.unit = known->second;
+/// How the raster is to be taken.
+DemOptions read_dem_options(const Section& section, const std::optional<Site>& site) {
+    DemOptions options;
+    options.voids =
+        section.choice_or("voids", "posts without elevation in the file", VoidPolicy::refuse,
+                          {{"refuse", VoidPolicy::refuse}, {"fill", VoidPolicy::fill}});
+    options.unit = section.choice_or("height_unit", "of the posts; file: what the raster says",
+                                     std::optional<double>{},
+                                     {{"file", std::nullopt},
+                                      {"m", 1.0},
+                                      {"dm", 0.1},
+                                      {"cm", 0.01},
+                                      {"ft", 0.3048},
+                                      {"us_ft", 1200.0 / 3937.0}});
+    options.geoid = section.choice_or(
+        "vertical_datum",
+        "egm96: the heights are above that geoid, the sea; file: taken as they are", false,
+        {{"file", false}, {"egm96", true}});
+    if (!section.has("radius_m")) return options;
+    options.radius = section.number(
+        "radius_m", "of the circle about the site whose posts are read; else the whole raster",
+        {10.0, 2e5});
+    if (site) {
+        options.centre = Geodetic{site->latitude_deg, site->longitude_deg, 0.0};
+    } else {
+        section.mistake("radius_m", "a radius needs a [site] to be around");
     }
-    terrain.reading.geoid = section.word_or("vertical_datum", "file", {"file", "egm96"}) == "egm96";
-    for (const Section& rule : section.sections("rule")) {
-        const auto slope = rule.numbers_or("slope_deg", {0.0, 90.0}, 2);
-        const auto height = rule.numbers_or("height_m", {-1e4, 1e4}, 2);
-        if (!(slope[0] < slope[1]))
-            rule.mistake("slope_deg", "expected [least, most] in ascending order");
-        if (!(height[0] < height[1]))
-            rule.mistake("height_m", "expected [least, most] in ascending order");
-        terrain.rules.push_back({.material = reading.material(rule, "material"),
-                                 .least_slope_deg = slope[0],
-                                 .most_slope_deg = slope[1],
-                                 .least_height = height[0],
-                                 .most_height = height[1]});
-    }
-    for (const Section& polygon : root.sections("ground")) {
-        terrain.polygons.push_back(read_polygon(polygon, reading));
-    }
-    for (const Section& building : root.sections("building")) {
-        terrain.buildings.push_back(read_building(building, reading));
-    }
-    for (const Section& object : root.sections("object")) {
-        terrain.objects.push_back(read_object(object, reading));
-    }
-    for (const std::string& tile : section.texts_or("more_tiles", {})) {
+    return options;
+}
+
+/// The elevation, its mesh and what covers it where nothing else does.
+void read_ground(const Section& section, Reading& reading, TerrainInput& terrain) {
+    using Mesh = TerrainInput::Mesh;
+    terrain.elevation =
+        reading.file(section, "elevation",
+                     "a raster that GDAL reads: GeoTIFF, DTED, SRTM, USGS DEM, ENVI, netCDF, ...");
+    const std::vector<std::string> tiles =
+        section.texts_or("more_tiles", "rasters of the same lattice that go on beside it", {});
+    for (const std::string& tile : tiles) {
         terrain.tiles.push_back(reading.folder / tile);
         if (!fs::is_regular_file(terrain.tiles.back())) {
             section.mistake("more_tiles", fmt::format("no such file: {}", tile));
         }
     }
-    if (section.has("land_cover")) {
-        terrain.land_cover = read_land_cover(section.section("land_cover"), reading);
+    terrain.tolerance = section.number_or(
+        "tolerance_m", "no post lies further from the mesh, vertically", 1.0, {0.0, 1000.0});
+    terrain.coarsest = section.number_or(
+        "coarsest_m", "the tolerance where no observer looks closely, a pixel at most",
+        {0.0, "tolerance_m"}, {0.0, 1000.0});
+    terrain.mesh = section.choice_or(
+        "mesh",
+        "network: triangles within the tolerance; grid: every post; auto: every post where that "
+        "makes no more than half a million triangles",
+        Mesh::network,
+        {{"network", Mesh::network}, {"grid", Mesh::grid}, {"auto", Mesh::grid_where_it_fits}});
+    terrain.refraction = section.number_or(
+        "refraction", "k of lines of sight: their curvature over the earth's; 0.13 by day", 0.0,
+        {0.0, 0.5});
+    terrain.default_material =
+        section.name("material", "of ground where nothing below says otherwise", reading.materials);
+    reading.texture(section, reading.texture_uses.of_object, "ground");
+    for (const Section& rule : section.sections(
+             "rule", "ground of a slope and height is of a material; the first that fits wins")) {
+        terrain.rules.push_back(read_rule(rule, reading));
     }
-    for (const Section& shapes : root.sections("shapes")) {
+    if (section.has("land_cover")) {
+        const Section cover = section.section(
+            "land_cover", "classes of another raster, with a material for some; before the rules");
+        terrain.land_cover = read_land_cover(cover, reading);
+    }
+}
+
+}  // namespace
+
+TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading,
+                          const std::optional<Site>& site) {
+    TerrainInput terrain;
+    read_ground(section, reading, terrain);
+    terrain.reading = read_dem_options(section, site);
+    for (const Section& polygon : root.sections(
+             "ground", "a piece of ground with a border of its own; later ones lie on top")) {
+        terrain.polygons.push_back(read_polygon(polygon, reading));
+    }
+    for (const Section& building : root.sections("building", "a box with a flat roof")) {
+        terrain.buildings.push_back(read_building(building, reading));
+    }
+    for (const Section& object : root.sections(
+             "object", "a mesh that stands on the ground, which is made fine around it")) {
+        terrain.objects.push_back(read_object(object, reading));
+    }
+    for (const Section& shapes :
+         root.sections("shapes",
+                       "polygons and lines of a vector file: ground of a material, roads, or "
+                       "buildings where wall or roof is given")) {
         terrain.shapes.push_back(read_shapes_input(shapes, reading));
     }
     return terrain;

@@ -10,6 +10,7 @@
 #include "scenes/input/checked_names.hpp"
 #include "scenes/input/read_land.hpp"
 #include "scenes/input/read_object.hpp"
+#include "terrain/place/site.hpp"
 #include "terrain/raster/dem.hpp"
 
 namespace diurna {
@@ -58,7 +59,8 @@ struct TerrainInput {
 };
 
 /// The section [terrain] and the tables that stand on it: [[ground]], [[building]], [[object]],
-/// [[shapes]].
-TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading);
+/// [[shapes]]. `site` is the middle of a `radius_m`.
+TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading,
+                          const std::optional<Site>& site);
 
 }  // namespace diurna

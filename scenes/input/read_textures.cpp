@@ -15,45 +15,83 @@ constexpr double widest = 2.0;  // deviations that must fit between a parameter'
 
 void read_clutter(const Section& section, TextureInput& texture) {
     ClutterSpec clutter;
-    clutter.length = section.number("correlation_length_m", 0.01, 1e5);
-    clutter.covariance =
-        section.word_or("covariance", "exponential", {"exponential", "gaussian"}) == "gaussian"
-            ? Covariance::gaussian
-            : Covariance::exponential;
-    clutter.seed = static_cast<std::uint64_t>(section.integer_or("seed", 1, 0, 1 << 30));
-    texture.deviation = section.number("std", 1e-6, 0.5);
-    if (section.has("mean")) {
-        texture.mean = section.number("mean", 0.0, 1.0);
-    } else if (texture.what == TextureInput::What::mixture) {
-        texture.mean = 0.5;
-    }
+    clutter.length = section.number("correlation_length_m",
+                                    "where the correlation has fallen to 1/e", {0.01, 1e5});
+    clutter.covariance = section.choice_or(
+        "covariance", "of the field over distance", Covariance::exponential,
+        {{"exponential", Covariance::exponential}, {"gaussian", Covariance::gaussian}});
+    clutter.seed = static_cast<std::uint64_t>(
+        section.integer_or("seed", "another seed, another field", 1, {0, 1 << 30}));
+    texture.deviation = section.number(
+        "std", "deviation about the mean; values are cut at three of them and at 0 and 1",
+        {1e-6, 0.5});
+    const bool mixture = texture.what == TextureInput::What::mixture;
+    const double mean = section.number_or(
+        "mean", "of the values",
+        {mixture ? 0.5 : std::nan(""), "the material's own; of a mixture 0.5"}, {0.0, 1.0});
+    if (!std::isnan(mean)) texture.mean = mean;
     if (texture.mean) {
         const double room = std::min(*texture.mean, 1.0 - *texture.mean);
         if (widest * texture.deviation > room + 1e-12) {
-            section.mistake("std", fmt::format("found {:g} about a mean of {:g}: more than a "
-                                               "fortieth would be cut off at 0 or 1, expected at "
-                                               "most {:g}",
-                                               texture.deviation, *texture.mean, room / widest));
+            section.mistake("std",
+                            fmt::format("found {:g} about a mean of {:g}: more than a fortieth "
+                                        "would be cut off at 0 or 1, expected at most {:g}",
+                                        texture.deviation, *texture.mean, room / widest));
         }
     }
     texture.clutter = clutter;
 }
 
-void read_image(const Section& section, const Reading& reading, TextureInput& texture) {
-    const std::string name = section.text("file");
-    texture.file = reading.folder / name;
-    const int channel = section.integer_or("channel", 1, 1, 1000);
-    const double scale = section.number_or("scale", 1.0), offset = section.number_or("offset", 0.0);
-    texture.nearest = section.word_or("sampling", "linear", {"linear", "nearest"}) == "nearest";
-    texture.repeat = section.flag_or("repeat", false);
+/// Scale and offset on an image's values, which have to come to lie between 0 and 1.
+void scale_values(const Section& section, const std::string& file, double scale, double offset,
+                  std::vector<float>& values) {
+    double least = 1e300, most = -1e300;
+    for (float& v : values) {
+        if (std::isnan(v)) continue;
+        v = static_cast<float>(scale * double{v} + offset);
+        least = std::min(least, double{v});
+        most = std::max(most, double{v});
+    }
+    constexpr double rounding = 1e-6;
+    if (least > most) {
+        section.mistake("file", file + " has no values");
+    } else if (least < -rounding || most > 1.0 + rounding) {
+        section.mistake(
+            "scale", fmt::format("makes values from {:g} to {:g}, expected 0 to 1", least, most));
+    }
+}
+
+/// Where a picture lies that its file does not place.
+void read_placing(const Section& section, TextureInput& texture) {
     if (section.has("metres_per_texel")) {
-        texture.metres_per_texel = section.number("metres_per_texel", 1e-4, 1e5);
-        const auto place = section.numbers_or("place_m", {0.0, 0.0}, 2);
+        texture.metres_per_texel = section.number(
+            "metres_per_texel", "of a picture that its file does not place on Earth", {1e-4, 1e5});
+        const auto place = section.numbers_or(
+            "place_m",
+            "with metres_per_texel: [east, north] of its middle; on an object from that's",
+            std::vector{0.0, 0.0}, 2);
         texture.place = {place[0], place[1]};
-        texture.heading_deg = section.number_or("heading_deg", 0.0, -360.0, 360.0);
+        texture.heading_deg = section.number_or(
+            "heading_deg", "with metres_per_texel: the way its upper edge looks, from north", 0.0,
+            {-360.0, 360.0});
     } else if (section.has("place_m") || section.has("heading_deg")) {
         section.mistake("metres_per_texel", "missing, but place_m and heading_deg need it");
     }
+}
+
+void read_image(const Section& section, const Reading& reading, TextureInput& texture) {
+    const std::string name =
+        section.text("file", "a picture whose texels say the value: GeoTIFF, PNG, JPEG, ENVI, ...");
+    texture.file = reading.folder / name;
+    const int channel = section.integer_or("channel", "of the picture", 1, {1, 1000});
+    const double scale = section.number_or("scale", "value = scale * texel + offset", 1.0);
+    const double offset = section.number_or("offset", "value = scale * texel + offset", 0.0);
+    texture.nearest =
+        section.choice_or("sampling", "between texels: straight, or the nearest one's", false,
+                          {{"linear", false}, {"nearest", true}});
+    texture.repeat = section.flag_or(
+        "repeat", "the picture again and again; else the material's own around it", false);
+    read_placing(section, texture);
     if (name.empty()) return;
     try {
         texture.image = read_texture_image(texture.file, channel);
@@ -66,51 +104,47 @@ void read_image(const Section& section, const Reading& reading, TextureInput& te
         section.mistake("metres_per_texel",
                         "missing, and " + name + " does not say where on Earth it lies");
     }
-    double least = 1e300, most = -1e300;
-    for (float& v : texture.image.value) {
-        if (std::isnan(v)) continue;
-        v = static_cast<float>(scale * double{v} + offset);
-        least = std::min(least, double{v});
-        most = std::max(most, double{v});
+    scale_values(section, name, scale, offset, texture.image.value);
+}
+
+/// The two materials of a mixture.
+std::array<std::string, 2> read_between(const Section& section, const Reading& reading) {
+    const std::vector<std::string> between =
+        section.texts_or("between", "two materials: the value is the share of the second", {});
+    if (between.size() != 2) {
+        section.mistake("between", "expected the names of two materials");
+        return {};
     }
-    constexpr double rounding = 1e-6;
-    if (least > most) {
-        section.mistake("file", name + " has no values");
-    } else if (least < -rounding || most > 1.0 + rounding) {
-        section.mistake(
-            "scale", fmt::format("makes values from {:g} to {:g}, expected 0 to 1", least, most));
+    const std::vector<std::string>& known = reading.materials.known;
+    for (const std::string& name : between) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            section.mistake("between", fmt::format("no material \"{}\"", name),
+                            did_you_mean(name, known));
+        }
     }
+    return {between[0], between[1]};
 }
 
 TextureInput read_texture(const Section& section, const Reading& reading) {
     using What = TextureInput::What;
     TextureInput texture;
-    texture.name = section.text("name");
+    texture.name = section.text("name", "by which `texture` names it");
     texture.where = section.where();
-    const std::string what = section.word_or("what", "albedo", {"albedo", "emissivity", "mixture"});
-    texture.what = what == "mixture"      ? What::mixture
-                   : what == "emissivity" ? What::emissivity
-                                          : What::albedo;
+    texture.what = section.choice_or(
+        "what", "what varies from place to place", What::albedo,
+        {{"albedo", What::albedo}, {"emissivity", What::emissivity}, {"mixture", What::mixture}});
     if (texture.what == What::mixture) {
-        const std::vector<std::string> between = section.texts_or("between", {});
-        if (between.size() != 2) {
-            section.mistake("between", "expected the names of two materials");
-        } else {
-            texture.between = {between[0], between[1]};
-            for (const std::string& name : between) {
-                if (std::find(reading.materials.begin(), reading.materials.end(), name) ==
-                    reading.materials.end()) {
-                    section.mistake("between", fmt::format("no material \"{}\"", name),
-                                    did_you_mean(name, reading.materials));
-                }
-            }
-        }
+        texture.between = read_between(section, reading);
     } else {
-        if (section.has("levels")) texture.levels = section.integer_or("levels", 2, 2, 33);
+        texture.levels = section.integer_or(
+            "levels", "at which a facet is solved, each with its own heat balance",
+            {0, "one for every 0.3 of albedo, 0.2 of emissivity"}, {2, 33});
     }
     // Without kind: what the keys say.
     const std::string kind =
-        section.word_or("kind", section.has("file") ? "raster" : "clutter", {"raster", "clutter"});
+        section.word_or("kind", "a picture, or a random field",
+                        {section.has("file") ? "raster" : "clutter", "raster where file is given"},
+                        {"raster", "clutter"});
     if (kind == "raster") {
         read_image(section, reading, texture);
     } else {
@@ -123,7 +157,8 @@ TextureInput read_texture(const Section& section, const Reading& reading) {
 
 std::vector<TextureInput> read_textures(const Section& root, const Reading& reading) {
     std::vector<TextureInput> textures;
-    for (const Section& section : root.sections("texture")) {
+    for (const Section& section : root.sections(
+             "texture", "a surface that varies from place to place: a random field or a picture")) {
         TextureInput texture = read_texture(section, reading);
         if (std::any_of(textures.begin(), textures.end(),
                         [&](const TextureInput& other) { return other.name == texture.name; })) {
@@ -132,36 +167,6 @@ std::vector<TextureInput> read_textures(const Section& root, const Reading& read
         textures.push_back(std::move(texture));
     }
     return textures;
-}
-
-TextureUses read_texture_uses(const Section& root, const std::vector<TextureInput>& textures) {
-    TextureUses uses;
-    const auto read = [&](const Section& section, std::map<std::string, std::string>& to,
-                          const std::string& name) {
-        if (!section.has("texture")) return;
-        const std::string texture = section.text("texture");
-        std::vector<std::string> names;
-        for (const TextureInput& known : textures) names.push_back(known.name);
-        if (std::find(names.begin(), names.end(), texture) == names.end()) {
-            section.mistake("texture", fmt::format("no texture \"{}\" in [[texture]]", texture),
-                            did_you_mean(texture, names));
-        }
-        to[name] = texture;
-    };
-    read(root.section("terrain"), uses.of_object, "ground");
-    for (const Section& polygon : root.sections("ground")) {
-        read(polygon, uses.of_object, polygon.text_or("name", ""));
-    }
-    for (const char* kind : {"building", "object"}) {
-        for (const Section& section : root.sections(kind)) {
-            read(section, uses.of_object, section.text_or("name", ""));
-        }
-    }
-    const Section materials = root.section("material");
-    for (const std::string& name : materials.free_keys()) {
-        read(materials.section(name), uses.of_material, name);
-    }
-    return uses;
 }
 
 }  // namespace diurna

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,14 +41,5 @@ struct TextureInput {
 
 /// The tables [[texture]]; mistakes are noted in the sections.
 std::vector<TextureInput> read_textures(const Section& root, const Reading& reading);
-
-/// Which texture lies on what: by name.
-struct TextureUses {
-    std::map<std::string, std::string> of_object;  // the ground, polygons, buildings, objects
-    std::map<std::string, std::string> of_material;
-};
-/// The keys `texture` of [terrain], [[ground]], [[building]], [[object]] and [material.NAME].
-/// Ground of a polygon that names neither material nor texture is the terrain's.
-TextureUses read_texture_uses(const Section& root, const std::vector<TextureInput>& textures);
 
 }  // namespace diurna

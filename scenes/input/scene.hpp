@@ -15,6 +15,7 @@
 #include "scenes/input/read_textures.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
+#include "thermal/weather/weather.hpp"
 
 /// The whole input of a job as plain values: what a scene file says, with units converted, ranges
 /// checked and file names resolved. Places are east, north [m] from the site.
@@ -22,8 +23,7 @@ namespace diurna {
 
 struct WeatherInput {
     std::filesystem::path file;
-    std::string interval = "instant";  // what a time stamp means: start, end or instant
-    double wind_height = 10.0, air_height = 2.0;
+    WeatherOptions options;  // but for the elevation, which is that of the site
 };
 
 struct TimeInput {

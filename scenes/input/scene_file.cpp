@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "materials/atmosphere/band_model.hpp"
-#include "materials/base/document.hpp"
-#include "materials/base/files.hpp"
+#include "materials/matter/read_library.hpp"
+#include "materials/matter/read_material.hpp"
+#include "thermal/weather/weather_section.hpp"
 
 namespace diurna {
 
@@ -14,9 +15,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Instant moment(const Section& section, const std::string& key) {
+constexpr const char* material_says = "a material by this name, with the keys of the third chapter";
+
+Instant moment(const Section& section, const std::string& key, const char* says) {
     try {
-        return parse_instant(section.moment(key), key);
+        return parse_instant(section.moment(key, says), key);
     } catch (const InputError& error) {
         section.mistake(key, error.mistakes().front().problem);
         return {};
@@ -24,25 +27,35 @@ Instant moment(const Section& section, const std::string& key) {
 }
 
 std::optional<Site> read_site(const Section& section) {
-    if (!section.has("latitude_deg") && !section.has("longitude_deg")) return std::nullopt;
-    return Site{.latitude_deg = section.number("latitude_deg", -90, 90),
-                .longitude_deg = section.number("longitude_deg", -180, 180),
-                .height = section.number_or("height_m", std::nan(""), -500, 9000)};
+    const bool north = section.has("latitude_deg"), east = section.has("longitude_deg");
+    if (!north && !east) return std::nullopt;
+    return Site{
+        .latitude_deg =
+            section.number("latitude_deg", "north, WGS84; with longitude_deg", {-90.0, 90.0}),
+        .longitude_deg =
+            section.number("longitude_deg", "east, WGS84; with latitude_deg", {-180.0, 180.0}),
+        .height = section.number_or("height_m", "of the frame's origin, as the raster's",
+                                    {std::nan(""), "the ground's there"}, {-500.0, 9000.0})};
 }
 
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
-    return {.file = reading.file(section, "file"),
-            .interval = section.word_or("interval", "instant", {"start", "end", "instant"}),
-            .wind_height = section.number_or("wind_height_m", 10.0, 0.5, 200),
-            .air_height = section.number_or("air_height_m", 2.0, 0.1, 200)};
+    return {.file = reading.file(section, "file", "CSV; its columns stand in scenes/README.md"),
+            .options = read_weather_options(section, Stamp::instant, 0.5)};
 }
 
 TimeInput read_time(const Section& section) {
     TimeInput time;
-    time.start = moment(section, "start");
-    time.duration = 3600.0 * section.number_or("duration_h", 24.0, 1.0, 24.0);
-    time.step = section.number_or("step_s", 600.0, 1.0, 3600.0);
-    time.frame_every = section.number_or("frame_every_s", 3600.0, 1.0, 86400.0);
+    time.start = moment(section, "start", "of the day, with its offset from UTC");
+    time.duration =
+        3600.0 *
+        section.number_or(
+            "duration_h",
+            "24: a day that repeats itself; less: from the steady balance of the span's mean on",
+            24.0, {1.0, 24.0});
+    time.step = section.number_or("step_s", "of the heat balance; divides the duration", 600.0,
+                                  {1.0, 3600.0});
+    time.frame_every = section.number_or(
+        "frame_every_s", "between pictures; a multiple of the step", 3600.0, {1.0, 86400.0});
     for (const auto& [key, value] :
          {std::pair{"step_s", time.step}, {"frame_every_s", time.frame_every}}) {
         const double count = time.duration / value;
@@ -58,6 +71,31 @@ TimeInput read_time(const Section& section) {
                                     time.frame_every, time.step));
     }
     return time;
+}
+
+/// Names, and how finely the scene is sampled.
+void read_about(const Section& about, Scene& scene) {
+    const std::string folder = scene.file.parent_path().filename().string();
+    scene.name = about.text_or("name", "of the scene", {folder, "its folder's name"});
+    scene.title = about.text_or("title", "of the report", {scene.name, "name"});
+    scene.seed = static_cast<std::uint64_t>(
+        about.integer_or("seed", "of all that is drawn at random but textures", 1, {0, 1 << 30}));
+    scene.sky_rays =
+        about.integer_or("sky_rays", "to the sky, for each facet of the ground", 64, {16, 4096});
+    scene.object_sky_rays = about.integer_or(
+        "object_sky_rays", "to the sky, for each facet of buildings and objects", 256, {16, 4096});
+    scene.sun_samples = about.integer_or(
+        "sun_samples", "rays to the sun's disc, for each facet and instant", 4, {1, 256});
+}
+
+/// The scene's own materials, each of which may start from those above it.
+void read_materials(const Section& materials, Scene& scene, Reading& reading) {
+    scene.materials = default_material_library();
+    for (const std::string& name : materials.free_keys()) {
+        scene.materials.add(read_material(materials.section(name, material_says), scene.materials,
+                                          reading.folder, name));
+    }
+    reading.materials.known = scene.materials.names();
 }
 
 /// Of every band and cube of the scene.
@@ -81,61 +119,51 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
 
 }  // namespace
 
-Scene read_scene(const fs::path& file, const std::vector<std::string>& settings) {
-    const std::string text = read_text(file, 16u << 20);
-    Document document = Document::from_text(text, file.string());
-    for (const std::string& setting : settings) document.set(setting);
-    const Section root = document.root();
-
+Scene read_scene(const Document& document) {
     Scene scene;
-    scene.file = file;
-    scene.materials = default_material_library();
-    const Section own_materials = root.section("material");
-    for (const std::string& name : own_materials.free_keys()) {
-        scene.materials.add(
-            read_material(own_materials.section(name), scene.materials, file.parent_path(), name));
-    }
-    Reading reading{.folder = file.parent_path(),
-                    .materials = scene.materials.names(),
-                    .object_names = {"ground"}};
+    scene.file = document.file();
+    const Section root = document.root();
+    Reading reading{.folder = scene.file.parent_path()};
+    read_about(root.section("scene", "names, and how finely the scene is sampled"), scene);
+    scene.site = read_site(
+        root.section("site", "origin of the east-north-up frame; else the middle of the raster"));
+    const Section materials = root.section(
+        "material", "materials of the scene's own, which may stand in for the library's");
+    read_materials(materials, scene, reading);
     scene.textures = read_textures(root, reading);
-    scene.texture_uses = read_texture_uses(root, scene.textures);
-
-    const Section about = root.section("scene");
-    scene.name = about.text_or("name", file.parent_path().filename().string());
-    scene.title = about.text_or("title", scene.name);
-    scene.seed = static_cast<std::uint64_t>(about.integer_or("seed", 1, 0, 1 << 30));
-    scene.sky_rays = about.integer_or("sky_rays", 64, 16, 4096);
-    scene.object_sky_rays = about.integer_or("object_sky_rays", 256, 16, 4096);
-    scene.sun_samples = about.integer_or("sun_samples", 4, 1, 256);
-    scene.site = read_site(root.section("site"));
-    const Section terrain = root.section("terrain", true);
-    scene.terrain = read_terrain(terrain, root, reading);
-    if (terrain.has("radius_m")) {
-        scene.terrain.reading.radius = terrain.number("radius_m", 10.0, 2e5);
-        if (scene.site) {
-            scene.terrain.reading.centre =
-                Geodetic{scene.site->latitude_deg, scene.site->longitude_deg, 0.0};
-        } else {
-            terrain.mistake("radius_m", "a radius needs a [site] to be around");
-        }
+    for (const TextureInput& texture : scene.textures) {
+        reading.textures.known.push_back(texture.name);
     }
-    scene.weather = read_weather_input(root.section("weather", true), reading);
-    const Section atmosphere = root.section("atmosphere");
+    for (const std::string& name : materials.free_keys()) {
+        reading.texture(materials.section(name, material_says), reading.texture_uses.of_material,
+                        name);
+    }
+    scene.terrain = read_terrain(root.required_section("terrain", "elevation, and what covers it"),
+                                 root, reading, scene.site);
+    scene.weather = read_weather_input(
+        root.required_section("weather", "what drives the heat balance"), reading);
+    const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere, reading);
-    scene.time = read_time(root.section("time", true));
+    scene.time = read_time(root.required_section("time", "the span, its steps and pictures"));
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading);
-    for (const Section& observer : root.sections("observer")) {
+    for (const Section& observer : root.sections("observer", "a camera; at least one")) {
         scene.observers.push_back(read_observer(observer, scene.bands, scene.cubes));
     }
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");
     }
+    scene.texture_uses = std::move(reading.texture_uses);
     check_table_bands(atmosphere, scene.air, seen_ranges(scene));
     document.finish();
     return scene;
+}
+
+Scene read_scene(const fs::path& file, const std::vector<std::string>& settings) {
+    Document document = Document::from_file(file);
+    for (const std::string& setting : settings) document.set(setting);
+    return read_scene(document);
 }
 
 }  // namespace diurna

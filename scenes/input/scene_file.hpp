@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/document.hpp"
 #include "scenes/input/scene.hpp"
 
 namespace diurna {
@@ -13,5 +14,7 @@ namespace diurna {
 /// files it names must exist. `settings` are "key.path=value" and take the place of what the file
 /// says. Throws InputError.
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings = {});
+/// The same of a document, which is finished.
+Scene read_scene(const Document& document);
 
 }  // namespace diurna

@@ -21,15 +21,16 @@ struct JobOptions {
 
 /// What a run did, for the report and for tests.
 struct JobReport {
-    Plan plan;
-    TinCheck ground_check;
+    Plan plan{};
+    TinCheck ground_check{};
     std::size_t posts = 0;
-    SolveReport solve;
-    bool solved = false;              // false: temperatures were kept from an earlier run
-    std::size_t frames_rendered = 0;  // the others were kept
-    std::vector<std::string> files;   // written or kept, relative to the folder
-    std::vector<Progress::Stage> stages;
-    std::vector<std::string> notes;  // what was modelled for want of data
+    SolveReport solve{};
+    bool solved = false;               // false: temperatures were kept from an earlier run
+    std::string not_converged{};       // in one line, of this or the earlier run; "" where it has
+    std::size_t frames_rendered = 0;   // the others were kept
+    std::vector<std::string> files{};  // written or kept, relative to the folder
+    std::vector<Progress::Stage> stages{};
+    std::vector<std::string> notes{};  // what was modelled for want of data
 };
 
 }  // namespace diurna

@@ -52,10 +52,8 @@ std::size_t always_points(const Scene& scene, const World& world) {
                                      [&](MaterialId id) { return single[index(id)]; }));
 }
 
-}  // namespace
-
-Plan make_plan(const Scene& scene, const World& world) {
-    Plan plan;
+/// How many instants, pixels and rays there are.
+void count_work(const Scene& scene, const World& world, Plan& plan) {
     plan.facets = world.surfaces().size();
     plan.steps = step_instants(scene_solve_options(scene));
     plan.frames = frame_instants(scene.time);
@@ -73,7 +71,10 @@ Plan make_plan(const Scene& scene, const World& world) {
         plan.pixels += pixels;
         plan.view_rays += pixels * static_cast<std::size_t>(observer.samples);
     }
+}
 
+/// What each stage takes, and the memory of all.
+void estimate(const Scene& scene, const World& world, Plan& plan) {
     const double facets = double(plan.facets), ground = double(world.ground_facets);
     const double threads = thread_count(), frames = double(plan.frames.size());
     const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
@@ -102,9 +103,11 @@ Plan make_plan(const Scene& scene, const World& world) {
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     // Program and libraries; what a facet has once; six fields of a value for each step; views.
     plan.memory = 170e6 + facets * (600.0 + 6.0 * 4.0 * steps) + double(plan.pixels) * 160.0;
+}
 
+std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {
     const std::size_t dark = plan.steps.size() - plan.sunlit_steps.size();
-    plan.decisions = {
+    return {
         {.what = "shadows",
          .computed = true,
          .why =
@@ -151,6 +154,15 @@ Plan make_plan(const Scene& scene, const World& world) {
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
     };
+}
+
+}  // namespace
+
+Plan make_plan(const Scene& scene, const World& world) {
+    Plan plan;
+    count_work(scene, world, plan);
+    estimate(scene, world, plan);
+    plan.decisions = decisions_of(scene, world, plan);
     return plan;
 }
 

@@ -47,12 +47,6 @@ void Progress::finish() {
     name_.clear();
 }
 
-double Progress::seconds() const {
-    double sum = 0.0;
-    for (const Stage& stage : stages_) sum += stage.seconds;
-    return sum;
-}
-
 void Progress::show(double share, bool ended) {
     const double spent = seconds_since(began_);
     switch (style_) {

@@ -30,7 +30,6 @@ class Progress {
         double seconds;
     };
     const std::vector<Stage>& stages() const { return stages_; }
-    double seconds() const;  // of all stages ended so far
 
  private:
     using Clock = std::chrono::steady_clock;

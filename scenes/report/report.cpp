@@ -57,6 +57,9 @@ std::string facts(const Prepared& prepared, const JobReport& report) {
     } else {
         out += row("heat balance", "temperatures kept from an earlier run");
     }
+    if (!report.not_converged.empty()) {
+        out += row("<strong>not converged</strong>", escaped(report.not_converged));
+    }
     out += row("frames", fmt::format("{} instants, {} rendered in this run", plan.frames.size(),
                                      report.frames_rendered));
     for (const std::string& note : report.notes) out += row("modelled", escaped(note));
@@ -103,7 +106,9 @@ std::string decisions(const Plan& plan) {
 }  // namespace
 
 void write_report(const fs::path& folder, const Prepared& prepared, const JobReport& report,
-                  const std::vector<Instant>& instants, const std::vector<DiurnalCurve>& curves) {
+                  const TemperatureField& field) {
+    const std::vector<DiurnalCurve> curves =
+        diurnal_curves(field, prepared.world.surfaces(), prepared.scene.materials);
     std::string html = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta "
         "charset=\"utf-8\"><title>{0}</title>{1}</head>"
@@ -112,8 +117,8 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         escaped(prepared.scene.file.filename().string()), format_instant(report.plan.steps.front()),
         format_instant(report.plan.steps.back()));
     html += "<h2>What was computed</h2>\n" + facts(prepared, report);
-    html += "<h2>The day of each material</h2>\n" + curves_chart(prepared, instants, curves) +
-            curves_table(instants, curves, prepared.scene.terrain.default_material);
+    html += "<h2>The day of each material</h2>\n" + curves_chart(prepared, field.instant, curves) +
+            curves_table(field.instant, curves, prepared.scene.terrain.default_material);
     html += "<h2>Pictures</h2>\n";
     for (const ObserverInput& observer : prepared.scene.observers) {
         for (const std::string& band : observer.bands) {

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "scenes/plan/job_report.hpp"
 #include "scenes/plan/prepared.hpp"
-#include "scenes/report/curves.hpp"
+#include "thermal/temperature_field.hpp"
 
 namespace diurna {
 
@@ -13,7 +12,6 @@ namespace diurna {
 /// observer and band, diurnal curves and crossovers of the materials, what was computed and
 /// skipped, errors, rays and seconds of every stage.
 void write_report(const std::filesystem::path& folder, const Prepared& prepared,
-                  const JobReport& report, const std::vector<Instant>& instants,
-                  const std::vector<DiurnalCurve>& curves);
+                  const JobReport& report, const TemperatureField& field);
 
 }  // namespace diurna

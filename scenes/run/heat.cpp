@@ -1,5 +1,7 @@
 #include "scenes/run/heat.hpp"
 
+#include <fmt/format.h>
+
 #include <span>
 #include <vector>
 
@@ -64,6 +66,15 @@ SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
     }
     exposure.edge = std::move(edges);
     return exposure;
+}
+
+std::string not_converged(const Scene& scene, const SolveReport& report) {
+    if (report.converged) return "";
+    return fmt::format(
+        "the heat balance has not converged in {} passes: periodic to {:.1e} K (tolerance {:.0e} "
+        "K), estimated error {:.1e} K",
+        report.passes, report.periodic_residual, scene_solve_options(scene).tolerance,
+        report.estimated_error);
 }
 
 SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {

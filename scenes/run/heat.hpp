@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
 #include "terrain/visibility/facet_views.hpp"
@@ -12,6 +14,9 @@ FacetViews scene_sky_view(const Prepared& prepared);
 
 /// Who is in the sun at each step of the heat balance, and when within them shadows' edges pass.
 SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress);
+
+/// In one line by how much a solver has missed its tolerance; "" where it has converged.
+std::string not_converged(const Scene& scene, const SolveReport& report);
 
 /// Shadows and heat balance: temperatures alone.
 SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress);

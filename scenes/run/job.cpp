@@ -12,66 +12,87 @@ namespace diurna {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// What an earlier run of the same inputs has left, if it is to be kept; else makes room. Until
+/// here nothing has been written, from here on only whole files are.
+Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, bool& keep) {
+    fs::create_directories(options.out / "frames");
+    Manifest manifest{.key = job_key(prepared.scene, options.settings),
+                      .settings = options.settings};
+    const Manifest earlier = read_manifest(options.out);
+    keep = options.resume && earlier.key == manifest.key;
+    if (keep) {
+        manifest.not_converged = earlier.not_converged;
+    } else {
+        fs::remove(options.out / "temperatures.nc");
+        for (const std::string& file :
+             frame_files(prepared.scene.observers, prepared.plan.frames)) {
+            fs::remove(options.out / file);
+        }
+    }
+    write_manifest(options.out, prepared.scene, manifest);
+    return manifest;
+}
+
+/// Solves, writes temperatures.nc and says in the manifest if the solver has not converged.
+TemperatureField solve_and_write(const Prepared& prepared, const FacetViews& views,
+                                 const fs::path& out, Progress& progress, Manifest& manifest,
+                                 JobReport& report) {
+    SolveResult result = solve_scene(prepared, views, progress);
+    progress.stage("write temperatures");
+    manifest.not_converged = not_converged(prepared.scene, result.report);
+    if (!manifest.not_converged.empty()) write_manifest(out, prepared.scene, manifest);
+    save_temperature_field(out / "temperatures.nc", result.temperature, prepared.world.surfaces(),
+                           prepared.world.site);
+    report.solve = result.report;
+    report.solved = true;
+    return std::move(result.temperature);
+}
+
+}  // namespace
+
 JobReport run_job(Scene scene, const JobOptions& options) {
+    const fs::path& out = options.out;
     Progress progress(options.progress);
     progress.stage("terrain");
     const Prepared prepared = prepare(std::move(scene));
-    const Scene& checked = prepared.scene;
-
-    // Nothing has been written so far; from here on only whole files are.
-    fs::create_directories(options.out / "frames");
-    const std::string key = job_key(checked, options.settings);
-    const bool keep = options.resume && manifest_key(options.out) == key;
-    if (!keep) {
-        fs::remove(options.out / "temperatures.nc");
-        for (const std::string& file : frame_files(checked.observers, prepared.plan.frames))
-            fs::remove(options.out / file);
-    }
-    write_manifest(options.out, checked, options.settings, key);
-
+    bool keep = false;
+    Manifest manifest = begin_manifest(prepared, options, keep);
     progress.stage("sky view");
-    const FacetViews view = scene_sky_view(prepared);
+    const FacetViews views = scene_sky_view(prepared);
 
-    JobReport report;
-    report.plan = prepared.plan;
-    report.ground_check = prepared.world.ground_check;
-    report.posts = prepared.world.posts;
-    const fs::path temperatures = options.out / "temperatures.nc";
-    TemperatureField field;
-    if (keep && fs::exists(temperatures)) {
-        field = load_temperature_field(temperatures);
-    } else {
-        SolveResult result = solve_scene(prepared, view, progress);
-        progress.stage("write temperatures");
-        save_temperature_field(temperatures, result.temperature, prepared.world.surfaces(),
-                               prepared.world.site);
-        field = std::move(result.temperature);
-        report.solve = result.report;
-        report.solved = true;
-    }
-    report.notes = prepared.notes;
+    JobReport report{.plan = prepared.plan,
+                     .ground_check = prepared.world.ground_check,
+                     .posts = prepared.world.posts,
+                     .files = {"temperatures.nc"},
+                     .notes = prepared.notes};
+    keep = keep && fs::exists(out / "temperatures.nc");
+    const TemperatureField field =
+        keep ? load_temperature_field(out / "temperatures.nc")
+             : solve_and_write(prepared, views, out, progress, manifest, report);
+    report.not_converged = manifest.not_converged;
     if (!prepared.weather.note.empty()) report.notes.push_back(prepared.weather.note);
 
-    report.files = {"temperatures.nc"};
-    const FramesReport frames = render_frames(prepared, view, field, options.out, progress);
+    const FramesReport frames = render_frames(prepared, views, field, out, progress);
     report.frames_rendered = frames.rendered;
     for (const std::string& line : frames.errors) {
         report.notes.push_back("tables against the direct sum, worst frame: " + line);
     }
-    for (std::string& file : frame_files(checked.observers, prepared.plan.frames))
+    for (std::string& file : frame_files(prepared.scene.observers, prepared.plan.frames)) {
         report.files.push_back(std::move(file));
+    }
 
     progress.stage("report");
-    annotate_frames(prepared, options.out);
-    report.files.push_back("annotations.json");
-    const std::vector<DiurnalCurve> curves =
-        diurnal_curves(field, prepared.world.surfaces(), checked.materials);
+    annotate_frames(prepared, out);
     report.stages = progress.stages();
-    write_report(options.out, prepared, report, field.instant, curves);
-    report.files.push_back("report.html");
+    write_report(out, prepared, report, field);
     progress.finish();
+    report.files.insert(report.files.end(), {"annotations.json", "report.html"});
     report.stages = progress.stages();
-    write_manifest(options.out, checked, options.settings, key, report.files, report.stages);
+    manifest.outputs = report.files;
+    manifest.stages = report.stages;
+    write_manifest(out, prepared.scene, manifest);
     return report;
 }
 

@@ -46,39 +46,41 @@ std::vector<fs::path> input_files(const Scene& scene) {
 
 std::string job_key(const Scene& scene, const std::vector<std::string>& settings) {
     std::string text = DIURNA_VERSION;
-    for (const std::string& setting : settings) text += "\n" + setting;
-    for (const fs::path& file : input_files(scene)) text += "\n" + sha256_of_file(file);
+    for (const std::string& setting : settings) text.append(1, '\n').append(setting);
+    for (const fs::path& file : input_files(scene)) {
+        text.append(1, '\n').append(sha256_of_file(file));
+    }
     return sha256(text);
 }
 
-std::string manifest_key(const fs::path& folder) {
+Manifest read_manifest(const fs::path& folder) {
     std::ifstream file(folder / "manifest.json");
-    const nlohmann::json manifest = nlohmann::json::parse(file, nullptr, false);
-    if (!manifest.is_object()) return "";
-    return manifest.value("key", std::string());
+    const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
+    if (!json.is_object()) return {};
+    return {.key = json.value("key", std::string()),
+            .not_converged = json.value("not_converged", std::string())};
 }
 
-void write_manifest(const fs::path& folder, const Scene& scene,
-                    const std::vector<std::string>& settings, const std::string& key,
-                    const std::vector<std::string>& outputs,
-                    const std::vector<Progress::Stage>& stages) {
-    nlohmann::ordered_json manifest;
-    manifest["program"] = "diurna " DIURNA_VERSION;
-    manifest["compiler"] = "g++ " __VERSION__;
-    manifest["state"] = outputs.empty() ? "running" : "done";
-    manifest["key"] = key;
-    manifest["scene"] = scene.name;
-    manifest["seed"] = scene.seed;
-    manifest["settings"] = settings;
-    manifest["threads"] = thread_count();
+void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& manifest) {
+    nlohmann::ordered_json json;
+    json["program"] = "diurna " DIURNA_VERSION;
+    json["compiler"] = "g++ " __VERSION__;
+    json["state"] = manifest.outputs.empty() ? "running" : "done";
+    if (!manifest.not_converged.empty()) json["not_converged"] = manifest.not_converged;
+    json["key"] = manifest.key;
+    json["scene"] = scene.name;
+    json["seed"] = scene.seed;
+    json["settings"] = manifest.settings;
+    json["threads"] = thread_count();
     for (const fs::path& file : input_files(scene)) {
-        manifest["inputs"][file.lexically_normal().string()] = sha256_of_file(file);
+        json["inputs"][file.lexically_normal().string()] = sha256_of_file(file);
     }
-    for (const std::string& name : outputs) {
-        manifest["outputs"][name] = sha256_of_file(folder / name);
+    for (const std::string& name : manifest.outputs) {
+        json["outputs"][name] = sha256_of_file(folder / name);
     }
-    for (const Progress::Stage& stage : stages) manifest["seconds"][stage.name] = stage.seconds;
-    write_whole_file(folder / "manifest.json", manifest.dump(2) + "\n");
+    for (const Progress::Stage& stage : manifest.stages)
+        json["seconds"][stage.name] = stage.seconds;
+    write_whole_file(folder / "manifest.json", json.dump(2) + "\n");
 }
 
 }  // namespace diurna

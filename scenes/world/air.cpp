@@ -17,10 +17,6 @@ namespace diurna {
 
 namespace {
 
-Stamp stamp_of(const std::string& interval) {
-    return interval == "start" ? Stamp::start : interval == "end" ? Stamp::end : Stamp::instant;
-}
-
 /// The series at every step of the heat balance, its unmeasured radiation from the atmosphere.
 Weather driven_by_air(const Scene& scene, const World& world, const Weather& weather) {
     Weather driven = weather;
@@ -119,11 +115,9 @@ std::vector<std::string> table_notes(const Scene& scene) {
 }
 
 Weather scene_weather(const Scene& scene, const World& world) {
-    Weather weather =
-        read_weather(scene.weather.file, {.interval = stamp_of(scene.weather.interval),
-                                          .wind_height = scene.weather.wind_height,
-                                          .air_height = scene.weather.air_height,
-                                          .elevation = world.sea_level_height});
+    WeatherOptions options = scene.weather.options;
+    options.elevation = world.sea_level_height;
+    Weather weather = read_weather(scene.weather.file, options);
     infer_cloud(weather, world.site, world.sea_level_height);
     return scene.air.drives_heat ? driven_by_air(scene, world, weather) : weather;
 }

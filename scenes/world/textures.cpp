@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "materials/base/units.hpp"
+#include "materials/matter/broadband.hpp"
 #include "materials/matter/varied.hpp"
 #include "scenes/input/scene.hpp"
 #include "scenes/world/world.hpp"
@@ -164,76 +165,86 @@ std::map<std::string, std::string>::const_iterator use_on_ground(const Scene& sc
     return uses.find("ground");
 }
 
-}  // namespace
+/// The skins of a scene's textures: made as facets ask for them, one for each texture, material and
+/// frame, with the materials of their levels added to the scene's.
+class Skins {
+ public:
+    Skins(Scene& scene, const World& world)
+        : scene_(scene),
+          world_(world),
+          first_object_(1 + scene.terrain.polygons.size() + scene.terrain.buildings.size()) {}
 
-std::vector<std::string> lay_textures(Scene& scene, World& world) {
-    const TextureUses& uses = scene.texture_uses;
-    if (uses.of_object.empty() && uses.of_material.empty()) return {};
-    const auto texture_named = [&](const std::string& name) {
-        return static_cast<std::size_t>(
-            std::find_if(scene.textures.begin(), scene.textures.end(),
-                         [&](const TextureInput& t) { return t.name == name; }) -
-            scene.textures.begin());
-    };
-    const std::size_t first_object =
-        1 + scene.terrain.polygons.size() + scene.terrain.buildings.size();
-    const std::size_t objects = scene.terrain.objects.size();
-
-    std::vector<Skin> skins;
-    // (texture, material, its frame: 0 the scene's, else the object's) and its skin
-    std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::uint16_t> known;
-    std::map<std::pair<std::size_t, bool>, std::shared_ptr<const Texture>> pictures;
-    const auto skin_for = [&](std::size_t t, MaterialId id, std::size_t object) {
-        const TextureInput& texture = scene.textures[t];
-        const bool own_frame = object >= first_object && object < first_object + objects;
-        const auto [entry, fresh] = known.try_emplace({t, index(id), own_frame ? object : 0},
-                                                      static_cast<std::uint16_t>(skins.size()));
+    /// The skin of a texture on a material of an object.
+    std::uint16_t of(std::size_t texture, MaterialId material, std::size_t object) {
+        const bool own_frame =
+            object >= first_object_ && object < first_object_ + scene_.terrain.objects.size();
+        const auto [entry, fresh] =
+            known_.try_emplace({texture, index(material), own_frame ? object : 0},
+                               static_cast<std::uint16_t>(skins_.size()));
         if (!fresh) return entry->second;
-        const Material base = scene.materials[id];
-        Skin skin = skin_of(texture, base, scene.materials);
+        const TextureInput& input = scene_.textures[texture];
+        const Material base = scene_.materials[material];
+        Skin skin = skin_of(input, base, scene_.materials);
         if (own_frame) {
-            skin.frame = frame_of(world, object, scene.terrain.objects[object - first_object]);
+            skin.frame = frame_of(world_, object, scene_.terrain.objects[object - first_object_]);
         }
-        if (texture.clutter) {
-            const double mean = texture.mean.value_or(skin.outside);
+        if (input.clutter) {
+            const double mean = input.mean.value_or(skin.outside);
             skin.texture = std::make_shared<const Texture>(
-                ClutterTexture{mean, texture.deviation, Clutter(*texture.clutter)});
+                ClutterTexture{mean, input.deviation, Clutter(*input.clutter)});
         } else {
-            auto& picture = pictures[{t, own_frame}];
+            auto& picture = pictures_[{texture, own_frame}];
             if (!picture) {
-                picture = std::make_shared<const Texture>(raster_of(texture, world, own_frame));
+                picture = std::make_shared<const Texture>(raster_of(input, world_, own_frame));
             }
             skin.texture = picture;
         }
-        skins.push_back(std::move(skin));
+        skins_.push_back(std::move(skin));
         return entry->second;
-    };
-
-    std::vector<std::uint16_t> skin_of_facet(world.facets.size(), no_skin);
-    for (std::size_t f = 0; f < world.facets.size(); ++f) {
-        const auto object = static_cast<std::size_t>(world.facets.object[f]);
-        const MaterialId id = world.facets.material[f];
-        auto use = object == 0 ? use_on_ground(scene, world.facets.centroid[f])
-                               : uses.of_object.find(world.objects[object]);
-        if (use == uses.of_object.end()) {
-            use = uses.of_material.find(scene.materials[id].name);
-            if (use == uses.of_material.end()) continue;
-        }
-        skin_of_facet[f] = skin_for(texture_named(use->second), id, object);
     }
-    world.texture_levels = split_by_texture(world.facets, std::move(skins), skin_of_facet);
 
+    std::vector<Skin> take() { return std::move(skins_); }
+
+    /// Whether a skin is of a texture.
+    bool is_of(std::uint16_t skin, std::size_t texture) const {
+        return std::any_of(known_.begin(), known_.end(), [&](const auto& entry) {
+            return entry.second == skin && std::get<0>(entry.first) == texture;
+        });
+    }
+
+ private:
+    Scene& scene_;
+    const World& world_;
+    std::size_t first_object_;
+    std::vector<Skin> skins_;
+    // (texture, material, its frame: 0 the scene's, else the object's) and its skin
+    std::map<std::tuple<std::size_t, std::size_t, std::size_t>, std::uint16_t> known_;
+    std::map<std::pair<std::size_t, bool>, std::shared_ptr<const Texture>> pictures_;
+};
+
+/// The name of the texture that lies on a facet; "" for none. An object's own goes before that of
+/// its material.
+std::string texture_on(const Scene& scene, const World& world, std::size_t facet) {
+    const TextureUses& uses = scene.texture_uses;
+    const auto object = static_cast<std::size_t>(world.facets.object[facet]);
+    const auto use = object == 0 ? use_on_ground(scene, world.facets.centroid[facet])
+                                 : uses.of_object.find(world.objects[object]);
+    if (use != uses.of_object.end()) return use->second;
+    const auto by_material =
+        uses.of_material.find(scene.materials[world.facets.material[facet]].name);
+    return by_material == uses.of_material.end() ? "" : by_material->second;
+}
+
+/// For the report: how many facets each texture lies on, and as how many they are solved.
+std::vector<std::string> texture_notes(const Scene& scene, const World& world, const Skins& skins) {
     std::vector<std::string> notes;
     for (std::size_t t = 0; t < scene.textures.size(); ++t) {
         const TextureInput& texture = scene.textures[t];
         std::size_t facets = 0, surfaces = 0;
-        for (const auto& [key, s] : known) {
-            if (std::get<0>(key) != t) continue;
-            for (const TextureLevels::OfFacet& of_facet : world.texture_levels.of_facet) {
-                if (of_facet.skin != s) continue;
-                ++facets;
-                surfaces += of_facet.levels;
-            }
+        for (const TextureLevels::OfFacet& of_facet : world.texture_levels.of_facet) {
+            if (of_facet.skin == no_skin || !skins.is_of(of_facet.skin, t)) continue;
+            ++facets;
+            surfaces += of_facet.levels;
         }
         std::string note = fmt::format("texture \"{}\": {} facets, solved as {} surfaces",
                                        texture.name, facets, surfaces);
@@ -244,6 +255,24 @@ std::vector<std::string> lay_textures(Scene& scene, World& world) {
         notes.push_back(std::move(note));
     }
     return notes;
+}
+
+}  // namespace
+
+std::vector<std::string> lay_textures(Scene& scene, World& world) {
+    if (scene.texture_uses.of_object.empty() && scene.texture_uses.of_material.empty()) return {};
+    std::map<std::string, std::size_t> by_name;
+    for (std::size_t t = 0; t < scene.textures.size(); ++t) by_name[scene.textures[t].name] = t;
+    Skins skins(scene, world);
+    std::vector<std::uint16_t> skin_of_facet(world.facets.size(), no_skin);
+    for (std::size_t f = 0; f < world.facets.size(); ++f) {
+        const std::string name = texture_on(scene, world, f);
+        if (name.empty()) continue;
+        skin_of_facet[f] = skins.of(by_name.at(name), world.facets.material[f],
+                                    static_cast<std::size_t>(world.facets.object[f]));
+    }
+    world.texture_levels = split_by_texture(world.facets, skins.take(), skin_of_facet);
+    return texture_notes(scene, world, skins);
 }
 
 }  // namespace diurna

@@ -1,6 +1,7 @@
 #include "materials/base/document.hpp"
 
 #include <catch2/catch.hpp>
+#include <map>
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
@@ -26,7 +27,7 @@ std::vector<Mistake> mistakes_in(const std::string& text, const Read& read) {
 
 TEST_CASE("a misspelt key is named with its place and the nearest key", "[materials][document]") {
     const auto found = mistakes_in("[air]\nwidn_speed_m_s = 3.0\n", [](const Section& root) {
-        root.section("air").number_or("wind_speed_m_s", 1.0);
+        root.section("air", "the air").number_or("wind_speed_m_s", "of the wind", 1.0);
     });
     REQUIRE(found.size() == 1);
     CHECK(found[0].line() ==
@@ -37,13 +38,13 @@ TEST_CASE("all mistakes of a file are reported at once, in its order", "[materia
     const auto found =
         mistakes_in("[a]\nlow = -1\nname = 3\nlist = [1, 2]\n[b]\nwhen = 2026-07-15T00:00:00\n",
                     [](const Section& root) {
-                        const Section b = root.section("b");
-                        b.moment("when");
-                        b.number("absent", 0, 1);
-                        const Section a = root.section("a");
-                        a.numbers("list", 3);
-                        a.text("name");
-                        a.number("low", 0, 5);
+                        const Section b = root.section("b", "the second");
+                        b.moment("when", "it begins");
+                        b.number("absent", "a share", {0.0, 1.0});
+                        const Section a = root.section("a", "the first");
+                        a.numbers("list", "three of them", 3);
+                        a.text("name", "of it");
+                        a.number("low", "the lowest", {0.0, 5.0});
                     });
     REQUIRE(found.size() == 5);
     CHECK(found[0].line() == "hill.toml:2:7: a.low: found -1, expected a number from 0 to 5");
@@ -59,8 +60,8 @@ TEST_CASE("a decimal comma, nan and inf are refused", "[materials][document]") {
           0);
     for (const std::string value : {"nan", "inf", "-inf", "\"3\"", "true", "[1]"}) {
         CAPTURE(value);
-        const auto found =
-            mistakes_in("x = " + value + "\n", [](const Section& root) { root.number("x"); });
+        const auto found = mistakes_in("x = " + value + "\n",
+                                       [](const Section& root) { root.number("x", "a number"); });
         REQUIRE(found.size() == 1);
         CHECK(found[0].where == "hill.toml:1:5: x");
     }
@@ -70,13 +71,40 @@ TEST_CASE("a setting takes the place of what the file says", "[materials][docume
     Document document = Document::from_text("[time]\nstep_s = 600\n", "hill.toml");
     document.set("time.step_s=300");
     document.set("scene.name=ridge");
-    CHECK(document.root().section("time").number("step_s") == 300.0);
-    CHECK(document.root().section("scene").text("name") == "ridge");
+    const Section time = document.root().section("time", "the span");
+    CHECK(time.number("step_s", "of the balance") == 300.0);
+    CHECK(document.root().section("scene", "its names").text("name", "of it") == "ridge");
     document.set("time.frames=many");
-    document.root().section("time").number_or("frames", 1.0);
+    time.number_or("frames", "of them", 1.0);
     CHECK_THROWS_WITH(document.finish(), Catch::Contains("--set time.frames: found \"many\""));
     CHECK_THROWS_AS(document.set("time"), InputError);
     CHECK_THROWS_AS(document.set("time.step_s.x=1"), InputError);
+}
+
+TEST_CASE("a document tells what was asked of it, and how", "[materials][document]") {
+    const Document document = Document::from_text(
+        "[[rule]]\nkind = \"steep\"\nheight_m = 3.0\n[parts]\nwheel = \"rubber\"\n", "hill.toml");
+    const Section rule = document.root().sections("rule", "what holds where").at(0);
+    rule.kind_or("of ground", "flat", {"flat", "steep"});
+    rule.number_or("slope_deg", "of the ground", {7.5, "as the map says"}, {.least = 0.0});
+    if (rule.has("cover")) rule.number("cover", "a share", {0.0, 1.0});
+    rule.number("height_m", "above the sea", {0.0, 9000.0});
+    const Section parts = document.root().section("parts", "a material each");
+    for (const std::string& name : parts.free_keys()) parts.text(name, "of this part");
+    document.finish();
+
+    std::map<std::string, Key> found;
+    for (const Key& key : document.keys()) found[key.path] = key;
+    CHECK(found.at("rule").kind == Key::Kind::tables);
+    CHECK(found.at("rule[].kind").words == std::vector<std::string>{"flat", "steep"});
+    CHECK(found.at("rule[].slope_deg").fallback == "as the map says");
+    CHECK(found.at("rule[].slope_deg").range.least == 0.0);
+    CHECK(found.at("rule[].slope_deg").chosen.at(0) ==
+          std::pair<std::string, std::string>{"kind", "steep"});
+    CHECK(found.at("rule[].cover").kind == Key::Kind::tested);  // nobody read it
+    CHECK(found.at("rule[].height_m").required);
+    CHECK(found.at("rule[].height_m").table == "rule[0]");
+    CHECK(found.at("parts.NAME").says == "of this part");
 }
 
 TEST_CASE("malformed TOML never aborts", "[materials][document][stress]") {
@@ -84,7 +112,8 @@ TEST_CASE("malformed TOML never aborts", "[materials][document][stress]") {
          {"[", "[[", "a = ", "= 3", "a = \"", "a = [1, 2", "[a]\n[a]\n", "a.b = 1\na = 2\n", "\x01",
           "a = 1e999", "a = 99999999999999999999", "a = 2026-13-45T00:00:00Z", "\xff\xfe"}) {
         CAPTURE(text);
-        const auto found = mistakes_in(text, [](const Section& root) { root.number_or("a", 0.0); });
+        const auto found =
+            mistakes_in(text, [](const Section& root) { root.number_or("a", "a number", 0.0); });
         REQUIRE_FALSE(found.empty());
         CHECK(found[0].line().find('\n') == std::string::npos);
     }

@@ -6,7 +6,11 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
+#include "materials/matter/broadband.hpp"
+#include "materials/matter/read_library.hpp"
+#include "materials/matter/read_material.hpp"
 #include "materials/radiation/planck.hpp"
+#include "tests/support/keys_of_page.hpp"
 
 using namespace diurna;
 
@@ -27,8 +31,9 @@ double emissivity(const Material& m, double um) {
 /// The [material] table of a text, read against the default library.
 Material read(const std::string& text) {
     const Document document = Document::from_text(text, "column.toml");
-    const Material found = read_material(document.root().section("material", true), library(),
-                                         data_folder(), "material");
+    const Material found =
+        read_material(document.root().required_section("material", "of the column"), library(),
+                      data_folder(), "material");
     document.finish();
     return found;
 }

@@ -3,7 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "materials/matter/broadband.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 
 using namespace diurna;
 

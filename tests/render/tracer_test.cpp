@@ -1,4 +1,5 @@
 #include "render/tracer.hpp"
+#include "materials/matter/read_library.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstring>

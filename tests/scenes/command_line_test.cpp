@@ -184,3 +184,60 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
     CHECK(again == one);
     CHECK(run("one", "--resume").out.find("0 frames rendered") != std::string::npos);
 }
+
+// A surface that can lose no heat has no periodic day.
+const std::string heat_trap = R"(albedo = 0.5
+emissivity = 0.0
+roughness_length_m = 0.01
+convection = { kind = "constant", value_W_m2K = 0.0 }
+layers = [{ thickness_m = 0.1, conductivity_W_mK = 1.0, density_kg_m3 = 2000.0, heat_capacity_J_kgK = 900.0 }]
+)";
+
+TEST_CASE("a run that does not converge keeps its results, says so and fails", "[command_line]") {
+    const ScratchFolder folder("heat-trap");
+    const fs::path scene = folder.path / "scene.toml", out = folder.path / "out";
+    write_text(scene, with(with(small_scene(), "\"painted_steel\"", "\"trap\""),
+                           "radius_m = 4000.0", "radius_m = 3000.0") +
+                          "[material.trap]\n" + heat_trap);
+    const std::string place = scene.string() + " --out " + out.string();
+    const Ran ran = diurna("run --progress none " + place);
+    CAPTURE(ran.out);
+    CHECK(ran.code == 1);
+    CHECK(lines(ran.out) == 2);
+    CHECK(ran.out.find("diurna: the heat balance has not converged in 12 passes: periodic to ") !=
+          std::string::npos);
+    auto written = contents(out);
+    CHECK(written.size() == 16 + 4);
+    CHECK(written.at("report.html").find("the heat balance has not converged") !=
+          std::string::npos);
+    CHECK(written.at("manifest.json").find("\"not_converged\"") != std::string::npos);
+    // What is kept of it has not converged either.
+    const Ran again = diurna("run --resume --progress none " + place);
+    CHECK(again.code == 1);
+    CHECK(again.out.find("has not converged in 12 passes") != std::string::npos);
+    const Ran solved = diurna("solve --progress none " + scene.string() + " --out " +
+                              (folder.path / "t.nc").string());
+    CHECK(solved.code == 1);
+    CHECK(fs::exists(folder.path / "t.nc"));
+}
+
+TEST_CASE("a column that does not converge keeps its results, says so and fails",
+          "[command_line]") {
+    const ScratchFolder folder("column-trap");
+    const std::string weather = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv";
+    const auto column = [&](const std::string& material) {
+        write_text(folder.path / "column.toml",
+                   "[site]\nlatitude_deg = 36.32\nlongitude_deg = -84.2\n[weather]\nfile = \"" +
+                       weather + "\"\ninterval = \"instant\"\n[time]\nspin_up = \"periodic\"\n" +
+                       "start = 2026-07-15T00:00:00-04:00\nend = 2026-07-16T00:00:00-04:00\n" +
+                       "[material]\n" + material);
+        return diurna("column " + (folder.path / "column.toml").string() + " --out " +
+                      (folder.path / "out.csv").string());
+    };
+    CHECK(column("name = \"asphalt\"\n").code == 0);
+    const Ran ran = column(heat_trap);
+    CAPTURE(ran.out);
+    CHECK(ran.code == 1);
+    CHECK(ran.out.find("diurna: the spin-up has not converged in ") != std::string::npos);
+    CHECK(lines(contents(folder.path).at("out.csv")) == 49 + 2);  // header and what was modelled
+}

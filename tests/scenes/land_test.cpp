@@ -7,6 +7,7 @@
 
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/world.hpp"
@@ -16,6 +17,7 @@
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 
 // From files on the ground to facets and pictures.

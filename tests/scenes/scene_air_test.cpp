@@ -4,6 +4,7 @@
 
 #include "scenes/input/scene_file.hpp"
 #include "terrain/place/sun.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/weather/sky_state.hpp"
 

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "materials/base/error.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

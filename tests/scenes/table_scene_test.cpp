@@ -7,8 +7,10 @@
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/world/air.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 #include "tests/support/tape7_text.hpp"
 

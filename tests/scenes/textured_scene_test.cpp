@@ -5,7 +5,9 @@
 #include "materials/radiation/planck.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

@@ -7,9 +7,11 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/plan.hpp"
 #include "scenes/run/frames.hpp"
+#include "scenes/world/ground.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;

@@ -5,6 +5,7 @@
 
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/surface/heat_balance.hpp"
 

@@ -12,7 +12,9 @@
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "tests/support/column_jobs.hpp"
+#include "tests/support/keys_of_page.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "thermal/point/point_job_file.hpp"
 
 using namespace diurna;
 using namespace column_jobs;

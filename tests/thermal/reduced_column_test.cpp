@@ -6,6 +6,7 @@
 
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "thermal/steppers/mode_batch.hpp"
 
 using namespace diurna;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "thermal/solve/shadow_edges.hpp"
 #include "thermal/solve/solver.hpp"
 

@@ -3,7 +3,9 @@
 #include <random>
 
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
+#include "thermal/steppers/layered_batch.hpp"
 #include "thermal/steppers/layered_step.hpp"
 #include "thermal/surface/heat_balance.hpp"
 

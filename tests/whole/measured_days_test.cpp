@@ -5,6 +5,7 @@
 #include <map>
 
 #include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "tests/support/measured_days.hpp"
 #include "tests/support/shared_data.hpp"
 #include "thermal/point/point_job.hpp"

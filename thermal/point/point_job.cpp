@@ -141,6 +141,8 @@ PointResult run_column(const PointJob& given) {
             [&](const ThermalSurface& surface) { return facet_of(surface, weather_before); });
         result.passes = spun.passes;
         result.periodic_residual = spun.residual;
+        result.standing_residual = spun.standing_residual;
+        result.converged = spun.converged;
     }
     follow(job, facet, result);
     return result;

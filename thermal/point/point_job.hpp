@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,7 +22,8 @@ struct SoilPoint {
     double temperature;  // [K]
 };
 
-/// One facet under a series of weather: what column.toml says.
+/// One facet under a series of weather: what a column file says
+/// (thermal/point/point_job_file.hpp).
 struct PointJob {
     Site site;
     double elevation = 0.0;   // [m] above the sea
@@ -62,7 +62,9 @@ struct PointResult {
     bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
     std::string note;                   // what was modelled for want of measurements
     int passes = 0;                     // of the spin-up
-    double periodic_residual = 0.0;     // [K]
+    double periodic_residual = 0.0;     // [K] worst node after a pass of it
+    double standing_residual = 0.0;     // [mm] of water and frost, likewise
+    bool converged = true;              // both within their tolerances
     double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, of any step
     long long steps = 0, rejected = 0;
     /// Steps that had to be taken otherwise than asked: backward Euler at the shortest step,
@@ -70,10 +72,6 @@ struct PointResult {
     int limited = 0;
     std::vector<double> depth, final_profile;  // (node) [m], [K]
 };
-
-/// Reads a column file (TOML; see the README, "The point tool") and its weather. Throws InputError
-/// with every mistake: file:line:column, what was expected, the nearest key.
-PointJob read_column_job(const std::filesystem::path& file);
 
 PointResult run_column(const PointJob& job);
 

@@ -1,118 +1,141 @@
+#include "thermal/point/point_job_file.hpp"
+
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "materials/base/document.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
-#include "materials/matter/library.hpp"
-#include "thermal/point/point_job.hpp"
+#include "materials/matter/read_library.hpp"
+#include "materials/matter/read_material.hpp"
+#include "thermal/weather/weather_section.hpp"
 
 namespace diurna {
 
 namespace {
 
-Stamp stamp_of(const std::string& word) {
-    if (word == "start") return Stamp::start;
-    return word == "end" ? Stamp::end : Stamp::instant;
+void read_site(const Section& site, PointJob& job) {
+    job.site.latitude_deg = site.number("latitude_deg", "north, WGS84", {-90.0, 90.0});
+    job.site.longitude_deg = site.number("longitude_deg", "east, WGS84", {-180.0, 180.0});
+    job.elevation = job.site.height =
+        site.number_or("elevation_m", "above the sea", 0.0, {-500.0, 9000.0});
 }
 
-const std::vector<std::string> longwave_names{"dilley-obrien", "brutsaert", "prata",
-                                              "brunt",         "idso",      "swinbank"};
+void read_facet(const Section& facet, PointJob& job) {
+    job.slope_deg = facet.number_or("slope_deg", "from the horizontal", 0.0, {0.0, 180.0});
+    job.aspect_deg = facet.number_or("aspect_deg", "the way it faces, clockwise from north", 180.0,
+                                     {-360.0, 360.0});
+    job.sky_view = facet.number_or(
+        "sky_view", "share of the sky that it sees; the rest is ground like itself",
+        {0.5 * (1.0 + std::cos(radians(job.slope_deg))), "(1 + cos slope) / 2"}, {0.0, 1.0});
+    job.airspeed = facet.number_or(
+        "airspeed_m_s", "of a surface in flight: its wind, and the air's recovery temperature", 0.0,
+        {0.0, 3000.0});
+}
 
-LongwaveFormula longwave_of(const std::string& word) {
-    for (std::size_t i = 0; i < longwave_names.size(); ++i) {
-        if (word == longwave_names[i]) return static_cast<LongwaveFormula>(i);
+void read_sky(const Section& sky, ClearSky& clear) {
+    clear.aerosol_380nm = sky.number_or("aerosol_380nm", "optical depth of aerosol at 380 nm",
+                                        clear.aerosol_380nm, {0.0, 5.0});
+    clear.aerosol_500nm = sky.number_or("aerosol_500nm", "optical depth of aerosol at 500 nm",
+                                        clear.aerosol_500nm, {0.0, 5.0});
+    clear.ozone_cm =
+        sky.number_or("ozone_cm", "a layer of it at standard pressure", clear.ozone_cm, {0.0, 1.0});
+    clear.longwave = sky.choice_or("longwave", "formula of the clear sky's longwave",
+                                   LongwaveFormula::dilley_obrien,
+                                   {{"dilley-obrien", LongwaveFormula::dilley_obrien},
+                                    {"brutsaert", LongwaveFormula::brutsaert},
+                                    {"prata", LongwaveFormula::prata},
+                                    {"brunt", LongwaveFormula::brunt},
+                                    {"idso", LongwaveFormula::idso},
+                                    {"swinbank", LongwaveFormula::swinbank}});
+    clear.longwave_by_direction = sky.flag_or(
+        "longwave_by_direction", "the sky's longwave is stronger near the horizon", true);
+    if (sky.word_or("sun", "clear sky's sun where none was measured", "bird",
+                    {"bird", "ineichen"}) == "ineichen") {
+        clear.linke_turbidity =
+            sky.number_or("linke_turbidity", "of the air, for ineichen", 3.0, {1.0, 12.0});
     }
-    return LongwaveFormula::dilley_obrien;
+    if (sky.has("precipitable_water_cm")) {
+        clear.precipitable_water_cm = sky.number(
+            "precipitable_water_cm", "in the whole air; else from its humidity", {0.0, 10.0});
+    }
 }
 
-SpinUp spin_up_of(const std::string& word) {
-    if (word == "none") return SpinUp::none;
-    return word == "periodic" ? SpinUp::periodic : SpinUp::first_day;
+/// A profile of the ground at the start, its depths ascending.
+std::vector<SoilPoint> read_profile(const Section& time) {
+    std::vector<SoilPoint> profile;
+    if (!time.has("initial_profile")) return profile;
+    const auto rows =
+        time.rows("initial_profile",
+                  "[[depth_m, K], ...] in place of initial_temperature_K: straight between", 2);
+    for (const std::vector<double>& point : rows) {
+        if (point[0] < 0.0 || point[1] < 1.0 || point[1] > 3000.0 ||
+            (!profile.empty() && point[0] <= profile.back().depth)) {
+            time.mistake("initial_profile",
+                         "expected [depth_m, temperature_K] with ascending depths");
+            break;
+        }
+        profile.push_back({point[0], point[1]});
+    }
+    return profile;
+}
+
+void read_time(const Section& time, PointJob& job) {
+    const std::string start = time.moment("start", "with its offset from UTC");
+    const std::string end = time.moment("end", "with its offset from UTC");
+    job.spin_up = time.choice_or(
+        "spin_up",
+        "what went before: the first day, without its trend, again and again; the span itself, "
+        "which repeats; nothing",
+        SpinUp::first_day,
+        {{"none", SpinUp::none}, {"first-day", SpinUp::first_day}, {"periodic", SpinUp::periodic}});
+    job.step = time.number_or("step_s", "between rows of the result", 1800.0, {0.1, 86400.0});
+    job.longest_step =
+        time.number_or("longest_step_s", "of the integration", 600.0, {0.1, 86400.0});
+    job.initial_temperature = time.number_or(
+        "initial_temperature_K", "of all depths at the start, or a first guess of it",
+        {job.initial_temperature, "the bottom's or the air's"}, {1.0, 3000.0});
+    job.tolerance = time.number_or("tolerance_K", "error of a step, by step doubling",
+                                   job.tolerance, {1e-7, 1.0});
+    job.initial_profile = read_profile(time);
+    job.start = parse_instant(start, time.where("start"));
+    job.end = parse_instant(end, time.where("end"));
+    if (job.end <= job.start) {
+        time.mistake("end", "does not come after start");
+    } else if (seconds_between(job.start, job.end) < job.step) {
+        time.mistake("step_s", "is longer than the whole span");
+    } else if (seconds_between(job.start, job.end) / job.step > 1e7) {
+        time.mistake("step_s", "asks for more than ten million rows");
+    }
 }
 
 }  // namespace
 
-PointJob read_column_job(const std::filesystem::path& file) {
-    const Document document = Document::from_file(file);
+PointJob read_column_job(const Document& document) {
+    const std::filesystem::path folder = std::filesystem::path(document.file()).parent_path();
     const Section root = document.root();
     PointJob job;
-
-    const Section site = root.section("site", true);
-    job.site.latitude_deg = site.number("latitude_deg", -90.0, 90.0);
-    job.site.longitude_deg = site.number("longitude_deg", -180.0, 180.0);
-    job.elevation = job.site.height = site.number_or("elevation_m", 0.0, -500.0, 9000.0);
-
-    const Section facet = root.section("facet");
-    job.slope_deg = facet.number_or("slope_deg", 0.0, 0.0, 180.0);
-    job.aspect_deg = facet.number_or("aspect_deg", 180.0, -360.0, 360.0);
-    job.sky_view =
-        facet.number_or("sky_view", 0.5 * (1.0 + std::cos(radians(job.slope_deg))), 0.0, 1.0);
-
-    job.airspeed = facet.number_or("airspeed_m_s", 0.0, 0.0, 3000.0);
-
-    const Section material = root.section("material", true);
-    job.surface =
-        read_material(material, default_material_library(), file.parent_path(), "column").thermal;
-
-    const Section sky = root.section("sky");
-    job.clear_sky.aerosol_380nm =
-        sky.number_or("aerosol_380nm", job.clear_sky.aerosol_380nm, 0.0, 5.0);
-    job.clear_sky.aerosol_500nm =
-        sky.number_or("aerosol_500nm", job.clear_sky.aerosol_500nm, 0.0, 5.0);
-    job.clear_sky.ozone_cm = sky.number_or("ozone_cm", job.clear_sky.ozone_cm, 0.0, 1.0);
-    job.clear_sky.longwave = longwave_of(sky.word_or("longwave", "dilley-obrien", longwave_names));
-    job.clear_sky.longwave_by_direction = sky.flag_or("longwave_by_direction", true);
-    if (sky.word_or("sun", "bird", {"bird", "ineichen"}) == "ineichen") {
-        job.clear_sky.linke_turbidity = sky.number_or("linke_turbidity", 3.0, 1.0, 12.0);
-    }
-    if (sky.has("precipitable_water_cm")) {
-        job.clear_sky.precipitable_water_cm = sky.number("precipitable_water_cm", 0.0, 10.0);
-    }
-
-    const Section weather = root.section("weather", true);
-    const std::string weather_file = weather.text("file");
-    const WeatherOptions options{
-        .interval = stamp_of(weather.word_or("interval", "end", {"start", "end", "instant"})),
-        .wind_height = weather.number_or("wind_height_m", 10.0, 0.1, 200.0),
-        .air_height = weather.number_or("air_height_m", 2.0, 0.1, 200.0),
-        .elevation = job.elevation};
-
-    const Section time = root.section("time", true);
-    const std::string start = time.moment("start"), end = time.moment("end");
-    job.spin_up =
-        spin_up_of(time.word_or("spin_up", "first-day", {"none", "first-day", "periodic"}));
-    job.step = time.number_or("step_s", 1800.0, 0.1, 86400.0);
-    job.longest_step = time.number_or("longest_step_s", 600.0, 0.1, 86400.0);
-    if (time.has("initial_temperature_K")) {
-        job.initial_temperature = time.number("initial_temperature_K", 1.0, 3000.0);
-    }
-    job.tolerance = time.number_or("tolerance_K", job.tolerance, 1e-7, 1.0);
-    if (time.has("initial_profile")) {
-        for (const std::vector<double>& point : time.rows("initial_profile", 2)) {
-            if (point[0] < 0.0 || point[1] < 1.0 || point[1] > 3000.0 ||
-                (!job.initial_profile.empty() && point[0] <= job.initial_profile.back().depth)) {
-                time.mistake("initial_profile",
-                             "expected [depth_m, temperature_K] with ascending depths");
-                break;
-            }
-            job.initial_profile.push_back({point[0], point[1]});
-        }
-    }
-    if (!start.empty()) job.start = parse_instant(start, time.where("start"));
-    if (!end.empty()) job.end = parse_instant(end, time.where("end"));
-    if (!start.empty() && !end.empty()) {
-        if (job.end <= job.start) {
-            time.mistake("end", "does not come after start");
-        } else if (seconds_between(job.start, job.end) < job.step) {
-            time.mistake("step_s", "is longer than the whole span");
-        } else if (seconds_between(job.start, job.end) / job.step > 1e7) {
-            time.mistake("step_s", "asks for more than ten million rows");
-        }
-    }
+    read_site(root.required_section("site", "where the facet lies"), job);
+    read_facet(root.section("facet", "how it lies; horizontal under the whole sky by default"),
+               job);
+    const Section material =
+        root.required_section("material", "of the facet, with the keys of the third chapter");
+    job.surface = read_material(material, default_material_library(), folder, "column").thermal;
+    read_sky(root.section("sky", "of what was not measured"), job.clear_sky);
+    const Section weather = root.required_section("weather", "what drives the heat balance");
+    const std::string weather_file =
+        weather.text("file", "CSV; its columns stand in scenes/README.md");
+    WeatherOptions options = read_weather_options(weather, Stamp::end, 0.1);
+    options.elevation = job.elevation;
+    read_time(root.required_section("time", "the span, its start and its steps"), job);
     document.finish();
-
-    job.weather = read_weather(file.parent_path() / weather_file, options);
+    job.weather = read_weather(folder / weather_file, options);
     return job;
+}
+
+PointJob read_column_job(const std::filesystem::path& file) {
+    return read_column_job(Document::from_file(file));
 }
 
 }  // namespace diurna

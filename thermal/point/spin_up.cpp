@@ -12,7 +12,6 @@ namespace {
 /// pass to pass.
 SpunUp make_periodic(PointFacet& facet, Instant from, Instant to) {
     constexpr int most_passes = 30;
-    constexpr double tolerance = 1e-6, settled_water = 1e-3;  // [K], [mm]
     const auto n = static_cast<Eigen::Index>(facet.u.size());
     std::vector<double> steps;
     SpunUp spun;
@@ -30,7 +29,10 @@ SpunUp make_periodic(PointFacet& facet, Instant from, Instant to) {
             facet.repeat(from, steps, map);
         }
         spun.residual = facet.change_since(start);
-        if (spun.residual <= tolerance && apart(facet.standing, standing) <= settled_water) break;
+        spun.standing_residual = apart(facet.standing, standing);
+        spun.converged =
+            spun.residual <= periodic_tolerance && spun.standing_residual <= standing_tolerance;
+        if (spun.converged) break;
         // Where a front of freezing passes other nodes than it did, the map before misleads: a
         // plain pass brings it on its way.
         const bool astray = spun.residual > 0.5 * before && !plain;

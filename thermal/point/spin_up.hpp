@@ -6,10 +6,16 @@
 
 namespace diurna {
 
+/// What a spin-up has to come back to, after its span, within.
+inline constexpr double periodic_tolerance = 1e-6;  // [K]
+inline constexpr double standing_tolerance = 1e-3;  // [mm]
+
 /// How a spin-up went.
 struct SpunUp {
-    int passes = 0;         // over the span
-    double residual = 0.0;  // [K] |P(T) − T| of the last one
+    int passes = 0;                  // over the span
+    double residual = 0.0;           // [K] |P(T) − T| of the last one, worst node
+    double standing_residual = 0.0;  // [mm] of water and frost, likewise
+    bool converged = false;          // both within their tolerances
 };
 
 /// Brings a facet to the state that the span leads back to itself, by Newton on the periodic map.

@@ -55,7 +55,7 @@ struct WeatherOptions {
     double elevation = 0.0;     // [m] above the sea: pressure where the file has none
 };
 
-/// Reads a weather CSV (columns: see the README, "The point tool"). `time` and
+/// Reads a weather CSV (columns: scenes/README.md). `time` and
 /// `air_temperature_K` must be there, everything else may be absent or have empty cells; relative
 /// humidity counts as 0.5 and wind as 1 m/s then. Throws InputError with file:line:column for cells
 /// that are no number or out of range, instants that do not ascend, and unknown columns.

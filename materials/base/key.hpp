@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace diurna {
+
+/// Least and greatest value of a number, both allowed: {} any number, {.least = 0.0} zero or more.
+struct Range {
+    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    double least = -infinity, most = infinity;
+};
+
+/// What a reader said of a key when it asked a document for it (materials/base/section.hpp); of
+/// these scenes/KEYS.md and the schema are made.
+struct Key {
+    /// `tested`: asked only whether it is there.
+    enum class Kind {
+        tested,
+        number,
+        whole,
+        text,
+        name,
+        word,
+        flag,
+        moment,
+        numbers,
+        texts,
+        rows,
+        table,
+        tables
+    };
+
+    std::string table{};  // path of its table: "terrain.rule[0]"; the root is ""
+    std::string path{};   // of the key in every such table: "terrain.rule[].slope_deg"; "NAME"
+                          // stands for a key that the file's author is free to choose
+    Kind kind = Kind::tested;
+    std::string says{};                // in one line what it means
+    bool required = false;             // a mistake where it is absent
+    std::string fallback{};            // in place of an absent one; "": nothing to be told
+    Range range{};                     // of a number
+    std::size_t count = 0;             // of an array of numbers, or of each of its rows; 0: any
+    std::vector<std::string> words{};  // all that a word may be; the one thing that a name names
+    /// The words chosen so far in the same table, by their keys: ("kind", "gloss"), ...
+    std::vector<std::pair<std::string, std::string>> chosen{};
+};
+
+}  // namespace diurna

@@ -1,0 +1,394 @@
+#include "materials/base/section.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "materials/base/document_state.hpp"
+
+namespace diurna {
+
+namespace {
+
+const toml::table* as_table(const void* table) { return static_cast<const toml::table*>(table); }
+
+/// The node of a key; null where it is absent.
+const toml::node* node_of(const void* table, const std::string& key) {
+    return table == nullptr ? nullptr : as_table(table)->get(key);
+}
+
+/// A value as the file has it, shortened, for "found ...".
+std::string shown(const toml::node& node) {
+    if (node.is_table()) return "a table";
+    if (node.is_array()) return "an array";
+    std::ostringstream text;
+    node.visit([&](const auto& value) {
+        if constexpr (toml::is_value<decltype(value)>) text << value;
+    });
+    if (node.is_string()) return '"' + node.as_string()->get().substr(0, 60) + '"';
+    return text.str().substr(0, 60);
+}
+
+/// Integers count as numbers; nan and inf do not.
+bool finite_number(const toml::node& node, double& value) {
+    if (!node.is_number()) return false;
+    value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                              : node.as_floating_point()->get();
+    return std::isfinite(value);
+}
+
+std::string range_text(Range range) {
+    const bool below = std::isinf(range.least), above = std::isinf(range.most);
+    if (below && above) return "a number";
+    if (above) return fmt::format("a number of {:g} or more", range.least);
+    if (below) return fmt::format("a number of at most {:g}", range.most);
+    return fmt::format("a number from {:g} to {:g}", range.least, range.most);
+}
+
+std::string number_text(double value) {
+    return std::isnan(value) ? "" : fmt::format("{:g}", value);
+}
+
+std::string or_said(const std::string& said, std::string value) {
+    return said.empty() ? std::move(value) : said;
+}
+
+template <class Test>
+bool all_of_them(const toml::array& array, const Test& test) {
+    return std::all_of(array.begin(), array.end(), test);
+}
+
+}  // namespace
+
+Section::Section(std::shared_ptr<DocumentState> state, const void* table, std::string path,
+                 std::string pattern, bool missed)
+    : state_(std::move(state)),
+      table_(table),
+      path_(std::move(path)),
+      pattern_(std::move(pattern)),
+      missed_(missed) {
+    state_->table[path_];
+}
+
+bool Section::ask(const std::string& key, const char* says, Key::Kind kind, Key more) const {
+    DocumentState::Table& table = state_->table[path_];
+    table.asked.insert(key);
+    if (kind == Key::Kind::tested) table.tested.insert(key);
+    more.table = path_;
+    more.path = joined_path(pattern_, table.free ? "NAME" : key);
+    more.kind = kind;
+    more.says = says;
+    more.required = more.required && !table.tested.contains(key);
+    more.chosen = table.chosen;
+    state_->keys.push_back(std::move(more));
+    return node_of(table_, key) != nullptr;
+}
+
+void Section::missing(const std::string& key, const std::string& expected) const {
+    mistake(key, "missing, expected " + expected);
+}
+
+bool Section::has(const std::string& key) const { return ask(key, "", Key::Kind::tested); }
+
+std::vector<std::string> Section::free_keys() const {
+    state_->table[path_].free = true;
+    std::vector<std::pair<toml::source_position, std::string>> keys;
+    if (table_ != nullptr) {
+        for (const auto& [key, node] : *as_table(table_)) {
+            state_->table[path_].asked.insert(std::string(key.str()));
+            keys.emplace_back(key.source().begin, std::string(key.str()));
+        }
+    }
+    std::sort(keys.begin(), keys.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::string> names;
+    for (auto& [position, name] : keys) names.push_back(std::move(name));
+    return names;
+}
+
+void Section::pass_over() const {
+    if (table_ == nullptr) return;
+    for (const auto& [key, node] : *as_table(table_)) {
+        state_->table[path_].asked.insert(std::string(key.str()));
+    }
+}
+
+std::string Section::where(const std::string& key) const {
+    if (table_ == nullptr) return state_->file + ": " + joined_path(path_, key);
+    const toml::node* node = key.empty() ? nullptr : node_of(table_, key);
+    const toml::source_region& source =
+        node != nullptr ? node->source() : as_table(table_)->source();
+    return state_->place(source, joined_path(path_, key));
+}
+
+void Section::mistake(const std::string& key, const std::string& problem,
+                      const std::string& hint) const {
+    if (missed_) return;
+    const toml::table* table = table_ != nullptr ? as_table(table_) : &state_->root;
+    const toml::node* node = key.empty() ? nullptr : table->get(key);
+    state_->note(node != nullptr ? node->source() : table->source(), joined_path(path_, key),
+                 problem, hint);
+}
+
+double Section::number(const std::string& key, const char* says, Range range) const {
+    if (!ask(key, says, Key::Kind::number, {.required = true, .range = range})) {
+        missing(key, range_text(range));
+        return std::clamp(0.0, range.least, range.most);
+    }
+    return checked_number(key, range.least, range);
+}
+
+double Section::number_or(const std::string& key, const char* says, Or<double> fallback,
+                          Range range) const {
+    const std::string told = or_said(fallback.said, number_text(fallback.value));
+    if (!ask(key, says, Key::Kind::number, {.fallback = told, .range = range})) {
+        return fallback.value;
+    }
+    return checked_number(key, fallback.value, range);
+}
+
+double Section::checked_number(const std::string& key, double fallback, Range range) const {
+    const toml::node& node = *node_of(table_, key);
+    double value = fallback;
+    if (!finite_number(node, value) || value < range.least || value > range.most) {
+        mistake(key, fmt::format("found {}, expected {}", shown(node), range_text(range)));
+        return fallback;
+    }
+    return value;
+}
+
+int Section::integer_or(const std::string& key, const char* says, Or<int> fallback,
+                        Range range) const {
+    const std::string told = or_said(fallback.said, std::to_string(fallback.value));
+    if (!ask(key, says, Key::Kind::whole, {.fallback = told, .range = range})) {
+        return fallback.value;
+    }
+    const double value = checked_number(key, fallback.value, range);
+    if (value != std::floor(value)) {
+        mistake(key, fmt::format("found {:g}, expected a whole number", value));
+        return fallback.value;
+    }
+    return static_cast<int>(value);
+}
+
+std::string Section::checked_text(const std::string& key, const std::string& fallback) const {
+    const toml::node* node = node_of(table_, key);
+    if (node == nullptr) return fallback;
+    if (node->is_string()) return node->as_string()->get();
+    mistake(key, fmt::format("found {}, expected a text in quotes", shown(*node)));
+    return fallback;
+}
+
+std::string Section::text(const std::string& key, const char* says) const {
+    if (!ask(key, says, Key::Kind::text, {.required = true})) missing(key, "a text in quotes");
+    return checked_text(key, "");
+}
+
+std::string Section::text_or(const std::string& key, const char* says,
+                             Or<std::string> fallback) const {
+    ask(key, says, Key::Kind::text, {.fallback = or_said(fallback.said, fallback.value)});
+    return checked_text(key, fallback.value);
+}
+
+std::string Section::checked_name(const std::string& key, const std::string& fallback,
+                                  const Names& names) const {
+    const toml::node* node = node_of(table_, key);
+    const std::string name = checked_text(key, fallback);
+    if (node == nullptr || !node->is_string()) return name;
+    if (std::find(names.known.begin(), names.known.end(), name) == names.known.end()) {
+        mistake(key, fmt::format("no {} \"{}\"{}", names.what, name, names.where),
+                did_you_mean(name, names.known));
+    }
+    return name;
+}
+
+std::string Section::name(const std::string& key, const char* says, const Names& names) const {
+    if (!ask(key, says, Key::Kind::name, {.required = true, .words = {names.what}})) {
+        missing(key, fmt::format("a {}'s name", names.what));
+    }
+    return checked_name(key, "", names);
+}
+
+std::string Section::name_or(const std::string& key, const char* says, Or<std::string> fallback,
+                             const Names& names) const {
+    ask(key, says, Key::Kind::name,
+        {.fallback = or_said(fallback.said, fallback.value), .words = {names.what}});
+    return checked_name(key, fallback.value, names);
+}
+
+std::string Section::word_or(const std::string& key, const char* says, Or<std::string> fallback,
+                             const std::vector<std::string>& words) const {
+    ask(key, says, Key::Kind::word,
+        {.fallback = or_said(fallback.said, fallback.value), .words = words});
+    std::string word = checked_text(key, fallback.value);
+    if (word != fallback.value && std::find(words.begin(), words.end(), word) == words.end()) {
+        mistake(key, fmt::format("found \"{}\", expected one of: {}", word, fmt::join(words, ", ")),
+                did_you_mean(word, words));
+        word = fallback.value;
+    }
+    DocumentState::Table& table = state_->table[path_];
+    table.chosen.emplace_back(key, word);
+    state_->keys.back().chosen = table.chosen;
+    return word;
+}
+
+std::string Section::kind_or(const char* says, const char* fallback,
+                             const std::vector<std::string>& words) const {
+    const std::string kind = word_or("kind", says, fallback, words);
+    const toml::node* node = node_of(table_, "kind");
+    if (node != nullptr && (!node->is_string() || node->as_string()->get() != kind)) pass_over();
+    return kind;
+}
+
+bool Section::flag_or(const std::string& key, const char* says, bool fallback) const {
+    if (!ask(key, says, Key::Kind::flag, {.fallback = fallback ? "true" : "false"})) {
+        return fallback;
+    }
+    const toml::node& node = *node_of(table_, key);
+    if (node.is_boolean()) return node.as_boolean()->get();
+    mistake(key, fmt::format("found {}, expected true or false", shown(node)));
+    return fallback;
+}
+
+std::string Section::moment(const std::string& key, const char* says) const {
+    const std::string example = "2026-07-15T00:00:00-04:00", harmless = "1970-01-01T00:00:00Z";
+    if (!ask(key, says, Key::Kind::moment, {.required = true})) {
+        missing(key, "a moment such as " + example);
+        return harmless;
+    }
+    const toml::node& node = *node_of(table_, key);
+    if (node.is_string()) return node.as_string()->get();
+    if (!node.is_date_time() || !node.as_date_time()->get().offset) {
+        mistake(key, fmt::format("found {}, expected a moment with its offset from UTC, such as {}",
+                                 shown(node), example));
+        return harmless;
+    }
+    return shown(node);
+}
+
+std::vector<double> Section::checked_numbers(const std::string& key, std::vector<double> fallback,
+                                             std::size_t count) const {
+    const toml::node* node = node_of(table_, key);
+    if (node == nullptr) return fallback;
+    const toml::array* array = node->as_array();
+    if (array == nullptr || (count != 0 && array->size() != count)) {
+        mistake(key, fmt::format("found {}, expected an array of {} numbers", shown(*node),
+                                 count != 0 ? std::to_string(count) : "any number of"));
+        return fallback;
+    }
+    std::vector<double> values(array->size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!finite_number((*array)[i], values[i])) {
+            state_->note((*array)[i].source(), fmt::format("{}[{}]", joined_path(path_, key), i),
+                         fmt::format("found {}, expected a number", shown((*array)[i])));
+            return fallback;
+        }
+    }
+    return values;
+}
+
+std::vector<double> Section::numbers(const std::string& key, const char* says,
+                                     std::size_t count) const {
+    if (!ask(key, says, Key::Kind::numbers, {.required = true, .count = count})) {
+        missing(key, "an array of numbers");
+    }
+    return checked_numbers(key, std::vector<double>(count, 0.0), count);
+}
+
+std::vector<double> Section::numbers_or(const std::string& key, const char* says,
+                                        Or<std::vector<double>> fallback, std::size_t count) const {
+    const std::string value =
+        fallback.value.empty() ? "" : fmt::format("[{:g}]", fmt::join(fallback.value, ", "));
+    ask(key, says, Key::Kind::numbers, {.fallback = or_said(fallback.said, value), .count = count});
+    return checked_numbers(key, std::move(fallback.value), count);
+}
+
+std::vector<std::string> Section::texts_or(const std::string& key, const char* says,
+                                           Or<std::vector<std::string>> fallback) const {
+    const std::string value =
+        fallback.value.empty() ? "" : fmt::format("[\"{}\"]", fmt::join(fallback.value, "\", \""));
+    if (!ask(key, says, Key::Kind::texts, {.fallback = or_said(fallback.said, value)})) {
+        return fallback.value;
+    }
+    const toml::node& node = *node_of(table_, key);
+    const toml::array* array = node.as_array();
+    if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_string(); })) {
+        mistake(key, fmt::format("found {}, expected an array of texts", shown(node)));
+        return fallback.value;
+    }
+    std::vector<std::string> values;
+    for (const toml::node& element : *array) values.push_back(element.as_string()->get());
+    return values;
+}
+
+std::vector<std::vector<double>> Section::rows(const std::string& key, const char* says,
+                                               std::size_t width, std::size_t least_count) const {
+    ask(key, says, Key::Kind::rows, {.required = true, .count = width});
+    const toml::node* node = node_of(table_, key);
+    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+    const std::string expected =
+        fmt::format("expected an array of at least {} arrays of {} numbers", least_count, width);
+    if (array == nullptr || array->size() < least_count) {
+        mistake(key, (node == nullptr ? "missing" : "found " + shown(*node)) + ", " + expected);
+        return {};
+    }
+    std::vector<std::vector<double>> found;
+    for (const toml::node& element : *array) {
+        const toml::array* row = element.as_array();
+        std::vector<double> values(width);
+        bool fits = row != nullptr && row->size() == width;
+        for (std::size_t i = 0; fits && i < width; ++i) fits = finite_number((*row)[i], values[i]);
+        if (!fits) {
+            state_->note(element.source(),
+                         fmt::format("{}[{}]", joined_path(path_, key), found.size()),
+                         fmt::format("expected an array of {} numbers", width));
+            return {};
+        }
+        found.push_back(std::move(values));
+    }
+    return found;
+}
+
+Section Section::inner(const std::string& key, const char* says, bool required) const {
+    ask(key, says, Key::Kind::table, {.required = required});
+    const toml::node* node = node_of(table_, key);
+    const toml::table* table = node != nullptr ? node->as_table() : nullptr;
+    const std::string path = joined_path(path_, key);
+    if (node != nullptr && table == nullptr) {
+        mistake(key, fmt::format("found {}, expected a table [{}]", shown(*node), path));
+    } else if (node == nullptr && required) {
+        missing(key, fmt::format("a table [{}]", path));
+    }
+    return {state_, table, path, state_->keys.back().path,
+            missed_ || (required && table == nullptr)};
+}
+
+Section Section::section(const std::string& key, const char* says) const {
+    return inner(key, says, false);
+}
+
+Section Section::required_section(const std::string& key, const char* says) const {
+    return inner(key, says, true);
+}
+
+std::vector<Section> Section::sections(const std::string& key, const char* says) const {
+    if (!ask(key, says, Key::Kind::tables)) return {};
+    const std::string pattern = state_->keys.back().path + "[]";
+    const toml::node& node = *node_of(table_, key);
+    const toml::array* array = node.as_array();
+    if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_table(); })) {
+        mistake(key, fmt::format("found {}, expected tables [[{}]]", shown(node),
+                                 joined_path(path_, key)));
+        return {};
+    }
+    std::vector<Section> found;
+    for (const toml::node& element : *array) {
+        const std::string path = fmt::format("{}[{}]", joined_path(path_, key), found.size());
+        found.push_back(Section(state_, element.as_table(), path, pattern));
+    }
+    return found;
+}
+
+}  // namespace diurna

@@ -1,0 +1,153 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "materials/base/key.hpp"
+
+namespace diurna {
+
+struct DocumentState;
+
+/// A value in place of an absent key. `said` tells of it in scenes/KEYS.md where the value alone
+/// would not: {radius, "radius_m"}.
+template <class T>
+struct Or {
+    T value{};
+    std::string said;
+
+    Or() = default;
+    template <class U>
+    requires std::convertible_to<U, T> Or(U&& v, std::string text = "")
+        : value(std::forward<U>(v)), said(std::move(text)) {}
+};
+
+/// A word and what it stands for.
+template <class T>
+struct Choice {
+    const char* word;
+    T value;
+};
+
+/// Names that a key may give: a material's, a texture's. `where` ends the message of an unknown
+/// one: no texture "grvel" in [[texture]].
+struct Names {
+    std::string what;
+    std::vector<std::string> known;
+    std::string where = "";
+};
+
+/// A table of a document, read key by key. Cheap to copy; lives as long as any copy of it or the
+/// document.
+///
+/// Every call names the key and says in one line what it means, so that scenes/KEYS.md and the
+/// schema come from the readers themselves (`diurna keys`); units are those of the key's suffix.
+///
+///     section.number("width_m", "of the front, wall to wall", {0.5, 1000.0})
+///     section.number_or("heading_deg", "the way its front faces, from north", 180.0, {-360, 360})
+///     section.choice_or("voids", "posts without elevation", VoidPolicy::refuse,
+///                       {{"refuse", VoidPolicy::refuse}, {"fill", VoidPolicy::fill}})
+///
+/// What has no `or` is a mistake where it is absent, unless has() was asked before.
+class Section {
+ public:
+    bool has(const std::string& key) const;
+    /// Keys present in the table, in the order of the file. Asking counts them all as known: for
+    /// tables whose keys are free, such as the names of materials.
+    std::vector<std::string> free_keys() const;
+    /// Counts all keys as known, for want of a word that would tell which are.
+    void pass_over() const;
+
+    double number(const std::string& key, const char* says, Range range = {}) const;
+    double number_or(const std::string& key, const char* says, Or<double> fallback,
+                     Range range = {}) const;
+    int integer_or(const std::string& key, const char* says, Or<int> fallback, Range range) const;
+    std::string text(const std::string& key, const char* says) const;
+    std::string text_or(const std::string& key, const char* says, Or<std::string> fallback) const;
+    /// One of the names that are known; anything else is a mistake with the nearest name.
+    std::string name(const std::string& key, const char* says, const Names& names) const;
+    std::string name_or(const std::string& key, const char* says, Or<std::string> fallback,
+                        const Names& names) const;
+    /// One of the given words; anything else is a mistake with the nearest word.
+    std::string word_or(const std::string& key, const char* says, Or<std::string> fallback,
+                        const std::vector<std::string>& words) const;
+    /// What one of the given words stands for.
+    template <class T>
+    T choice_or(const std::string& key, const char* says, const T& fallback,
+                const std::type_identity_t<std::vector<Choice<T>>>& choices) const;
+    /// The word under `kind`, which tells what else the table holds: beside an unknown one all keys
+    /// are passed over.
+    std::string kind_or(const char* says, const char* fallback,
+                        const std::vector<std::string>& words) const;
+    bool flag_or(const std::string& key, const char* says, bool fallback) const;
+    /// A moment with an offset (TOML date-time or quoted ISO 8601), as ISO 8601 text.
+    std::string moment(const std::string& key, const char* says) const;
+    /// An array of numbers; `count` 0 means any length.
+    std::vector<double> numbers(const std::string& key, const char* says,
+                                std::size_t count = 0) const;
+    std::vector<double> numbers_or(const std::string& key, const char* says,
+                                   Or<std::vector<double>> fallback, std::size_t count = 0) const;
+    std::vector<std::string> texts_or(const std::string& key, const char* says,
+                                      Or<std::vector<std::string>> fallback) const;
+    /// An array of arrays of `width` numbers, such as the corners of a polygon.
+    std::vector<std::vector<double>> rows(const std::string& key, const char* says,
+                                          std::size_t width, std::size_t least_count = 1) const;
+    /// A table; an empty one where it is absent.
+    Section section(const std::string& key, const char* says) const;
+    /// The same, its absence a mistake: that of the keys in it is none then.
+    Section required_section(const std::string& key, const char* says) const;
+    /// An array of tables ([[key]] or key = [{...}, {...}]); empty where absent.
+    std::vector<Section> sections(const std::string& key, const char* says) const;
+
+    /// "file:line:column: path.to.key" of a key, or of the table itself for "".
+    std::string where(const std::string& key = "") const;
+    /// Notes a mistake the caller found.
+    void mistake(const std::string& key, const std::string& problem,
+                 const std::string& hint = "") const;
+
+ private:
+    friend class Document;
+    Section(std::shared_ptr<DocumentState> state, const void* table, std::string path,
+            std::string pattern, bool missed = false);
+    /// Tells the document what is asked for, and whether it has it.
+    bool ask(const std::string& key, const char* says, Key::Kind kind, Key more = {}) const;
+    void missing(const std::string& key, const std::string& expected) const;
+    /// The value of a key if it fits, else what stands in for it.
+    double checked_number(const std::string& key, double fallback, Range range) const;
+    std::string checked_text(const std::string& key, const std::string& fallback) const;
+    std::string checked_name(const std::string& key, const std::string& fallback,
+                             const Names& names) const;
+    std::vector<double> checked_numbers(const std::string& key, std::vector<double> fallback,
+                                        std::size_t count) const;
+    Section inner(const std::string& key, const char* says, bool required) const;
+
+    std::shared_ptr<DocumentState> state_;
+    const void* table_;    // toml::table, or null where the table is absent
+    std::string path_;     // "terrain.rule[0]"
+    std::string pattern_;  // "terrain.rule[]"
+    bool missed_;          // absent and noted as such: what it lacks is no further mistake
+};
+
+template <class T>
+T Section::choice_or(const std::string& key, const char* says, const T& fallback,
+                     const std::type_identity_t<std::vector<Choice<T>>>& choices) const {
+    std::vector<std::string> words;
+    std::string fallback_word;
+    for (const Choice<T>& choice : choices) {
+        words.emplace_back(choice.word);
+        if (fallback_word.empty() && choice.value == fallback) fallback_word = choice.word;
+    }
+    const std::string word = word_or(key, says, fallback_word, words);
+    for (const Choice<T>& choice : choices) {
+        if (word == choice.word) return choice.value;
+    }
+    return fallback;
+}
+
+}  // namespace diurna

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "materials/radiation/spectrum.hpp"
+
+namespace diurna {
+
+/// Broadband means of a spectrum: by the solar spectrum at the ground, and by Planck's law at
+/// `temperature` [K].
+double solar_mean(const Spectrum& s);
+double planck_mean(const Spectrum& s, double temperature = 300.0);
+
+}  // namespace diurna

@@ -1,0 +1,28 @@
+#include "materials/matter/read_library.hpp"
+
+#include "materials/base/files.hpp"
+#include "materials/matter/read_material.hpp"
+
+namespace diurna {
+
+MaterialLibrary read_material_library(const Document& document) {
+    const std::filesystem::path folder = std::filesystem::path(document.file()).parent_path();
+    const Section root = document.root();
+    MaterialLibrary library;
+    for (const std::string& name : root.free_keys()) {
+        const Section section = root.section(name, "a material by this name");
+        library.add(read_material(section, library, folder, name));
+    }
+    document.finish();
+    return library;
+}
+
+MaterialLibrary load_material_library(const std::filesystem::path& file) {
+    return read_material_library(Document::from_file(file));
+}
+
+MaterialLibrary default_material_library() {
+    return load_material_library(data_folder() / "library.toml");
+}
+
+}  // namespace diurna

@@ -1,0 +1,148 @@
+#include "scenes/keys/specimens.hpp"
+
+namespace diurna {
+
+const std::vector<std::string> scene_specimens{R"(
+[site]
+latitude_deg = 36.32
+longitude_deg = -84.2
+[terrain]
+radius_m = 4000.0
+[terrain.land_cover.material]
+41 = "forest"
+[[terrain.rule]]
+[[ground]]
+name = "runway"
+rectangle_m = [0.0, 0.0, 1500.0, 45.0, 45.0]
+[[ground]]
+name = "pond"
+ring_m = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
+[[building]]
+[[object]]
+[object.parts]
+wheels = "asphalt"
+[[shapes]]  # ground
+field = "kind"
+[shapes.kinds]
+road = "asphalt"
+[[shapes]]  # buildings
+wall = "brick"
+[[texture]]
+name = "a random field"
+[[texture]]
+name = "of two materials"
+what = "mixture"
+[[texture]]
+name = "a picture"
+what = "emissivity"
+file = "pattern.png"
+metres_per_texel = 0.5
+[[texture]]
+name = "another picture"
+file = "pattern.png"
+metres_per_texel = 0.5
+[material.paint]
+like = "painted_steel"
+[[plume]]
+absorption_per_m = 0.2
+[[plume]]
+absorption = "smoke.csv"
+[[bands]]
+response = "camera.csv"
+[[bands]]
+range_um = [3.7, 4.9]
+[[cubes]]
+[atmosphere]
+table = "air.tp7"
+[[observer]]  # stands, looks at a place
+look_at_m = [0.0, 0.0]
+[[observer]]  # flies, behind a lens
+focal_length_mm = 50.0
+velocity_m_s = [40.0, 0.0, 0.0]
+adaptive = {}
+[[observer]]
+projection = "equidistant"
+[[observer]]
+projection = "equisolid"
+[[observer]]
+projection = "panorama"
+[[observer]]
+projection = "orthographic"
+)"};
+
+const std::vector<std::string> column_specimens{R"(
+[time]
+start = 2026-07-15T00:00:00Z
+end = 2026-07-16T00:00:00Z
+initial_profile = [[0.0, 290.0]]
+[sky]
+sun = "bird"
+precipitable_water_cm = 1.5
+[material]
+name = "asphalt"
+)",
+                                                R"(
+[sky]
+sun = "ineichen"
+precipitable_water_cm = 1.5
+[material]
+name = "asphalt"
+)"};
+
+const std::vector<std::string> material_specimens{R"(
+[flat]  # means alone, every layer
+heat_roughness_length_m = 0.001
+bottom = { kind = "flux" }
+convection = { kind = "louis" }
+evaporation = { kind = "none" }
+canopy = { kind = "none" }
+back = { kind = "none" }
+finish = { kind = "lambert" }
+[[flat.layers]]
+conductivity_W_mK = 1.0
+freezing_water_kg_m3 = 100.0
+[[flat.layers]]
+melts = true
+[[flat.layers]]
+cubic_K3 = 1e-8
+[[flat.layers]]
+soil = "loam"
+[[flat.layers]]
+regolith = true
+
+[pane]
+reflectance = "glass.csv"
+transmittance = "glass_transmittance.csv"
+albedo = 0.1
+emissivity = 0.9
+finish = { kind = "gloss" }
+bottom = { kind = "interior", schedule = [[6.0, 290.0]] }
+convection = { kind = "mowitt" }
+evaporation = { kind = "resistance" }
+store = {}
+snow_albedo = {}
+canopy = { kind = "big_leaf" }
+back = { kind = "exposed" }
+internal_schedule = [[6.0, 100.0]]
+layers = []
+
+[coat]
+like = "flat"
+roughness_length_m = 0.01
+finish = { kind = "gloss", index_file = "paint.csv" }
+bottom = { kind = "temperature" }
+convection = { kind = "constant" }
+canopy = { kind = "two_source" }
+
+[net]
+like = "flat"
+cover = 0.7
+finish = { kind = "metal" }
+convection = { kind = "tarp" }
+
+[table]
+like = "flat"
+finish = { kind = "by_angle" }
+)"};
+
+}  // namespace diurna

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <set>
+#include <string>
+
+#include "materials/base/document.hpp"
+
+/// Holds every document that a test of this program reads against scenes/KEYS.md: a key that a
+/// reader asks for and the page does not have fails the test. To be included by whatever reads
+/// scenes, columns or materials.
+class KeysOfPage {
+ public:
+    KeysOfPage() {
+        read_page();
+        diurna::Document::watch([this](std::span<const diurna::Key> keys) {
+            for (const diurna::Key& key : keys) {
+                std::string path = key.path;
+                for (auto at = path.find("[]"); at != path.npos; at = path.find("[]")) {
+                    path.erase(at, 2);
+                }
+                if (known_.contains(path)) continue;
+                INFO("a reader asks for "
+                     << path
+                     << ", which scenes/KEYS.md does not have; let a "
+                        "specimen reach it (scenes/keys/specimens.cpp) and print "
+                        "the page anew: diurna keys > scenes/KEYS.md");
+                CHECK(known_.contains(path));
+            }
+        });
+    }
+    ~KeysOfPage() { diurna::Document::watch({}); }
+    KeysOfPage(const KeysOfPage&) = delete;
+    KeysOfPage& operator=(const KeysOfPage&) = delete;
+
+ private:
+    void read_page() {
+        std::ifstream page(DIURNA_SOURCE_DIR "/scenes/KEYS.md");
+        std::string line, table;
+        bool material = false;
+        const auto add = [&](const std::string& path) {
+            if (!material) {
+                known_.insert(path);
+            } else {  // the same keys in scenes, columns and libraries
+                for (const char* within : {"material.NAME.", "material.", "NAME."}) {
+                    known_.insert(within + path);
+                }
+            }
+        };
+        while (std::getline(page, line)) {
+            if (line.rfind("## ", 0) == 0) {
+                material = line == "## Materials";
+                table.clear();
+            } else if (line.rfind("### `", 0) == 0) {
+                const auto begin = line.find_first_not_of("[", 5);
+                table = line.substr(begin, line.find(']') - begin);
+                if (material) table = table.substr(std::string("NAME.").size());
+                add(table);
+            } else if (line.rfind("| `", 0) == 0) {
+                const std::string key = line.substr(3, line.find('`', 3) - 3);
+                add(table.empty() ? key : table + "." + key);
+            }
+        }
+        known_.insert("NAME");  // a library's table
+    }
+
+    std::set<std::string> known_;
+};
+
+inline const KeysOfPage keys_of_page;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "materials/base/document.hpp"
+#include "thermal/point/point_job.hpp"
+
+namespace diurna {
+
+/// Reads a column file (TOML; scenes/KEYS.md lists its keys) and its weather. Throws InputError
+/// with every mistake: file:line:column, what was expected, the nearest key.
+PointJob read_column_job(const std::filesystem::path& file);
+/// The same of a document, which is finished.
+PointJob read_column_job(const Document& document);
+
+}  // namespace diurna

@@ -18,9 +18,9 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "thermal/solve/shadow_edges.hpp"
 #include "thermal/solve/solver.hpp"
 

@@ -8,6 +8,7 @@
 #include "terrain/relief/relief_sky.hpp"
 #include "terrain/relief/relief_sun.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 
 #include <fmt/format.h>
 

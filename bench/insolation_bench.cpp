@@ -15,6 +15,7 @@
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/relief/relief_sun.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 
 using namespace diurna;
 

@@ -5,6 +5,7 @@
 // facet at every step's instant against steps twelve times as short, modes four times as fine and a
 // period closed to 1e-6 K.
 
+#include "scenes/world/stepping.hpp"
 #include "thermal/solve/solver.hpp"
 
 #include <fmt/format.h>

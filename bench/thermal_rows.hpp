@@ -17,6 +17,7 @@
 #include "tests/support/measured_days.hpp"
 #include "tests/support/thermal_cases.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 /// Rows of the validation table about the column and its surface: cases of
 /// reference/thermal/analytic_cases.md and measured days. What needs data that are not part of the

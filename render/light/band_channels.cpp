@@ -1,6 +1,7 @@
 #include "render/light/band_channels.hpp"
 
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/bins.hpp"
 
 namespace diurna {
 

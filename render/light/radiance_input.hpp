@@ -9,7 +9,7 @@
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 
 namespace diurna {
 

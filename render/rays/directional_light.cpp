@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "materials/matter/directional_optics.hpp"
 #include "render/rays/sun_glint.hpp"
 
 namespace diurna {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "materials/matter/directional_optics.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/light/node_optics.hpp"
 #include "render/path/background.hpp"

@@ -9,7 +9,6 @@
 #include "render/view/observer.hpp"
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/view_factors.hpp"
 

@@ -8,6 +8,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/view/tile_caster.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 

@@ -10,9 +10,11 @@
 #include <string>
 
 #include "materials/base/files.hpp"
+#include "thermal/point/point_csv.hpp"
 #include "thermal/point/point_job.hpp"
-#include "thermal/point/spin_up.hpp"
 #include "thermal/point/point_job_file.hpp"
+#include "thermal/point/run_column.hpp"
+#include "thermal/point/spin_up.hpp"
 
 namespace diurna {
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <stdexcept>
+#include "materials/atmosphere/path_file.hpp"
 
 namespace diurna {
 
@@ -65,7 +66,7 @@ void check_table_bands(const Section& section, const AirInput& air,
                        std::span<const SeenRange> ranges) {
     if (!air.table) return;
     constexpr double least_um = 3.0;
-    const TableSpan span = table_span(*air.table);
+    const TableSpan span = air.table->span;
     for (const auto& [name, from_um, to_um] : ranges) {
         if (from_um < least_um) {
             section.mistake("table", fmt::format("band {} begins at {:g} um: a table has no "

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -13,8 +13,8 @@ namespace diurna {
 /// The air between surface and eye: an AFGL profile made to meet the weather at the ground, or
 /// none, or a table of paths from a file, the same at every instant.
 struct AirInput {
-    std::filesystem::path table_file;  // "": no table
-    std::optional<Tabulated> table;
+    std::filesystem::path table_file;             // "": no table
+    std::shared_ptr<const TabulatedPaths> table;  // null: none
     bool vacuum = false;
     std::string profile = "MLS";
     std::string aerosol = "rural";

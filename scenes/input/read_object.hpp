@@ -7,6 +7,7 @@
 
 #include "scenes/input/checked_names.hpp"
 #include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/placed_mesh.hpp"
 
 /// Vehicles, sheds, panels: meshes of files that a scene puts on its ground.
 namespace diurna {

@@ -12,6 +12,7 @@
 #include "scenes/input/read_object.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/raster/dem.hpp"
+#include "terrain/raster/dem_options.hpp"
 
 namespace diurna {
 

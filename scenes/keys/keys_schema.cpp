@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/files.hpp"
 
 namespace diurna {

@@ -8,6 +8,7 @@
 #include "scenes/world/plumes.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
+#include "terrain/raster/read_dem.hpp"
 
 namespace diurna {
 

@@ -14,7 +14,9 @@
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
+#include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
+#include "render/view/cast_view.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
@@ -81,8 +83,9 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
                                                    appearances(prepared, views, field, s.bands),
                                                    *s.input.adaptive, sampling)
                               : cast_view(prepared.rays, surfaces, s.observer, sampling);
-    s.hops = follow_rays(s.view, prepared.rays, surfaces, scene.materials,
-                         PlumeScene(prepared.plumes), s.observer, sampling);
+    const PlumeScene plumes(prepared.plumes);
+    s.hops = follow_rays(s.view, {prepared.rays, surfaces, scene.materials, plumes}, s.observer,
+                         sampling);
     const RadianceInput still{.facets = surfaces,
                               .views = views,
                               .materials = scene.materials,

@@ -7,8 +7,10 @@
 
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
+#include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 #include "thermal/solve/shadow_edges.hpp"
 
 namespace diurna {
@@ -29,7 +31,7 @@ FacetViews scene_sky_view(const Prepared& prepared) {
                                                       .seed = prepared.scene.seed});
     make_reciprocal(prepared.world.facets, view);
     const TextureLevels& texture_levels = prepared.world.texture_levels;
-    return texture_levels.empty() ? view : for_copies(texture_levels, view);
+    return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
 }
 
 SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
@@ -55,7 +57,7 @@ SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
                {.tolerance = 20.0});
     const TextureLevels& texture_levels = prepared.world.texture_levels;
     if (texture_levels.empty()) return exposure;
-    exposure.fraction = for_copies(texture_levels, exposure.fraction);
+    exposure.fraction = for_all_levels(texture_levels, exposure.fraction);
     std::vector<ShadowEdge> edges;
     for (const ShadowEdge& edge : exposure.edge) {
         edges.push_back(edge);

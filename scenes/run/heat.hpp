@@ -4,7 +4,7 @@
 
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "thermal/solve/solver.hpp"
 
 namespace diurna {

@@ -1,6 +1,8 @@
 #include "scenes/run/sun_on_surfaces.hpp"
 
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/texture/level_values.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factors.hpp"
 
 namespace diurna {
 
@@ -11,7 +13,7 @@ std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& 
     sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
                  {.samples = samples, .seed = prepared.scene.seed});
     if (world.texture_levels.empty()) return fraction;
-    return for_copies(world.texture_levels, fraction);
+    return for_all_levels(world.texture_levels, fraction);
 }
 
 }  // namespace diurna

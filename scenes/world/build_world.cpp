@@ -8,6 +8,8 @@
 #include "scenes/world/ground.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/structures.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/geoid.hpp"
 
 namespace diurna {
 

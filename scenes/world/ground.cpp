@@ -13,9 +13,13 @@
 #include "materials/base/units.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/objects.hpp"
+#include "terrain/ground/full_grid.hpp"
 #include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/level_of_detail.hpp"
 #include "terrain/ground/rings.hpp"
-#include "terrain/raster/land_cover.hpp"
+#include "terrain/ground/tin_check.hpp"
+#include "terrain/raster/class_raster.hpp"
+#include "terrain/raster/dem_places.hpp"
 
 namespace diurna {
 

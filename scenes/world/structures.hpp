@@ -5,6 +5,7 @@
 #include "scenes/input/scene.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/world.hpp"
+#include "terrain/objects/box.hpp"
 #include "terrain/objects/object_mesh.hpp"
 
 /// What stands on the ground of a scene: each an object of its own among the world's facets.

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/bins.hpp"
 #include "materials/radiation/planck.hpp"
 
 using namespace diurna;

@@ -4,8 +4,8 @@
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
 #include "render/view/cast_view.hpp"
-#include "terrain/visibility/facet_views.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "tests/support/render_scene.hpp"
 
 using namespace diurna;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/bins.hpp"
 
 using namespace diurna;
 

@@ -186,7 +186,7 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
 }
 
 // A surface that can lose no heat has no periodic day.
-const std::string heat_trap = R"(albedo = 0.5
+const std::string heat_trap = R"(albedo = 0.98
 emissivity = 0.0
 roughness_length_m = 0.01
 convection = { kind = "constant", value_W_m2K = 0.0 }

@@ -13,7 +13,6 @@
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geotiff.hpp"
-#include "terrain/raster/raster_file.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"

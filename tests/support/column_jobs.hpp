@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 /// Jobs of the point tool for cases with a closed form.
 namespace column_jobs {

@@ -17,6 +17,7 @@
 #include "terrain/relief/relief_sun.hpp"
 #include "terrain/relief/sun_disc.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
 #include "tests/support/even_field.hpp"
 
 // Closed forms as in view_factor_sampling_test.cpp: every part of a bowl sees the same share of

@@ -12,6 +12,8 @@
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/relief/relief_sun.hpp"
+#include "terrain/visibility/sun_fraction.hpp"
+#include "terrain/visibility/view_factor_sampling.hpp"
 
 // The march over the grid against rays through the mesh, on the sample scene's relief.
 

@@ -7,6 +7,7 @@
 #include "tests/support/shared_data.hpp"
 #include "tests/support/thermal_cases.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 using namespace diurna;
 

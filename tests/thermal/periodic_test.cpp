@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 #include "thermal/solve/solver.hpp"
 
 using namespace diurna;

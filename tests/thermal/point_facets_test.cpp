@@ -10,6 +10,7 @@
 #include "terrain/visibility/view_factor_sampling.hpp"
 #include "tests/support/hills.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 using namespace diurna;
 

@@ -1,5 +1,6 @@
 #include "thermal/point/point_job.hpp"
 #include "thermal/point/point_csv.hpp"
+#include "thermal/point/run_column.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -43,13 +43,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
 };
 
 // Units that still include each other, directly or around. To become empty.
-const std::set<std::string> circles_to_be_mended = {"thermal/kernels/surface_kernel",
-                                                    "thermal/surface/heat_balance",
-                                                    "thermal/solve/linearised_span",
-                                                    "thermal/solve/longwave_exchange",
-                                                    "thermal/solve/pass",
-                                                    "thermal/solve/point_facets",
-                                                    "thermal/solve/solver"};
+const std::set<std::string> circles_to_be_mended = {};
 
 // Physics that takes numbers and spans, and is tested without a mesh.
 const std::set<std::string> without_terrain = {"thermal/column", "thermal/kernels",
@@ -59,15 +53,17 @@ const std::set<std::string> without_terrain = {"thermal/column", "thermal/kernel
 const std::map<std::string, std::set<std::string>> homes = {
     {"assimp/", {"terrain/objects/mesh_file.cpp"}},
     {"CGAL/", {"terrain/ground/triangulate.cpp", "terrain/ground/ground_mesh.cpp"}},
-    {"OpenMesh/", {"terrain/objects/object_mesh.cpp"}},
-    {"embree", {"terrain/visibility/ray_scene.cpp"}},
+    {"OpenMesh/", {"terrain/objects/mesh_check.cpp"}},
+    {"embree", {"terrain/visibility/embree_scene.hpp"}},
     {"gdal",
-     {"terrain/raster/dem_file.cpp", "terrain/raster/quiet_gdal.hpp",
-      "terrain/raster/land_cover.cpp", "terrain/raster/raster_file.cpp",
+     {"terrain/raster/class_raster.cpp", "terrain/raster/dem_file.cpp",
+      "terrain/raster/gdal_file.hpp", "terrain/raster/geotiff.cpp",
+      "terrain/raster/land_shapes.cpp", "terrain/raster/quiet_gdal.hpp",
       "terrain/texture/texture_file.cpp"}},
     {"ogr",
-     {"terrain/raster/dem_file.cpp", "terrain/raster/dem_crs.cpp", "terrain/raster/land_cover.cpp",
-      "terrain/texture/texture_file.cpp"}},
+     {"terrain/raster/class_raster.cpp", "terrain/raster/crs.hpp", "terrain/raster/dem_file.cpp",
+      "terrain/raster/dem_notes.cpp", "terrain/raster/geoid.cpp",
+      "terrain/raster/land_shapes.cpp"}},
     {"GeographicLib/", {"terrain/place/site.cpp"}},
     {"erfa", {"terrain/place/sun.cpp"}},
     {"OpenEXR/", {"render/picture/exr.cpp"}},

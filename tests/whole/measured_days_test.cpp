@@ -9,6 +9,7 @@
 #include "tests/support/measured_days.hpp"
 #include "tests/support/shared_data.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 using namespace diurna;
 

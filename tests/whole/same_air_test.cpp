@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/atmosphere/ground_fluxes.hpp"
 #include "materials/atmosphere/sun_field.hpp"
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"

@@ -8,6 +8,7 @@
 
 #include "materials/base/units.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 using namespace diurna;
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 namespace diurna {
 

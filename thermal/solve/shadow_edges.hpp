@@ -8,7 +8,7 @@
 namespace diurna {
 
 /// Fills `fraction` (facet) with the share in the sun at an instant for the chosen facets (1), and
-/// leaves the others as they are: `sun_fraction` of terrain/visibility/facet_views.hpp, or what
+/// leaves the others as they are: `sun_fraction` of terrain/visibility/view_factors.hpp, or what
 /// stands for it.
 using SunFractionAt =
     std::function<void(Instant, std::span<const std::uint8_t> chosen, std::span<float> fraction)>;

@@ -8,7 +8,7 @@
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/facet_views.hpp"
+#include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
 #include "thermal/weather/sky_state.hpp"
 #include "thermal/weather/weather.hpp"
@@ -48,7 +48,7 @@ struct ShadowEdge {
 };
 
 /// Share of each facet that the sun reaches at each step's instant
-/// (terrain/visibility/facet_views.hpp). Between the instants it runs straight, or jumps at the
+/// (terrain/visibility/view_factors.hpp). Between the instants it runs straight, or jumps at the
 /// edge if there is one (thermal/solve/shadow_edges.hpp finds them).
 struct SunExposure {
     std::vector<Instant> instant;    // = step_instants(options)

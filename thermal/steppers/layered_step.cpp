@@ -178,6 +178,12 @@ double settle(const MaterialColumn& material, const AirFilm& air, const double* 
                         .temperature = batch.temperature.data(),
                         .flux = flux,
                         .slope = slope});
+    // A surface that loses next to nothing has its balance beyond all reason.
+    constexpr double hotter_than_air = 1500.0;  // [K]
+    for (std::size_t l = 0; l < count; ++l) {
+        batch.temperature[l] =
+            std::min(batch.temperature[l], air.air_temperature + hotter_than_air);
+    }
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t l = 0; l < count; ++l) {
             const double surface = batch.temperature[l] - material.reference;

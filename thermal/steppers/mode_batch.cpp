@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/air/saturation.hpp"
 #include "thermal/column/step_weights.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/surface/heat_balance.hpp"

@@ -1,4 +1,4 @@
-#include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
 
 #include <algorithm>
 #include <cmath>

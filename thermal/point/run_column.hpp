@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "thermal/point/point_job.hpp"
+#include "thermal/point/run_column.hpp"
+
+namespace diurna {
+
+/// One row of the result; fluxes are positive towards the surface [W m⁻²] and sum, with the
+/// internal heat, to the storage of the surface node's half cell.
+struct PointRow {
+    Instant instant;
+    double surface_temperature;  // [K]
+    double absorbed_solar, longwave_in, longwave_out, sensible, latent, conducted;
+    double back_temperature;    // [K]
+    double ground_temperature;  // [K] under a canopy; else the surface
+    double leaf_temperature;    // [K] of a canopy
+    double water_mm, frost_mm;  // standing on the surface
+    double melt;  // heat that melts snow or frost, mean since the row before [W m⁻²]
+};
+
+struct PointResult {
+    std::vector<PointRow> row;  // at start, start + step, ... end
+    bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
+    std::string note;                   // what was modelled for want of measurements
+    int passes = 0;                     // of the spin-up
+    double periodic_residual = 0.0;     // [K] worst node after a pass of it
+    double standing_residual = 0.0;     // [mm] of water and frost, likewise
+    bool converged = true;              // both within their tolerances
+    double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, of any step
+    long long steps = 0, rejected = 0;
+    /// Steps that had to be taken otherwise than asked: backward Euler at the shortest step,
+    /// because the equations were not solved or the error stayed too large. Zero in normal use.
+    int limited = 0;
+    std::vector<double> depth, final_profile;  // (node) [m], [K]
+};
+
+PointResult run_column(const PointJob& job);
+
+}  // namespace diurna

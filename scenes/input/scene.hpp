@@ -15,6 +15,7 @@
 #include "scenes/input/read_textures.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
+#include "thermal/weather/clear_sky.hpp"
 #include "thermal/weather/weather.hpp"
 
 /// The whole input of a job as plain values: what a scene file says, with units converted, ranges
@@ -41,6 +42,7 @@ struct Scene {
     TerrainInput terrain;
     MaterialLibrary materials;  // the program's own with the scene's added
     WeatherInput weather;
+    ClearSky sky;
     AirInput air;
     TimeInput time;
     std::vector<BandInput> bands;

@@ -7,6 +7,7 @@
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
+#include "thermal/weather/sky_section.hpp"
 #include "thermal/weather/weather_section.hpp"
 
 namespace diurna {
@@ -142,6 +143,7 @@ Scene read_scene(const Document& document) {
                                  root, reading, scene.site);
     scene.weather = read_weather_input(
         root.required_section("weather", "what drives the heat balance"), reading);
+    scene.sky = read_sky(root.section("sky", sky_says));
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere, reading);
     scene.time = read_time(root.required_section("time", "the span, its steps and pictures"));

@@ -91,7 +91,8 @@ SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progr
                   .materials = prepared.scene.materials,
                   .weather = prepared.weather,
                   .site = prepared.world.site,
-                  .elevation = prepared.world.sea_level_height},
+                  .elevation = prepared.world.sea_level_height,
+                  .clear_sky = prepared.scene.sky},
                  options);
 }
 

@@ -11,15 +11,17 @@
 #include "materials/base/units.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
-#include "thermal/weather/sky_state.hpp"
+#include "thermal/weather/sky_series.hpp"
 
 namespace diurna {
 
 namespace {
 
 /// The series at every step of the heat balance, its unmeasured radiation from the atmosphere.
-Weather driven_by_air(const Scene& scene, const World& world, const Weather& weather) {
+Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& series) {
+    const Weather& weather = series.weather();
     Weather driven = weather;
+    driven.span.clear();
     driven.note = "sun and longwave that were not measured come from the scene's atmosphere";
     driven.instant = step_instants(scene_solve_options(scene));
     driven.sample.resize(driven.instant.size());
@@ -34,6 +36,12 @@ Weather driven_by_air(const Scene& scene, const World& world, const Weather& wea
         if (std::isnan(forcing.shortwave_down) && std::isnan(forcing.direct_normal)) {
             forcing.direct_normal = flux.sun_direct;
             forcing.diffuse = flux.sun_diffuse;
+        } else {
+            const SkyState sky = series.at(instant, sun);
+            forcing.direct_normal = sky.direct_normal;
+            forcing.diffuse = sky.diffuse_horizontal;
+            forcing.shortwave_down = sky.global_horizontal();
+            forcing.shortwave_up = sky.albedo * forcing.shortwave_down;
         }
         if (std::isnan(forcing.longwave_down)) forcing.longwave_down = flux.thermal;
         driven.sample[i] = forcing;
@@ -118,8 +126,9 @@ Weather scene_weather(const Scene& scene, const World& world) {
     WeatherOptions options = scene.weather.options;
     options.elevation = world.sea_level_height;
     Weather weather = read_weather(scene.weather.file, options);
-    infer_cloud(weather, world.site, world.sea_level_height);
-    return scene.air.drives_heat ? driven_by_air(scene, world, weather) : weather;
+    const SkySeries series(std::move(weather), world.site, world.sea_level_height, scene.sky,
+                           scene.time.start, later(scene.time.start, scene.time.duration));
+    return scene.air.drives_heat ? driven_by_air(scene, world, series) : series.weather();
 }
 
 }  // namespace diurna

@@ -12,7 +12,7 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
     const FacetViews view;
     const SunExposure sun;
     const MaterialLibrary materials;
-    const Weather weather;
+    const Weather weather{.instant = {Instant{}}, .sample = {Forcing{}}};
     const SolveInput input{.facets = facets,
                            .views = view,
                            .sun = sun,
@@ -20,7 +20,8 @@ TEST_CASE("a facet that has arrived stays while others of its block go on", "[th
                            .weather = weather,
                            .site = {}};
     const SolveOptions options;
-    SolveState solve(input, options);
+    const SkySeries series(weather, {}, 0.0, {}, options.start, options.start);
+    SolveState solve(input, options, series);
     Level level{.stride = 1, .kind = std::vector<Kind>(1)};
     Block& block = solve.block.emplace_back();
     // Two states; the period map keeps half of each, so that I − M is a half.

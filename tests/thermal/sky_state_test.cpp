@@ -1,4 +1,5 @@
 #include "thermal/weather/sky_state.hpp"
+#include "thermal/weather/sky_series.hpp"
 #include "thermal/weather/tilted_sky.hpp"
 
 #include <catch2/catch.hpp>
@@ -55,7 +56,7 @@ TEST_CASE("Ineichen's sky is that of pvlib's test", "[thermal][irradiance][ineic
     // 1364 W/m² above the air: global 1038.159219, direct 942.2081860, diffuse 110.2652929.
     const double mass = 1.0 / (std::cos(radians(10.0)) + 0.50572 * std::pow(86.07995, -1.6364));
     const double distance = std::sqrt(solar_constant / 1364.0);
-    const ClearSun sun = ineichen_clear_sky(80.0, distance, 101325.0 / mass, 0.0, 3.0);
+    const Sunlight sun = ineichen_clear_sky(80.0, distance, 101325.0 / mass, 0.0, 3.0);
     CHECK(sun.direct_normal == Approx(942.2081860).epsilon(1e-6));
     CHECK(sun.diffuse_horizontal == Approx(110.2652929).epsilon(1e-5));
     // Darker with haze, never more than a beam above the air.
@@ -132,7 +133,7 @@ TEST_CASE("Bird's clear sky is that of NREL's worksheet", "[thermal][irradiance]
     const double distance = std::sqrt(solar_constant / 1414.91335);  // its light above the air
     const ClearSky clear{.aerosol_380nm = 0.15, .aerosol_500nm = 0.1};
     const double elevation = 90.0 - row.zenith_deg;
-    const ClearSun sun = bird_clear_sky(elevation, distance, 101325.0, 1.5, clear);
+    const Sunlight sun = bird_clear_sky(elevation, distance, 101325.0, 1.5, clear);
     CAPTURE(row.zenith_deg);
     CHECK(sun.direct_normal == Approx(row.direct).epsilon(1e-4));
     const double sine = std::sin(radians(elevation));
@@ -141,7 +142,7 @@ TEST_CASE("Bird's clear sky is that of NREL's worksheet", "[thermal][irradiance]
 
 TEST_CASE("Bird's clear sky brightens with height and dims with water and dust",
           "[thermal][irradiance]") {
-    const ClearSun high = bird_clear_sky(60.0, 1.0, 101325.0, 1.5);
+    const Sunlight high = bird_clear_sky(60.0, 1.0, 101325.0, 1.5);
     // Bird & Hulstrom's own range for a clear 30° zenith: direct 850 to 1000, diffuse 60 to 130.
     CHECK(high.direct_normal > 850.0);
     CHECK(high.direct_normal < 1000.0);
@@ -152,7 +153,7 @@ TEST_CASE("Bird's clear sky brightens with height and dims with water and dust",
     ClearSky dusty;
     dusty.aerosol_380nm = 0.5;
     dusty.aerosol_500nm = 0.4;
-    const ClearSun dust = bird_clear_sky(60.0, 1.0, 101325.0, 1.5, dusty);
+    const Sunlight dust = bird_clear_sky(60.0, 1.0, 101325.0, 1.5, dusty);
     CHECK(dust.direct_normal < 0.85 * high.direct_normal);
     CHECK(dust.diffuse_horizontal > 1.5 * high.diffuse_horizontal);
     CHECK(bird_clear_sky(-1.0, 1.0, 101325.0, 1.5).direct_normal == 0.0);
@@ -199,7 +200,8 @@ TEST_CASE("cloud is inferred from dimmed sun and held through the night", "[ther
         weather.instant.push_back(when);
         weather.sample.push_back(forcing);
     }
-    infer_cloud(weather, site, 200.0);
+    weather = SkySeries(weather, site, 200.0, {}, weather.instant.front(), weather.instant.back())
+                  .weather();
     for (const Forcing& forcing : weather.sample) {
         CHECK(forcing.cloud_fraction == Approx(0.6).margin(1e-9));
     }

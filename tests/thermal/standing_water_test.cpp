@@ -21,11 +21,18 @@ TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
     drive(
         job,
         [](double t) { return 700.0 * std::max(0.0, -std::cos(2.0 * std::numbers::pi * t / day)); },
-        [](double) { return 295.0; }, 330.0, 1800.0);
-    for (Forcing& f : job.weather.sample) f.air.vapour_pressure = 900.0;
-    job.weather.sample[4].rain_mm_h =
-        3.0;  // around 2 h, straight down to nothing half an hour off:
-    job.weather.sample[5].rain_mm_h = 0.0;  // 1.5 mm in all
+        [](double) { return 295.0; }, 330.0, 600.0);
+    for (Forcing& f : job.weather.sample) {
+        f.air.vapour_pressure = 900.0;
+        f.direct_normal = 0.0;  // overcast: its light is straight between samples
+    }
+    // Around 2 h, straight down to nothing half an hour off: 1.5 mm in all.
+    const auto rain_at_most = [&](double mm_h) {
+        for (int i = -3; i <= 3; ++i) {
+            job.weather.sample[std::size_t(12 + i)].rain_mm_h = mm_h * (1.0 - std::abs(i) / 3.0);
+        }
+    };
+    rain_at_most(3.0);
     const PointResult result = run_column(job);
     REQUIRE(result.has_store);
     double rain = 0.0, evaporated = 0.0, most = 0.0;
@@ -51,7 +58,7 @@ TEST_CASE("rain fills the store, evaporation empties it: no water is lost",
     }
     CHECK(result.worst_energy_closure < 1e-9);
     // What is more than it holds runs off.
-    job.weather.sample[4].rain_mm_h = 30.0;
+    rain_at_most(30.0);
     double highest = 0.0;
     for (const PointRow& row : run_column(job).row) highest = std::max(highest, row.water_mm);
     CHECK(highest == Approx(2.0).epsilon(1e-6));

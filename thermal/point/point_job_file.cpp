@@ -9,6 +9,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
+#include "thermal/weather/sky_section.hpp"
 #include "thermal/weather/weather_section.hpp"
 
 namespace diurna {
@@ -32,34 +33,6 @@ void read_facet(const Section& facet, PointJob& job) {
     job.airspeed = facet.number_or(
         "airspeed_m_s", "of a surface in flight: its wind, and the air's recovery temperature", 0.0,
         {0.0, 3000.0});
-}
-
-void read_sky(const Section& sky, ClearSky& clear) {
-    clear.aerosol_380nm = sky.number_or("aerosol_380nm", "optical depth of aerosol at 380 nm",
-                                        clear.aerosol_380nm, {0.0, 5.0});
-    clear.aerosol_500nm = sky.number_or("aerosol_500nm", "optical depth of aerosol at 500 nm",
-                                        clear.aerosol_500nm, {0.0, 5.0});
-    clear.ozone_cm =
-        sky.number_or("ozone_cm", "a layer of it at standard pressure", clear.ozone_cm, {0.0, 1.0});
-    clear.longwave = sky.choice_or("longwave", "formula of the clear sky's longwave",
-                                   LongwaveFormula::dilley_obrien,
-                                   {{"dilley-obrien", LongwaveFormula::dilley_obrien},
-                                    {"brutsaert", LongwaveFormula::brutsaert},
-                                    {"prata", LongwaveFormula::prata},
-                                    {"brunt", LongwaveFormula::brunt},
-                                    {"idso", LongwaveFormula::idso},
-                                    {"swinbank", LongwaveFormula::swinbank}});
-    clear.longwave_by_direction = sky.flag_or(
-        "longwave_by_direction", "the sky's longwave is stronger near the horizon", true);
-    if (sky.word_or("sun", "clear sky's sun where none was measured", "bird",
-                    {"bird", "ineichen"}) == "ineichen") {
-        clear.linke_turbidity =
-            sky.number_or("linke_turbidity", "of the air, for ineichen", 3.0, {1.0, 12.0});
-    }
-    if (sky.has("precipitable_water_cm")) {
-        clear.precipitable_water_cm = sky.number(
-            "precipitable_water_cm", "in the whole air; else from its humidity", {0.0, 10.0});
-    }
 }
 
 /// A profile of the ground at the start, its depths ascending.
@@ -122,7 +95,7 @@ PointJob read_column_job(const Document& document) {
     const Section material =
         root.required_section("material", "of the facet, with the keys of the third chapter");
     job.surface = read_material(material, default_material_library(), folder, "column").thermal;
-    read_sky(root.section("sky", "of what was not measured"), job.clear_sky);
+    job.clear_sky = read_sky(root.section("sky", sky_says));
     const Section weather = root.required_section("weather", "what drives the heat balance");
     const std::string weather_file =
         weather.text("file", "CSV; its columns stand in scenes/README.md");

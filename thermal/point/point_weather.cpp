@@ -11,6 +11,7 @@ namespace diurna {
 
 PointWeather::PointWeather(const PointJob& job)
     : job_(job),
+      series_(job.weather, job.site, job.elevation, job.clear_sky, job.start, job.end),
       sun_(job.site),
       normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
       tilted_(job.clear_sky.longwave_by_direction
@@ -18,8 +19,8 @@ PointWeather::PointWeather(const PointJob& job)
                   : 0.0) {}
 
 PointForcing PointWeather::operator()(Instant when) {
-    const Forcing forcing = job_.weather.at(when);
-    const SkyState sky = sky_state(sun_.at(when), job_.elevation, forcing, job_.clear_sky);
+    const Forcing forcing = series_.weather().at(when);
+    const SkyState sky = series_.at(when, sun_.at(when));
     const double hidden = 1.0 - job_.sky_view;
     PointForcing f{.air = forcing.air,
                    .wind_speed = forcing.wind_speed,

@@ -5,6 +5,7 @@
 #include "terrain/place/sun_path.hpp"
 #include "thermal/point/point_facet.hpp"
 #include "thermal/point/point_job.hpp"
+#include "thermal/weather/sky_series.hpp"
 
 namespace diurna {
 
@@ -18,9 +19,12 @@ class PointWeather {
 
     double up_cosine() const { return normal_.z(); }  // of the facet's normal
     PointForcing operator()(Instant when);
+    /// One line of what was modelled for want of measurements; or empty.
+    const std::string& note() const { return series_.weather().note; }
 
  private:
     const PointJob& job_;
+    SkySeries series_;
     SunPath sun_;
     Eigen::Vector3d normal_;
     double tilted_;  // tilted_sky_excess

@@ -71,10 +71,9 @@ PointRow row_of(const PointFacet& facet, Instant when, double melt) {
             .melt = melt};
 }
 
-/// What columns the result has, and a note of what was modelled.
+/// What columns the result has.
 PointResult empty_result(const PointJob& job) {
     PointResult result;
-    result.note = job.weather.note;
     result.has_back = job.surface.back.has_value();
     result.has_canopy = !std::holds_alternative<std::monostate>(job.surface.canopy);
     result.has_store = job.surface.store.capacity_mm > 0.0;
@@ -108,9 +107,7 @@ void follow(const PointJob& job, PointFacet& facet, PointResult& result) {
 
 }  // namespace
 
-PointResult run_column(const PointJob& given) {
-    PointJob job = given;
-    job.weather = with_cloud(given.weather, job.site, job.elevation, job.clear_sky);
+PointResult run_column(const PointJob& job) {
     const PointJob before = before_start(job);
     PointWeather weather(job), weather_before(before);
     const LouisForm louis =
@@ -132,6 +129,7 @@ PointResult run_column(const PointJob& given) {
     PointFacet facet = facet_of(job.surface, weather);
     place_start(job, facet);
     PointResult result = empty_result(job);
+    result.note = weather.note();
     if (job.spin_up != SpinUp::none) {
         const Instant day_later = later(job.start, seconds_of_day);
         const Instant end =

@@ -111,7 +111,8 @@ void PointFacets::take_in(const Level& level) {
         }
     }
     if (fresh_ && weather_.empty()) {
-        for (const Instant when : solve_.instant) weather_.push_back(solve_.input.weather.at(when));
+        for (const Instant when : solve_.instant)
+            weather_.push_back(solve_.series.weather().at(when));
     }
 }
 
@@ -152,7 +153,7 @@ void PointFacets::run(const Level& level, Point& p) const {
     PointFacet facet({.surface = column.surface,
                       .louis = column.louis,
                       .up_cosine = solve_.input.facets.normal[p.facet].z(),
-                      .wind_height = solve_.input.weather.wind_height,
+                      .wind_height = solve_.series.weather().wind_height,
                       .longitude_deg = solve_.input.site.longitude_deg,
                       .reference = column.reference,
                       .grid = grid_of(column.surface, solve_.options.grid),

@@ -5,9 +5,11 @@
 
 namespace diurna {
 
-SolveState::SolveState(const SolveInput& given, const SolveOptions& how)
+SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
+                       const SkySeries& sky_series)
     : input(given),
       options(how),
+      series(sky_series),
       instant(step_instants(how)),
       step(how.duration / double(instant.size() - 1)),
       facets(given.facets.size()),

@@ -11,6 +11,7 @@
 #include "thermal/steppers/material_column.hpp"
 #include "thermal/steppers/mode_batch.hpp"
 #include "thermal/steppers/plate_batch.hpp"
+#include "thermal/weather/sky_series.hpp"
 
 namespace diurna {
 
@@ -101,6 +102,7 @@ struct Level {
 struct SolveState {
     const SolveInput& input;
     const SolveOptions& options;
+    const SkySeries& series;
     std::vector<Instant> instant;  // = step_instants(options)
     double step;                   // [s]
     std::size_t facets;
@@ -112,8 +114,8 @@ struct SolveState {
     std::vector<float> kelvin;    // (instant, facet)
     std::vector<Block> block;
 
-    /// Instants, step and optics; light, temperatures and blocks follow. Both must outlive it.
-    SolveState(const SolveInput& given, const SolveOptions& how);
+    /// Instants, step and optics; light, temperatures and blocks follow. All must outlive it.
+    SolveState(const SolveInput& given, const SolveOptions& how, const SkySeries& sky_series);
 
     std::size_t steps() const { return instant.size() - 1; }
     std::span<float> row(std::vector<float>& field, std::size_t i) const {

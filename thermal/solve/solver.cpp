@@ -96,8 +96,7 @@ class Stopwatch {
 void light_up(SolveState& solve) {
     SunPath path(solve.input.site);
     for (const Instant when : solve.instant) {
-        solve.sky.push_back(sky_state(path.at(when), solve.input.elevation,
-                                      solve.input.weather.at(when), solve.input.clear_sky));
+        solve.sky.push_back(solve.series.at(when, path.at(when)));
     }
     solve.tilt = tilts(solve);
     shine(solve);
@@ -197,19 +196,12 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
 
 }  // namespace
 
-SolveResult solve(const SolveInput& given, const SolveOptions& options) {
+SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     const auto begun = Clock::now();
-    check(given, options);
-    const Weather weather = with_cloud(given.weather, given.site, given.elevation, given.clear_sky);
-    const SolveInput input{.facets = given.facets,
-                           .views = given.views,
-                           .sun = given.sun,
-                           .materials = given.materials,
-                           .weather = weather,
-                           .site = given.site,
-                           .elevation = given.elevation,
-                           .clear_sky = given.clear_sky};
-    SolveState state(input, options);
+    check(input, options);
+    const SkySeries series(input.weather, input.site, input.elevation, input.clear_sky,
+                           options.start, later(options.start, options.duration));
+    SolveState state(input, options, series);
     SolveReport report{.facets = state.facets, .steps = int(state.steps())};
     const std::vector<MaterialId> materials = group_by_material(state);
     light_up(state);

@@ -33,7 +33,7 @@ ModeColumn mode_column(const SolveState& solve, const ThermalSurface& surface, d
 
 Level make_level(const SolveState& solve, const std::vector<MaterialId>& materials,
                  std::size_t stride, int most_substeps, const Level* finer) {
-    const Weather& weather = solve.input.weather;
+    const Weather& weather = solve.series.weather();
     const double step = solve.step * double(stride);
     Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
     for_each_index(
@@ -54,9 +54,7 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
                                 finer ? &finer->kind[m].column.louis : nullptr);
             const auto add = [&](Instant when) {
                 const Forcing forcing = weather.at(when);
-                // Its longwave needs no sun; to find that one costs more than a step of the facets.
-                const SkyState sky = sky_state(SunPosition{0.0, -90.0, 1.0}, solve.input.elevation,
-                                               forcing, solve.input.clear_sky);
+                const SkyState sky = solve.series.dark(when);
                 kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
                                                  forcing.air, forcing.wind_speed),
                                         sky.longwave_down});

@@ -11,7 +11,7 @@ double precipitable_water_cm(const AirState& air) {
     return 46.5 * (air.vapour_pressure / 100.0) / air.temperature;
 }
 
-ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+Sunlight bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                         double water_cm, const ClearSky& sky) {
     if (sun_elevation_deg <= 0.0) return {0.0, 0.0};
     const double zenith_deg = 90.0 - sun_elevation_deg;
@@ -47,7 +47,7 @@ ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pre
     return {direct, std::max(0.0, global - direct * cosine)};
 }
 
-ClearSun ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+Sunlight ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                             double elevation, double linke_turbidity) {
     if (sun_elevation_deg <= 0.0) return {0.0, 0.0};
     const double zenith_deg = 90.0 - sun_elevation_deg;
@@ -66,6 +66,18 @@ ClearSun ineichen_clear_sky(double sun_elevation_deg, double distance_au, double
         std::max(0.0, 1.0 - (0.1 - 0.2 * std::exp(-linke_turbidity)) / (0.1 + 0.882 / low));
     const double direct = std::min(beam, most);
     return {direct, std::max(0.0, global - direct * cosine)};
+}
+
+Sunlight clear_sunlight(const SunPosition& sun, const AirState& air, double elevation,
+                        const ClearSky& clear) {
+    const double pressure = air.pressure > 0.0 ? air.pressure : standard_pressure(elevation);
+    if (!std::isnan(clear.linke_turbidity)) {
+        return ineichen_clear_sky(sun.elevation_deg, sun.distance_au, pressure, elevation,
+                                  clear.linke_turbidity);
+    }
+    const double water = std::isnan(clear.precipitable_water_cm) ? precipitable_water_cm(air)
+                                                                 : clear.precipitable_water_cm;
+    return bird_clear_sky(sun.elevation_deg, sun.distance_au, pressure, water, clear);
 }
 
 double clear_longwave(const AirState& air, LongwaveFormula formula) {
@@ -98,13 +110,6 @@ double clear_longwave(const AirState& air) {
 double cloudy_longwave(const AirState& air, double cloud_fraction, LongwaveFormula formula) {
     const double black = stefan_boltzmann * power4(air.temperature);
     return cloud_fraction * black + (1.0 - cloud_fraction) * clear_longwave(air, formula);
-}
-
-double erbs_diffuse_share(double clearness) {
-    const double k = clearness;
-    if (k <= 0.22) return 1.0 - 0.09 * k;
-    if (k > 0.80) return 0.165;
-    return 0.9511 + k * (-0.1604 + k * (4.388 + k * (-16.638 + k * 12.336)));
 }
 
 }  // namespace diurna

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "materials/air/moist_air.hpp"
+#include "terrain/place/sun.hpp"
+#include "thermal/weather/separation.hpp"
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
@@ -17,6 +19,7 @@ struct ClearSky {
     double precipitable_water_cm = not_measured;  // NaN: from the vapour pressure
     double ground_albedo = 0.2;                   // of the surroundings, for the back-scattered sky
     double linke_turbidity = not_measured;        // at air mass 2; a number chooses Ineichen
+    Separation separation = Separation::engerer2;  // of global sun that alone was measured
     LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
     /// The sky is brighter towards the horizon, which tilted facets see (tilted_sky_excess).
     bool longwave_by_direction = true;
@@ -25,7 +28,8 @@ struct ClearSky {
 /// Water above the place [cm] from the vapour near the ground, 46.5 e/T (e in hPa; Prata 1996).
 double precipitable_water_cm(const AirState& air);
 
-struct ClearSun {
+/// Sunlight at one instant.
+struct Sunlight {
     double direct_normal;       // [W m⁻²]
     double diffuse_horizontal;  // [W m⁻²]
 };
@@ -35,13 +39,18 @@ struct ClearSun {
 ///
 /// sun_elevation_deg  refracted          distance_au  sun
 /// pressure           [Pa]               water_cm     precipitable [cm]
-ClearSun bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+Sunlight bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                         double water_cm, const ClearSky& sky = {});
 
 /// Clear-sky sunlight after Ineichen & Perez 2002 from Linke's turbidity: where only the climate of
 /// a place is known. 20 W m⁻² in global and direct with the turbidity known to 0.2.
-ClearSun ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
+Sunlight ineichen_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                             double elevation, double linke_turbidity);
+
+/// Clear-sky sunlight at an instant by what a ClearSky says: Bird, or Ineichen where it has a
+/// turbidity. `sun` with refraction; zero when down.
+Sunlight clear_sunlight(const SunPosition& sun, const AirState& air, double elevation,
+                        const ClearSky& clear);
 
 /// Longwave radiation of a clear sky on the horizontal [W m⁻²], Dilley & O'Brien 1998:
 /// 59.38 + 113.7 (T/273.16)⁶ + 96.96 √(w/2.5), w = 4.65 e/T [cm, e in Pa over 10].
@@ -53,7 +62,5 @@ double clear_longwave(const AirState& air, LongwaveFormula formula);
 /// The same under cloud, Crawford & Duchon 1999: c σT⁴ + (1 − c) clear.
 double cloudy_longwave(const AirState& air, double cloud_fraction,
                        LongwaveFormula formula = LongwaveFormula::dilley_obrien);
-/// Diffuse share of global sunlight from the clearness index kt, Erbs et al. 1982.
-double erbs_diffuse_share(double clearness);
 
 }  // namespace diurna

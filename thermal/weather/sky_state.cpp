@@ -10,8 +10,9 @@ namespace diurna {
 
 namespace {
 
-// A sun closer than this to the horizon divides direct light by almost nothing.
-constexpr double least_sine = 0.02;
+// A sun closer than this (5°) to the horizon divides light by almost nothing; what is brighter
+// round it counts as even (the bound of Perez et al. 1990).
+constexpr double least_sine = 0.087;
 
 }  // namespace
 
@@ -63,15 +64,10 @@ void take_measured_sun(const Forcing& forcing, double top, SkyState& sky) {
 /// Sunlight of a clear sky and what cloud leaves of it, where at most one part was measured.
 void model_sun(const Forcing& forcing, double pressure, double elevation, const ClearSky& clear,
                SkyState& sky) {
-    const double water = std::isnan(clear.precipitable_water_cm)
-                             ? precipitable_water_cm(forcing.air)
-                             : clear.precipitable_water_cm;
     const double sine = sky.to_sun.z();
-    const ClearSun sun =
-        std::isnan(clear.linke_turbidity)
-            ? bird_clear_sky(sky.sun.elevation_deg, sky.sun.distance_au, pressure, water, clear)
-            : ineichen_clear_sky(sky.sun.elevation_deg, sky.sun.distance_au, pressure, elevation,
-                                 clear.linke_turbidity);
+    AirState air = forcing.air;
+    air.pressure = pressure;
+    const Sunlight sun = clear_sunlight(sky.sun, air, elevation, clear);
     const double cloud = std::isnan(forcing.cloud_fraction) ? 0.0 : forcing.cloud_fraction;
     const double clear_global = sun.direct_normal * sine + sun.diffuse_horizontal;
     const double under_cloud = clear_global * (1.0 - 0.75 * std::pow(cloud, 3.4));
@@ -141,41 +137,6 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
         sky.plane_of_array = std::max(0.0, forcing.plane_of_array);
     }
     return sky;
-}
-
-void infer_cloud(Weather& weather, const Site& site, double elevation, const ClearSky& clear) {
-    constexpr double least_elevation_deg = 8.0;
-    double held = not_measured;
-    std::size_t waiting = 0;  // samples before the first daylight take its value
-    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
-        Forcing& forcing = weather.sample[i];
-        if (!std::isnan(forcing.cloud_fraction)) {
-            held = forcing.cloud_fraction;
-            continue;
-        }
-        if (!std::isnan(forcing.shortwave_down)) {
-            Forcing cloudless = forcing;
-            cloudless.shortwave_down = cloudless.direct_normal = cloudless.diffuse = not_measured;
-            const SkyState sky = sky_state(site, elevation, weather.instant[i], cloudless, clear);
-            if (sky.sun.elevation_deg > least_elevation_deg) {
-                held = std::clamp(1.0 - forcing.shortwave_down / sky.global_horizontal(), 0.0, 1.0);
-                for (; waiting < i; ++waiting) {
-                    double& earlier = weather.sample[waiting].cloud_fraction;
-                    if (std::isnan(earlier)) earlier = held;
-                }
-                waiting = weather.sample.size();
-            }
-        }
-        forcing.cloud_fraction = held;
-    }
-}
-
-Weather with_cloud(Weather weather, const Site& site, double elevation, const ClearSky& clear) {
-    const bool longwave_missing =
-        std::any_of(weather.sample.begin(), weather.sample.end(),
-                    [](const Forcing& f) { return std::isnan(f.longwave_down); });
-    if (longwave_missing) infer_cloud(weather, site, elevation, clear);
-    return weather;
 }
 
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,

@@ -25,22 +25,15 @@ struct SkyState {
     double global_horizontal() const;
 };
 
-/// Measured fluxes where there are any, the clear sky and its cloud elsewhere. Measured global sun
-/// alone is split by the clearness index; global, direct and diffuse together are made consistent
-/// with the global. Cloud without measured sun takes Kasten & Czeplak's 1 − 0.75 c³·⁴.
+/// The sky at one instant by what was measured then, the clear sky and its cloud elsewhere: for
+/// series see SkySeries. Global sun alone is split by its clearness index (Erbs); global, direct
+/// and diffuse together are made consistent with the global. Cloud without measured sun takes
+/// Kasten & Czeplak's 1 − 0.75 c³·⁴.
 SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
                    const ClearSky& clear = {});
 /// The same for a sun whose place, without refraction, is known.
 SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
                    const ClearSky& clear = {});
-
-/// Fills the cloud fraction, where it is absent, from measured over clear-sky global sun
-/// (Crawford & Duchon: c = 1 − G/G_clear) for a sun above 8°, and holds the last daylight value
-/// through the night. For series whose longwave is not measured.
-void infer_cloud(Weather& weather, const Site& site, double elevation, const ClearSky& clear = {});
-
-/// The series, its cloud inferred where some of its longwave is left to be modelled.
-Weather with_cloud(Weather weather, const Site& site, double elevation, const ClearSky& clear);
 
 /// Sunlight on a facet [W m⁻²] without what other facets reflect, Hay & Davies 1980: the beam and
 /// the circumsolar part of the diffuse light come from the sun's direction and share its shadow,

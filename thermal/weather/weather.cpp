@@ -106,21 +106,6 @@ Instant read_stamp(const CsvTable& table, std::size_t row, const std::vector<Ins
     return stamp;
 }
 
-/// The instants that rows stand for: a mean for the middle of its interval. The interval of the
-/// first (last) row is as long as its neighbour's; a lone row has none.
-std::vector<Instant> place_stamps(const std::vector<Instant>& stamp, Stamp interval) {
-    std::vector<Instant> placed = stamp;
-    if (interval == Stamp::instant || stamp.size() < 2) return placed;
-    for (std::size_t i = 0; i < stamp.size(); ++i) {
-        const bool end = interval == Stamp::end;
-        const std::size_t upper =
-            end ? std::max<std::size_t>(i, 1) : std::min(i + 1, stamp.size() - 1);
-        const auto half = (stamp[upper] - stamp[upper - 1]) / 2;
-        placed[i] = end ? stamp[i] - half : stamp[i] + half;
-    }
-    return placed;
-}
-
 /// One line of what a file does not tell and what stands for it; empty where nothing is missing.
 std::string tell_absent(const CsvTable& table) {
     std::string absent;
@@ -140,12 +125,36 @@ std::string tell_absent(const CsvTable& table) {
 
 }  // namespace
 
+namespace {
+
+AirState on_line(const AirState& a, const AirState& b, double share) {
+    return {.temperature = a.temperature + share * (b.temperature - a.temperature),
+            .pressure = a.pressure + share * (b.pressure - a.pressure),
+            .vapour_pressure = a.vapour_pressure + share * (b.vapour_pressure - a.vapour_pressure)};
+}
+
+/// The samples before and after an instant, and how far it is on the way.
+struct Between {
+    std::size_t before, after;
+    double share;
+};
+Between place_of(const Weather& weather, Instant when) {
+    const auto& instant = weather.instant;
+    const auto next = std::upper_bound(instant.begin(), instant.end(), when);
+    if (next == instant.begin()) return {0, 0, 0.0};
+    const auto i = static_cast<std::size_t>(next - instant.begin());
+    if (next == instant.end()) return {i - 1, i - 1, 0.0};
+    return {i - 1, i,
+            seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i])};
+}
+
+}  // namespace
+
 Forcing between(const Forcing& a, const Forcing& b, double share) {
-    const auto on_line = [&](double from, double to) { return from + share * (to - from); };
-    const auto mix = [&](double Forcing::*member) { return on_line(a.*member, b.*member); };
-    return {.air = {.temperature = on_line(a.air.temperature, b.air.temperature),
-                    .pressure = on_line(a.air.pressure, b.air.pressure),
-                    .vapour_pressure = on_line(a.air.vapour_pressure, b.air.vapour_pressure)},
+    const auto mix = [&](double Forcing::*member) {
+        return a.*member + share * (b.*member - a.*member);
+    };
+    return {.air = on_line(a.air, b.air, share),
             .wind_speed = mix(&Forcing::wind_speed),
             .rain_mm_h = mix(&Forcing::rain_mm_h),
             .cloud_fraction = mix(&Forcing::cloud_fraction),
@@ -157,14 +166,48 @@ Forcing between(const Forcing& a, const Forcing& b, double share) {
             .longwave_down = mix(&Forcing::longwave_down)};
 }
 
+AirState Weather::air_at(Instant when) const {
+    const Between place = place_of(*this, when);
+    if (place.share == 0.0) return sample[place.before].air;
+    return on_line(sample[place.before].air, sample[place.after].air, place.share);
+}
+
 Forcing Weather::at(Instant when) const {
-    const auto after = std::upper_bound(instant.begin(), instant.end(), when);
-    if (after == instant.begin()) return sample.front();
-    if (after == instant.end()) return sample.back();
-    const auto i = static_cast<std::size_t>(after - instant.begin());
-    const double share =
-        seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i]);
-    return share == 0.0 ? sample[i - 1] : between(sample[i - 1], sample[i], share);
+    const Between place = place_of(*this, when);
+    const Forcing &a = sample[place.before], &b = sample[place.after];
+    Forcing now = place.share == 0.0 ? a : between(a, b, place.share);
+    if (span_of(place.before) > 0.0 || span_of(place.after) > 0.0) {
+        // A mean of rain is a sum that fell within its interval.
+        const auto holds = [&](std::size_t i) {
+            return std::abs(seconds_between(instant[i], when)) <= 0.5 * span_of(i);
+        };
+        now.rain_mm_h = holds(place.before) ? a.rain_mm_h : holds(place.after) ? b.rain_mm_h : 0.0;
+    }
+    return now;
+}
+
+void place_means(Stamp interval, Weather& weather) {
+    std::vector<Instant>& instant = weather.instant;
+    if (interval == Stamp::instant || instant.size() < 2) return;  // a lone row has no interval
+    const std::vector<Instant> stamp = instant;
+    std::vector<double> step;
+    for (std::size_t i = 1; i < stamp.size(); ++i) {
+        step.push_back(seconds_between(stamp[i - 1], stamp[i]));
+    }
+    std::vector<double> sorted = step;
+    std::nth_element(sorted.begin(), sorted.begin() + std::ptrdiff_t(sorted.size() / 2),
+                     sorted.end());
+    const double usual = sorted[sorted.size() / 2];
+    weather.span.resize(stamp.size());
+    for (std::size_t i = 0; i < stamp.size(); ++i) {
+        const bool end = interval == Stamp::end;
+        // The interval of the first (last) row is as long as its neighbour's, and none reaches over
+        // a gap.
+        const std::size_t own =
+            end ? std::max<std::size_t>(i, 1) - 1 : std::min(i, step.size() - 1);
+        weather.span[i] = std::min(step[own], 1.001 * usual);
+        instant[i] = later(stamp[i], (end ? -0.5 : 0.5) * weather.span[i]);
+    }
 }
 
 Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options) {
@@ -177,11 +220,13 @@ Weather read_weather(const std::filesystem::path& file, const WeatherOptions& op
         stamp.push_back(read_stamp(table, row, stamp));
         sample.push_back(read_row(table, row, options.elevation));
     }
-    return {.instant = place_stamps(stamp, options.interval),
-            .sample = std::move(sample),
-            .wind_height = options.wind_height,
-            .air_height = options.air_height,
-            .note = tell_absent(table)};
+    Weather weather{.instant = std::move(stamp),
+                    .sample = std::move(sample),
+                    .wind_height = options.wind_height,
+                    .air_height = options.air_height,
+                    .note = tell_absent(table)};
+    place_means(options.interval, weather);
+    return weather;
 }
 
 }  // namespace diurna

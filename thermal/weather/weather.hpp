@@ -34,18 +34,23 @@ Forcing between(const Forcing& a, const Forcing& b, double share);
 /// value at that instant.
 enum class Stamp { start, end, instant };
 
-/// A series of weather, linear between its samples and constant beyond its ends.
+/// A series of weather, linear between its samples and constant beyond its ends; sunlight has a
+/// course of its own (thermal/weather/sun_course.hpp), rain falls evenly through its interval.
 ///
 /// A mean over an interval counts as the value at the middle of the interval, so a series of means
 /// keeps its phase. A flux is NaN between two samples unless both are measured.
 struct Weather {
     std::vector<Instant> instant;  // ascending; never empty
     std::vector<Forcing> sample;   // as many
+    std::vector<double> span{};    // [s] (sample) of the interval, about `instant`, that a sample
+                                   // is the mean of; 0, or the whole empty: its value there
     double wind_height = 10.0;     // [m] above the ground (above zero-plane displacement)
     double air_height = 2.0;       // [m] of temperature and humidity
     std::string note{};            // what is absent and therefore modelled, one line; or empty
 
     Forcing at(Instant when) const;
+    AirState air_at(Instant when) const;
+    double span_of(std::size_t i) const { return span.empty() ? 0.0 : span[i]; }
 };
 
 struct WeatherOptions {
@@ -60,5 +65,10 @@ struct WeatherOptions {
 /// humidity counts as 0.5 and wind as 1 m/s then. Throws InputError with file:line:column for cells
 /// that are no number or out of range, instants that do not ascend, and unknown columns.
 Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options = {});
+
+/// Turns a series' time stamps, `weather.instant`, into middles of the intervals that they end or
+/// begin, and fills `span`: the time to the stamp before (after), but where rows are missing the
+/// series' usual interval.
+void place_means(Stamp interval, Weather& weather);
 
 }  // namespace diurna

@@ -1,0 +1,89 @@
+#include "thermal/weather/sky_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double day = 86400.0;
+constexpr double least_global = 5.0;  // [W m⁻²]: below, offsets outweigh the albedo they give
+
+}  // namespace
+
+SkySeries::SkySeries(Weather weather, const Site& site, double elevation, const ClearSky& clear,
+                     Instant from, Instant to)
+    : weather_(std::move(weather)),
+      elevation_(elevation),
+      clear_(clear),
+      course_(weather_, site, elevation, clear, later(from, -day), later(to, day)) {
+    infer_cloud();
+    if (const std::string told = tell(course_.report()); !told.empty()) {
+        weather_.note += (weather_.note.empty() ? "" : "; ") + told;
+    }
+    albedo_.reserve(weather_.sample.size());
+    for (const Forcing& f : weather_.sample) {
+        const bool known = f.shortwave_down > least_global && !std::isnan(f.shortwave_up);
+        albedo_.push_back(known ? std::clamp(f.shortwave_up / f.shortwave_down, 0.0, 1.0)
+                                : not_measured);
+    }
+}
+
+void SkySeries::infer_cloud() {
+    const std::vector<double>& clearness = course_.clearness();
+    double held = not_measured;
+    std::size_t waiting = 0;  // samples before the first daylight take its value
+    for (std::size_t i = 0; i < weather_.sample.size(); ++i) {
+        double& cloud = weather_.sample[i].cloud_fraction;
+        if (std::isnan(cloud) && !std::isnan(clearness[i])) {
+            held = std::clamp(1.0 - clearness[i], 0.0, 1.0);
+            for (; waiting < i; ++waiting) {
+                double& earlier = weather_.sample[waiting].cloud_fraction;
+                if (std::isnan(earlier)) earlier = held;
+            }
+            waiting = weather_.sample.size();
+        } else if (!std::isnan(cloud)) {
+            held = cloud;
+        }
+        if (std::isnan(cloud)) cloud = held;
+    }
+}
+
+double SkySeries::albedo_at(Instant when) const {
+    const auto& instant = weather_.instant;
+    const auto next = std::upper_bound(instant.begin(), instant.end(), when);
+    const auto i = static_cast<std::size_t>(next - instant.begin());
+    if (next == instant.begin()) return albedo_.front();
+    if (next == instant.end()) return albedo_.back();
+    const double a = albedo_[i - 1], b = albedo_[i];
+    if (std::isnan(a)) return b;
+    if (std::isnan(b)) return a;
+    const double share =
+        seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i]);
+    return std::lerp(a, b, share);
+}
+
+SkyState SkySeries::at(Instant when, const SunPosition& geometric) const {
+    Forcing now = weather_.at(when);
+    if (weather_.sample.size() == 1) return sky_state(geometric, elevation_, now, clear_);
+    const SunPosition sun =
+        refracted(geometric, now.air.pressure / 100.0, celsius(now.air.temperature));
+    const Sunlight light =
+        course_.at(when, sun.elevation_deg > 0.0 ? clear_sunlight(sun, now.air, elevation_, clear_)
+                                                 : Sunlight{0.0, 0.0});
+    now.shortwave_down = now.shortwave_up = not_measured;
+    now.direct_normal = light.direct_normal;
+    now.diffuse = light.diffuse_horizontal;
+    SkyState sky = sky_state(geometric, elevation_, now, clear_);
+    sky.albedo = albedo_at(when);
+    return sky;
+}
+
+SkyState SkySeries::dark(Instant when) const {
+    return sky_state(SunPosition{0.0, -90.0, 1.0}, elevation_, weather_.at(when), clear_);
+}
+
+}  // namespace diurna

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "thermal/weather/sky_state.hpp"
+#include "thermal/weather/sun_course.hpp"
+
+namespace diurna {
+
+/// The sky over one place at any instant of a series of weather: sunlight by its course, longwave
+/// and cloud as measured or modelled. One for scenes, single facets and the camera's air alike.
+class SkySeries {
+ public:
+    /// From the first to the last instant that will be asked for. Cloud that nobody observed is
+    /// inferred from measured sunlight over the clear sky's (Crawford & Duchon 1999: 1 − G/G_clear
+    /// for a sun above 8°, held through the night), as far as the span and a day at either end go.
+    SkySeries(Weather weather, const Site& site, double elevation, const ClearSky& clear,
+              Instant from, Instant to);
+
+    /// sun  without refraction
+    SkyState at(Instant when, const SunPosition& sun) const;
+    /// Longwave, temperatures and all else that asks for no sun: cheaper.
+    SkyState dark(Instant when) const;
+
+    const Weather& weather() const { return weather_; }
+    /// What became of measured sunlight; also told in weather().note.
+    const SunCourseReport& sunlight() const { return course_.report(); }
+
+ private:
+    void infer_cloud();
+    double albedo_at(Instant when) const;
+
+    Weather weather_;
+    double elevation_;
+    ClearSky clear_;
+    SunCourse course_;
+    std::vector<double> albedo_;  // (sample) measured up over down; NaN: not known
+};
+
+}  // namespace diurna

@@ -42,11 +42,12 @@ struct Row {
 int main() {
     const Prepared prepared =
         prepare(read_scene(std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/scene.toml"));
-    Progress progress(ProgressStyle::silent);
     const FacetViews view = scene_sky_view(prepared);
-    const SunExposure sun = scene_sun_exposure(prepared, progress);
+    const SunExposure sun = scene_sun_exposure(prepared, scene_steps(prepared.scene));
     const double before = peak_memory();
-    SolveOptions plain = scene_solve_options(prepared.scene);
+    SolveOptions plain{.start = prepared.scene.time.start,
+                       .duration = prepared.scene.time.duration,
+                       .step = prepared.scene.time.step};
     plain.keep_every = plain.step;
     const auto run = [&](const SolveOptions& options, const std::string& setting) {
         const double since = cpu_seconds();

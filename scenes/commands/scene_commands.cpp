@@ -81,9 +81,9 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     Progress progress(a.style());
     progress.stage("sky view");
     const FacetViews view = scene_sky_view(prepared);
-    const SolveResult result = solve_scene(prepared, view, progress);
+    const SpanResult result = solve_scene(prepared, view, progress);
     save_temperature_field(out, result.temperature, prepared.world.surfaces(), prepared.world.site);
-    check_converged(not_converged(prepared.scene, result.report));
+    check_converged(not_converged(result.report));
 }
 
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,

@@ -13,6 +13,7 @@
 #include "scenes/input/read_plumes.hpp"
 #include "scenes/input/read_terrain.hpp"
 #include "scenes/input/read_textures.hpp"
+#include "scenes/input/read_time.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 #include "thermal/weather/clear_sky.hpp"
@@ -25,13 +26,6 @@ namespace diurna {
 struct WeatherInput {
     std::filesystem::path file;
     WeatherOptions options;  // but for the elevation, which is that of the site
-};
-
-struct TimeInput {
-    Instant start;
-    double duration = 86400.0;  // [s]
-    double step = 600.0;        // of the heat balance [s]
-    double frame_every = 3600.0;
 };
 
 struct Scene {

@@ -18,15 +18,6 @@ namespace {
 
 constexpr const char* material_says = "a material by this name, with the keys of the third chapter";
 
-Instant moment(const Section& section, const std::string& key, const char* says) {
-    try {
-        return parse_instant(section.moment(key, says), key);
-    } catch (const InputError& error) {
-        section.mistake(key, error.mistakes().front().problem);
-        return {};
-    }
-}
-
 std::optional<Site> read_site(const Section& section) {
     const bool north = section.has("latitude_deg"), east = section.has("longitude_deg");
     if (!north && !east) return std::nullopt;
@@ -42,36 +33,6 @@ std::optional<Site> read_site(const Section& section) {
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
     return {.file = reading.file(section, "file", "CSV; its columns stand in scenes/README.md"),
             .options = read_weather_options(section, Stamp::instant, 0.5)};
-}
-
-TimeInput read_time(const Section& section) {
-    TimeInput time;
-    time.start = moment(section, "start", "of the day, with its offset from UTC");
-    time.duration =
-        3600.0 *
-        section.number_or(
-            "duration_h",
-            "24: a day that repeats itself; less: from the steady balance of the span's mean on",
-            24.0, {1.0, 24.0});
-    time.step = section.number_or("step_s", "of the heat balance; divides the duration", 600.0,
-                                  {1.0, 3600.0});
-    time.frame_every = section.number_or(
-        "frame_every_s", "between pictures; a multiple of the step", 3600.0, {1.0, 86400.0});
-    for (const auto& [key, value] :
-         {std::pair{"step_s", time.step}, {"frame_every_s", time.frame_every}}) {
-        const double count = time.duration / value;
-        if (std::abs(count - std::round(count)) > 1e-9) {
-            section.mistake(key, fmt::format("{:g} s does not divide the duration of {:g} s evenly",
-                                             value, time.duration));
-        }
-    }
-    const double steps = time.frame_every / time.step;
-    if (std::abs(steps - std::round(steps)) > 1e-9) {
-        section.mistake("frame_every_s",
-                        fmt::format("{:g} s is not a multiple of the step of {:g} s",
-                                    time.frame_every, time.step));
-    }
-    return time;
 }
 
 /// Names, and how finely the scene is sampled.

@@ -6,6 +6,12 @@ const std::vector<std::string> scene_specimens{R"(
 [site]
 latitude_deg = 36.32
 longitude_deg = -84.2
+[time]
+start = 2026-07-15T00:00:00Z
+end = 2026-07-17T00:00:00Z
+[sky]
+sun = "ineichen"
+precipitable_water_cm = 1.5
 [terrain]
 radius_m = 4000.0
 [terrain.land_cover.material]

@@ -55,8 +55,8 @@ std::size_t always_points(const Scene& scene, const World& world) {
 /// How many instants, pixels and rays there are.
 void count_work(const Scene& scene, const World& world, Plan& plan) {
     plan.facets = world.surfaces().size();
-    plan.steps = step_instants(scene_solve_options(scene));
-    plan.frames = frame_instants(scene.time);
+    plan.steps = scene_steps(scene);
+    plan.frames = scene.time.frames;
     for (const Instant step : plan.steps) {
         // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
         if (sun_position(world.site, step).elevation_deg > -0.84) plan.sunlit_steps.push_back(step);

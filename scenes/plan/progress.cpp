@@ -39,6 +39,13 @@ void Progress::done(double share) {
     if (style_ == ProgressStyle::bar || style_ == ProgressStyle::json) show(share, false);
 }
 
+void Progress::set_apart(const std::string& name, double seconds) {
+    const std::lock_guard lock(mutex_);
+    stages_.push_back({name, seconds});
+    began_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    if (style_ == ProgressStyle::lines) fmt::print(stderr, "{:<28} {:7.2f} s\n", name, seconds);
+}
+
 void Progress::finish() {
     const std::lock_guard lock(mutex_);
     if (name_.empty()) return;

@@ -22,6 +22,8 @@ class Progress {
     void stage(const std::string& name);
     /// Share of the present stage that is done, 0 to 1. Cheap; may be called from any thread.
     void done(double share);
+    /// Counts seconds of the present stage as a stage of their own, before it.
+    void set_apart(const std::string& name, double seconds);
     /// Ends the last stage.
     void finish();
 

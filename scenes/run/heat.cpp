@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <span>
 #include <vector>
 
@@ -34,18 +35,17 @@ FacetViews scene_sky_view(const Prepared& prepared) {
     return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
 }
 
-SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
+SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Instant>& instants) {
     const Scene& scene = prepared.scene;
     const std::size_t facets = prepared.world.facets.size();
     const ReliefVisibility light = light_of(prepared);
-    SunExposure exposure{.instant = prepared.plan.steps, .fraction = {}};
+    SunExposure exposure{.instant = instants, .fraction = {}};
     exposure.fraction.assign(exposure.instant.size() * facets, 0.0f);
     for (std::size_t i = 0; i < exposure.instant.size(); ++i) {
         const SunPosition sun = sun_position(prepared.world.site, exposure.instant[i]);
         light.sun_fraction(sun_direction(sun),
                            std::span(exposure.fraction).subspan(i * facets, facets),
                            {.samples = scene.sun_samples, .seed = scene.seed});
-        progress.done(static_cast<double>(i + 1) / static_cast<double>(exposure.instant.size()));
     }
     // When within a step the sun comes and goes: by rays, which answer for single facets.
     find_edges(exposure,
@@ -70,30 +70,37 @@ SunExposure scene_sun_exposure(const Prepared& prepared, Progress& progress) {
     return exposure;
 }
 
-std::string not_converged(const Scene& scene, const SolveReport& report) {
+std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
     return fmt::format(
         "the heat balance has not converged in {} passes: periodic to {:.1e} K (tolerance {:.0e} "
         "K), estimated error {:.1e} K",
-        report.passes, report.periodic_residual, scene_solve_options(scene).tolerance,
-        report.estimated_error);
+        report.passes, report.periodic_residual, SolveOptions{}.tolerance, report.estimated_error);
 }
 
-SolveResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
-    progress.stage("shadows");
-    const SunExposure exposure = scene_sun_exposure(prepared, progress);
+SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
     progress.stage("heat balance");
-    SolveOptions options = scene_solve_options(prepared.scene);
-    options.progress = [&](double share) { progress.done(share); };
-    return solve({.facets = prepared.world.surfaces(),
-                  .views = views,
-                  .sun = exposure,
-                  .materials = prepared.scene.materials,
-                  .weather = prepared.weather,
-                  .site = prepared.world.site,
-                  .elevation = prepared.world.sea_level_height,
-                  .clear_sky = prepared.scene.sky},
-                 options);
+    double shadows = 0.0;
+    SpanOptions span = scene_span(prepared.scene);
+    span.day.progress = [&](double share) { progress.done(share); };
+    const SunExposure none;
+    const auto exposure = [&](const std::vector<Instant>& instants) {
+        const auto begun = std::chrono::steady_clock::now();
+        SunExposure sun = scene_sun_exposure(prepared, instants);
+        shadows += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        return sun;
+    };
+    SpanResult result = solve_span({.facets = prepared.world.surfaces(),
+                                    .views = views,
+                                    .sun = none,
+                                    .materials = prepared.scene.materials,
+                                    .weather = prepared.weather,
+                                    .site = prepared.world.site,
+                                    .elevation = prepared.world.sea_level_height,
+                                    .clear_sky = prepared.scene.sky},
+                                   exposure, span);
+    progress.set_apart("shadows", shadows);
+    return result;
 }
 
 }  // namespace diurna

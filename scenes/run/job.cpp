@@ -39,13 +39,14 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
 TemperatureField solve_and_write(const Prepared& prepared, const FacetViews& views,
                                  const fs::path& out, Progress& progress, Manifest& manifest,
                                  JobReport& report) {
-    SolveResult result = solve_scene(prepared, views, progress);
+    SpanResult result = solve_scene(prepared, views, progress);
     progress.stage("write temperatures");
-    manifest.not_converged = not_converged(prepared.scene, result.report);
+    manifest.not_converged = not_converged(result.report);
     if (!manifest.not_converged.empty()) write_manifest(out, prepared.scene, manifest);
     save_temperature_field(out / "temperatures.nc", result.temperature, prepared.world.surfaces(),
                            prepared.world.site);
     report.solve = result.report;
+    report.notes.push_back("start of the heat balance: " + result.start);
     report.solved = true;
     return std::move(result.temperature);
 }

@@ -17,13 +17,25 @@ namespace diurna {
 
 namespace {
 
+/// Every step of the span, and of the days before it and the first day that its start may take.
+std::vector<Instant> driven_instants(const Scene& scene, const Weather& weather) {
+    constexpr double day = 86400.0;
+    const TimeInput& time = scene.time;
+    const double before = day * double(std::max(1, time.days_before));
+    const double known = seconds_between(weather.instant.front(), time.start);
+    const double days = std::floor(std::clamp(known, 0.0, before) / day);
+    const Instant from = later(time.start, -day * days);
+    const Instant to = std::max(time.end(), later(time.start, day));
+    return step_instants({.start = from, .duration = seconds_between(from, to), .step = time.step});
+}
+
 /// The series at every step of the heat balance, its unmeasured radiation from the atmosphere.
 Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& series) {
     const Weather& weather = series.weather();
     Weather driven = weather;
     driven.span.clear();
     driven.note = "sun and longwave that were not measured come from the scene's atmosphere";
-    driven.instant = step_instants(scene_solve_options(scene));
+    driven.instant = driven_instants(scene, weather);
     driven.sample.resize(driven.instant.size());
     const double ground_km = world.sea_level_height / 1000.0;
     const auto fill = [&](std::size_t i) {
@@ -127,7 +139,7 @@ Weather scene_weather(const Scene& scene, const World& world) {
     options.elevation = world.sea_level_height;
     Weather weather = read_weather(scene.weather.file, options);
     const SkySeries series(std::move(weather), world.site, world.sea_level_height, scene.sky,
-                           scene.time.start, later(scene.time.start, scene.time.duration));
+                           scene.time.start, scene.time.end());
     return scene.air.drives_heat ? driven_by_air(scene, world, series) : series.weather();
 }
 

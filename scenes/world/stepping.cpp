@@ -1,38 +1,34 @@
 #include "scenes/world/stepping.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace diurna {
 
-namespace {
-
-/// The longest whole number of steps that meets every frame and every half hour [s].
-double kept_every(const TimeInput& time) {
-    const auto steps = static_cast<int>(std::lround(time.frame_every / time.step));
-    int kept = steps;
-    while (kept > 1 && (steps % kept != 0 || kept * time.step > 1800.0)) --kept;
-    return kept * time.step;
-}
-
-}  // namespace
-
-SolveOptions scene_solve_options(const Scene& scene) {
-    SolveOptions options;
-    options.start = scene.time.start;
-    options.duration = scene.time.duration;
-    options.step = scene.time.step;
-    options.keep_every = kept_every(scene.time);
-    options.periodic = scene.time.duration == 86400.0;
-    return options;
-}
-
-std::vector<Instant> frame_instants(const TimeInput& time) {
-    std::vector<Instant> frames;
-    const auto count = std::lround(time.duration / time.frame_every);
-    for (long i = 0; i < count; ++i) {
-        frames.push_back(later(time.start, static_cast<double>(i) * time.frame_every));
+SpanOptions scene_span(const Scene& scene) {
+    constexpr double curve_every = 1800.0, longest_curve = 2.0 * 86400.0;  // [s]
+    const TimeInput& time = scene.time;
+    SpanOptions span{.day = {.step = time.step},
+                     .start = time.start,
+                     .end = time.end(),
+                     .begin = time.spin_up,
+                     .days_before = time.days_before,
+                     .wanted = time.frames};
+    if (time.duration <= longest_curve) {
+        const auto count = std::lround(std::ceil(time.duration / curve_every));
+        for (long i = 0; i <= count; ++i) {
+            const double at = std::min(time.duration, double(i) * curve_every);
+            span.wanted.push_back(later(time.start, at));
+        }
     }
-    return frames;
+    std::sort(span.wanted.begin(), span.wanted.end());
+    span.wanted.erase(std::unique(span.wanted.begin(), span.wanted.end()), span.wanted.end());
+    return span;
+}
+
+std::vector<Instant> scene_steps(const Scene& scene) {
+    return step_instants(
+        {.start = scene.time.start, .duration = scene.time.duration, .step = scene.time.step});
 }
 
 }  // namespace diurna

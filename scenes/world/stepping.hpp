@@ -3,17 +3,16 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
-#include "thermal/solve/solver.hpp"
+#include "thermal/solve/solve_span.hpp"
 
 namespace diurna {
 
-/// How the heat balance of a scene is stepped. Temperatures are kept at every frame and, for the
-/// curves of a day and where they cross, at least each half hour. `step_instants()` of it are the
-/// instants between steps.
-SolveOptions scene_solve_options(const Scene& scene);
+/// How the heat balance of a scene goes through its span. Temperatures are kept at every picture
+/// and, of spans up to two days, at least each half hour, for the curves of a day and where they
+/// cross.
+SpanOptions scene_span(const Scene& scene);
 
-/// When a picture is taken: every `frame_every` from the start on, without the end, which is the
-/// start of a periodic day.
-std::vector<Instant> frame_instants(const TimeInput& time);
+/// The instants between the steps of a scene's span, its ends included.
+std::vector<Instant> scene_steps(const Scene& scene);
 
 }  // namespace diurna

@@ -65,6 +65,8 @@ class PointFacet {
     void keep_in_bounds();
     /// Snow as old as at the beginning: before a span is gone through again.
     void renew_snow() { snow_albedo_ = setup_.surface.albedo; }
+    double snow_albedo() const { return snow_albedo_; }
+    void set_snow_albedo(double albedo) { snow_albedo_ = albedo; }
     /// Takes over the state of a facet of the same column, and how long its steps were.
     void go_on_from(const PointFacet& other);
 

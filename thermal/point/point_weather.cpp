@@ -1,9 +1,7 @@
 #include "thermal/point/point_weather.hpp"
 
-#include <algorithm>
 #include <cmath>
 
-#include "materials/air/moist_air.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather/tilted_sky.hpp"
 
@@ -39,36 +37,6 @@ PointForcing PointWeather::operator()(Instant when) {
         f.wind_speed = job_.airspeed;
     }
     return f;
-}
-
-Weather without_trend(Weather weather, Instant start) {
-    constexpr double window = 3600.0;  // [s] averaged at either end
-    const Instant end = later(start, seconds_of_day);
-    const auto mean = [&](Instant from, double Forcing::*flux, double AirState::*air) {
-        double sum = 0.0;
-        constexpr int parts = 12;
-        for (int i = 0; i < parts; ++i) {
-            const Forcing f = weather.at(later(from, window * (i + 0.5) / parts));
-            sum += flux ? f.*flux : f.air.*air;
-        }
-        return sum / parts;
-    };
-    const auto gain = [&](double Forcing::*flux, double AirState::*air) {
-        return mean(later(end, -window), flux, air) - mean(start, flux, air);
-    };
-    const double warmer = gain(nullptr, &AirState::temperature);
-    const double moister = gain(nullptr, &AirState::vapour_pressure);
-    const double brighter = gain(&Forcing::longwave_down, nullptr);
-    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
-        const double share =
-            std::clamp(seconds_between(start, weather.instant[i]) / seconds_of_day, 0.0, 1.0);
-        Forcing& f = weather.sample[i];
-        f.air.temperature -= share * warmer;
-        f.air.vapour_pressure = std::clamp(f.air.vapour_pressure - share * moister, 0.0,
-                                           saturation_vapour_pressure(f.air.temperature));
-        if (!std::isnan(brighter)) f.longwave_down -= share * brighter;
-    }
-    return weather;
 }
 
 }  // namespace diurna

@@ -9,8 +9,6 @@
 
 namespace diurna {
 
-inline constexpr double seconds_of_day = 86400.0;
-
 /// What a job's weather sends to its facet: sun and sky as it sees them, and air as it meets it.
 /// The job must outlive it.
 class PointWeather {
@@ -29,10 +27,5 @@ class PointWeather {
     Eigen::Vector3d normal_;
     double tilted_;  // tilted_sky_excess
 };
-
-/// A series whose first day from `start` may have gone before itself: what its air and sky gained
-/// or lost from end to end is taken out evenly, so that it ends as it began. A front that came
-/// through is weather of that day and none of the days before.
-Weather without_trend(Weather weather, Instant start);
 
 }  // namespace diurna

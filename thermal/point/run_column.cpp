@@ -7,6 +7,7 @@
 #include "thermal/point/point_facet.hpp"
 #include "thermal/point/point_weather.hpp"
 #include "thermal/point/spin_up.hpp"
+#include "thermal/weather/repeated_day.hpp"
 
 namespace diurna {
 

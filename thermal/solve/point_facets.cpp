@@ -100,24 +100,55 @@ void PointFacets::take_in(const Level& level) {
             }
             if (!cold) continue;
             taken_[f] = fresh_ = true;
-            point_.push_back({.facet = f,
-                              .block = b,
-                              .lane = l,
-                              .u = {},
-                              .standing = {},
-                              .kelvin = {},
-                              .excess = {},
-                              .count = {}});
+            point_.push_back(
+                {.facet = f,
+                 .block = b,
+                 .lane = l,
+                 .start = {.facet = f, .u = {}, .standing = {}, .snow_albedo = surface.albedo},
+                 .end = {},
+                 .kelvin = {},
+                 .excess = {},
+                 .count = {}});
         }
     }
+    for (const Point& p : point_) fresh_ = fresh_ || p.kelvin.empty();
     if (fresh_ && weather_.empty()) {
         for (const Instant when : solve_.instant)
             weather_.push_back(solve_.series.weather().at(when));
     }
 }
 
+void PointFacets::set_out_from(const std::vector<HeatState::Point>& left) {
+    taken_.assign(solve_.facets, false);
+    std::vector<const HeatState::Point*> of(solve_.facets, nullptr);
+    for (const HeatState::Point& point : left) of[point.facet] = &point;
+    for (std::size_t b = 0; b < solve_.block.size(); ++b) {
+        const Block& block = solve_.block[b];
+        for (std::size_t l = 0; l < block.facet.size(); ++l) {
+            const std::size_t f = block.facet[l];
+            if (!of[f]) continue;
+            taken_[f] = true;
+            point_.push_back({.facet = f,
+                              .block = b,
+                              .lane = l,
+                              .begun = true,
+                              .start = *of[f],
+                              .end = *of[f],
+                              .kelvin = {},
+                              .excess = {},
+                              .count = {}});
+        }
+    }
+}
+
+std::vector<HeatState::Point> PointFacets::left() const {
+    std::vector<HeatState::Point> left;
+    for (const Point& p : point_) left.push_back(p.end);
+    return left;
+}
+
 bool PointFacets::rests(const Point& p) const {
-    if (!p.begun) return false;
+    if (!p.begun || p.kelvin.empty()) return false;
     if (solve_.options.periodic && (p.residual > solve_.options.tolerance || p.move > 0.01)) {
         return false;
     }
@@ -160,8 +191,8 @@ void PointFacets::run(const Level& level, Point& p) const {
                       .longest_step = solve_.step / solve_.options.refinement,
                       .forcing = [&](Instant when) { return forcing(when); }});
     if (p.begun) {
-        facet.u = p.u;
-        facet.standing = p.standing;
+        facet.u = p.start.u;
+        facet.standing = p.start.standing;
     } else {
         guess_state(column.surface, mean_kelvin(p.facet), facet);
         p.begun = true;
@@ -171,14 +202,16 @@ void PointFacets::run(const Level& level, Point& p) const {
     for (int pass = 0; pass < most_passes; ++pass) {
         const std::vector<double> start = facet.u;
         const Standing stood = facet.standing;
+        facet.set_snow_albedo(p.start.snow_albedo);
         const auto size = static_cast<Eigen::Index>(start.size());
         Eigen::MatrixXd map;
         if (periodic) map = Eigen::MatrixXd::Identity(size, size);
         march_span(solve_.instant, forcing.edges(), facet, p.kelvin, periodic ? &map : nullptr);
         ++p.passes;
         p.count = facet.count;
-        if (!periodic) {
-            facet.u = start;  // a span that does not repeat begins where it began
+        p.end = {p.facet, facet.u, facet.standing, facet.snow_albedo()};
+        if (!periodic) {  // a span that does not repeat begins where it began
+            facet.u = start;
             facet.standing = stood;
             break;
         }
@@ -189,8 +222,8 @@ void PointFacets::run(const Level& level, Point& p) const {
             break;
         }
     }
-    p.u = facet.u;
-    p.standing = facet.standing;
+    p.start.u = facet.u;
+    p.start.standing = facet.standing;
 }
 
 void PointFacets::pass(SolveState& solve, const Level& level) {

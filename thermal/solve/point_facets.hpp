@@ -32,6 +32,11 @@ class PointFacets {
     /// Their temperatures once more, where neighbours have moved the solve's since.
     void put(SolveState& solve) const;
 
+    /// Begins with facets that another solve has taken in, from what it left.
+    void set_out_from(const std::vector<HeatState::Point>& left);
+    /// What the span leaves of all points.
+    std::vector<HeatState::Point> left() const;
+
     std::size_t size() const { return point_.size(); }
     /// Worst of all points: of the last run, and (worst_passes) of all runs together.
     struct Summary {
@@ -47,8 +52,7 @@ class PointFacets {
     struct Point {
         std::size_t facet, block, lane;
         bool begun = false;
-        std::vector<double> u;  // (node), see NonlinearColumn
-        Standing standing;
+        HeatState::Point start, end;
         std::vector<float> kelvin, excess;  // (instant) of the last run; what it ran under
         double residual = 0.0, move = 0.0;
         int passes = 0;

@@ -10,6 +10,7 @@
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
+#include "thermal/solve/heat_state.hpp"
 #include "thermal/weather/sky_state.hpp"
 #include "thermal/weather/weather.hpp"
 
@@ -27,7 +28,9 @@ struct SolveOptions {
     double duration = 86400.0;   // [s]
     double step = 600.0;         // [s]; the last step ends with the span, all are equally long
     double keep_every = 3600.0;  // [s] between kept instants, rounded to whole steps
-    bool periodic = true;        // the span repeats for ever; else start from its mean balance
+    bool periodic = true;        // the span repeats for ever; else it starts from SolveInput::from,
+                                 // or from its mean balance
+    bool goes_on = false;        // other spans follow: what is slower than this one is kept
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
     Method method = Method::modes;
@@ -65,6 +68,7 @@ struct SolveInput {
     Site site;
     double elevation = 0.0;  // [m] above the sea, of the weather
     ClearSky clear_sky{};
+    const HeatState* from = nullptr;  // at the start; null: periodic, or the span's mean balance
 };
 
 /// Throws InputError where arrays do not match each other or the options.

@@ -194,6 +194,30 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
     report.warmest = *warmest;
 }
 
+/// Sets out from what another solve has left, in place of the first guess.
+void set_out_from(const HeatState& from, SolveState& solve) {
+    for (std::size_t b = 0; b < solve.block.size(); ++b) solve.block[b].start = from.block[b];
+    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+        std::copy(from.kelvin.begin(), from.kelvin.end(), solve.row(solve.kelvin, i).begin());
+    }
+}
+
+/// What the span leaves. A periodic one ends where it starts.
+HeatState left_by(SolveState& solve, const Level& level, const PointFacets& points) {
+    HeatState end{.reference = level.kind.front().column.reference,
+                  .kelvin = {},
+                  .block = {},
+                  .point = points.left()};
+    const std::span<float> last = solve.row(solve.kelvin, solve.steps());
+    end.kelvin.assign(last.begin(), last.end());
+    for (const Block& block : solve.block) {
+        std::vector<double>& state = end.block.emplace_back(block.start);
+        if (solve.options.periodic) continue;
+        for (std::size_t i = 0; i < state.size(); ++i) state[i] += block.change[i];
+    }
+    return end;
+}
+
 }  // namespace
 
 SolveResult solve(const SolveInput& input, const SolveOptions& options) {
@@ -208,6 +232,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     Level fine = make_level(state, materials, 1, StepSetup{}.most_substeps);
     state.kelvin.resize(state.instant.size() * state.facets);
     settle(state, fine);
+    if (input.from) set_out_from(*input.from, state);
     if (options.exchange && exchanging(input)) {
         state.excess.assign(state.instant.size() * state.facets, 0.0f);
     }
@@ -217,9 +242,11 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
         renew_longwave(state, fine, report);
     }
     PointFacets points(state);
+    if (input.from) points.set_out_from(input.from->point);
     pass_until_settled(state, fine, points, report);
     tell_steps(state, points, report);
-    SolveResult result{.temperature = kept(state), .report = report};
+    SolveResult result{
+        .temperature = kept(state), .report = report, .end = left_by(state, fine, points)};
     result.report.seconds = seconds_since(begun);
     if (options.progress) options.progress(1.0);
     return result;

@@ -37,6 +37,7 @@ struct SolveReport {
 struct SolveResult {
     TemperatureField temperature;
     SolveReport report;
+    HeatState end;  // of the span
 };
 
 /// Temperatures of all facets over the span: layered conduction below, the full surface balance

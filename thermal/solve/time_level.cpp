@@ -16,7 +16,9 @@ constexpr double usual_film = 25.0;  // [W m⁻² K⁻¹] radiation and air toge
 ModeColumn mode_column(const SolveState& solve, const ThermalSurface& surface, double reference) {
     ReductionOptions options{.largest_error = solve.options.mode_error};
     // Of a span that repeats nothing is slower than the span but its mean.
-    if (solve.options.periodic) options.longest = std::min(options.longest, solve.options.duration);
+    if (solve.options.periodic && !solve.options.goes_on) {
+        options.longest = std::min(options.longest, solve.options.duration);
+    }
     ModeColumn modes{.reduced = reduce_column(surface.layers, surface.bottom, reference, options),
                      .probe = {}};
     const Eigen::MatrixXd& profile = modes.reduced.profile;
@@ -35,6 +37,8 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
                  std::size_t stride, int most_substeps, const Level* finer) {
     const Weather& weather = solve.series.weather();
     const double step = solve.step * double(stride);
+    const double reference = solve.input.from ? solve.input.from->reference
+                                              : weather.at(solve.options.start).air.temperature;
     Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
     for_each_index(
         materials.size(),
@@ -42,16 +46,15 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
             Kind& kind = level.kind[m];
             const ThermalSurface& surface = solve.input.materials[materials[m]].thermal;
             const bool thin = solve.options.method == Method::modes && surface.back;
-            kind.column =
-                material_column(surface,
-                                {.step = step,
-                                 .wind_height = weather.wind_height,
-                                 .air_height = weather.air_height,
-                                 .reference = weather.at(solve.options.start).air.temperature,
-                                 .most_substeps = most_substeps,
-                                 .refinement = solve.options.refinement,
-                                 .grid = thin ? plate_grid : solve.options.grid},
-                                finer ? &finer->kind[m].column.louis : nullptr);
+            kind.column = material_column(surface,
+                                          {.step = step,
+                                           .wind_height = weather.wind_height,
+                                           .air_height = weather.air_height,
+                                           .reference = reference,
+                                           .most_substeps = most_substeps,
+                                           .refinement = solve.options.refinement,
+                                           .grid = thin ? plate_grid : solve.options.grid},
+                                          finer ? &finer->kind[m].column.louis : nullptr);
             const auto add = [&](Instant when) {
                 const Forcing forcing = weather.at(when);
                 const SkyState sky = solve.series.dark(when);

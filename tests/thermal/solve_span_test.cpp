@@ -1,0 +1,154 @@
+#include "thermal/solve/solve_span.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "tests/support/hill_world.hpp"
+#include "thermal/weather/repeated_day.hpp"
+
+using namespace diurna;
+using namespace hill_world;
+
+namespace {
+
+constexpr double hour = 3600.0, day = 86400.0;
+
+/// The summer day of the hills, so many days long from `first` on.
+Weather summers(double first_day, int days) {
+    const Weather one = summer();
+    Weather weather;
+    for (int h = 0; h <= 24 * days; ++h) {
+        weather.instant.push_back(later(june, day * first_day + hour * h));
+        weather.sample.push_back(one.sample[std::size_t(h % 24)]);
+    }
+    return weather;
+}
+
+std::vector<Instant> every_half_hour(double from_h, double to_h) {
+    std::vector<Instant> wanted;
+    for (double h = from_h; h <= to_h + 1e-9; h += 0.5) wanted.push_back(later(june, hour * h));
+    return wanted;
+}
+
+SpanResult walk(const World& world, double from_h, double to_h, SpanStart begin) {
+    const SunExposure none;
+    const auto exposure = [&](const std::vector<Instant>& instants) {
+        return shadows(world.facets, world.rays, tennessee,
+                       {.start = instants.front(),
+                        .duration = seconds_between(instants.front(), instants.back())});
+    };
+    return solve_span({.facets = world.facets,
+                       .views = world.view,
+                       .sun = none,
+                       .materials = world.materials,
+                       .weather = world.weather,
+                       .site = tennessee,
+                       .elevation = 400.0},
+                      exposure,
+                      {.day = {},
+                       .start = later(june, hour * from_h),
+                       .end = later(june, hour * to_h),
+                       .begin = begin,
+                       .wanted = every_half_hour(from_h, to_h)});
+}
+
+/// [K] the largest difference between a day and another span at the same hours, from one hour of
+/// the day to another.
+double apart_by_hour(const TemperatureField& whole_day, const TemperatureField& part,
+                     double from_h = 0.0, double to_h = 24.0) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < part.instant.size(); ++i) {
+        const double since = std::fmod(seconds_between(june, part.instant[i]), day);
+        if (since < from_h * hour || since > to_h * hour) continue;
+        const std::vector<float> row = whole_day.interpolate(later(june, since));
+        for (std::size_t f = 0; f < row.size(); ++f) {
+            worst = std::max(worst, std::abs(double(row[f]) - double(part.at(i)[f])));
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("part of a day that repeats has the hours of the whole day", "[thermal][span]") {
+    World world(8);
+    const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;
+    world.weather = summers(-1.0, 3);
+    for (const SpanStart begin : {SpanStart::periodic, SpanStart::weather}) {
+        const SpanResult morning = walk(world, 6.0, 18.0, begin);
+        const SpanResult night = walk(world, 18.0, 24.0, begin);
+        CAPTURE(int(begin), morning.start);
+        CHECK(morning.report.converged);
+        CHECK(morning.temperature.instant.size() == 25);
+        CHECK(night.temperature.instant.size() == 13);
+        CHECK(apart_by_hour(whole, morning.temperature) < 0.05);
+        CHECK(apart_by_hour(whole, night.temperature) < 0.05);
+    }
+}
+
+TEST_CASE("days that repeat go on as they began", "[thermal][span]") {
+    World world(8);
+    const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;
+    world.weather = summers(0.0, 3);
+    const SpanResult days = walk(world, 0.0, 60.0, SpanStart::known);
+    CAPTURE(days.start);
+    CHECK(days.report.converged);
+    CHECK(days.temperature.instant.size() == 121);
+    // By day each sun comes 13 s after the one before, worth up to 0.1 K where it grazes.
+    CHECK(apart_by_hour(whole, days.temperature, 0.0, 4.0) < 0.005);
+    CHECK(apart_by_hour(whole, days.temperature, 21.0, 24.0) < 0.005);
+    CHECK(apart_by_hour(whole, days.temperature) < 0.3);
+}
+
+// A plate that conducts well has one temperature T, C dT/dt = h (T_air − T): air of 280 K for ever,
+// then 290 K, straight within an hour.
+TEST_CASE("a change of weather is followed from day to day as in closed form", "[thermal][span]") {
+    const double film = 10.0, capacity = 0.5 * 2e6, lag = capacity / film, ramp = hour;
+    World world(2);
+    world.materials = MaterialLibrary({ground("plate", 1.0, 0.0, ConstantFilm{film},
+                                              {{0.5, 1e4, 2000.0, 1000.0}}, FixedFlux{0.0})});
+    for (MaterialId& id : world.facets.material) id = MaterialId{0};
+    world.weather = {};
+    for (int h = -72; h <= 96; ++h) {
+        Forcing forcing;
+        forcing.air = {
+            .temperature = h <= 0 ? 280.0 : 290.0, .pressure = 96000.0, .vapour_pressure = 500.0};
+        world.weather.instant.push_back(later(june, hour * h));
+        world.weather.sample.push_back(forcing);
+    }
+    const SpanResult result = walk(world, 0.0, 72.0, SpanStart::known);
+    CAPTURE(result.start);
+    const double at_ramp = 280.0 + 10.0 * (1.0 - lag / ramp * (1.0 - std::exp(-ramp / lag)));
+    for (std::size_t i = 0; i < result.temperature.instant.size(); ++i) {
+        const double t = seconds_between(june, result.temperature.instant[i]);
+        if (t < ramp) continue;
+        const double exact = 290.0 + (at_ramp - 290.0) * std::exp(-(t - ramp) / lag);
+        CAPTURE(t, exact);
+        CHECK(result.temperature.at(i)[0] == Approx(exact).margin(0.01));
+    }
+}
+
+TEST_CASE("a day that does not repeat is known, and its trend taken out", "[thermal][span]") {
+    Weather front = summers(0.0, 1);
+    CHECK(repeats(front, june));
+    for (std::size_t i = 0; i < front.sample.size(); ++i) {
+        front.sample[i].air.temperature -= 10.0 * double(i) / 24.0;
+    }
+    CHECK_FALSE(repeats(front, june));
+    const Weather before = without_trend(front, june);
+    CHECK(before.at(later(june, day)).air.temperature ==
+          Approx(before.at(june).air.temperature).margin(1e-9));
+    // Two days of it: the same hour of both days tells the trend, whatever the hour.
+    Weather longer = summers(0.0, 3);
+    for (std::size_t i = 0; i < longer.sample.size(); ++i) {
+        longer.sample[i].air.temperature -= 10.0 * double(i) / 24.0;
+    }
+    const Instant seven = later(june, 7.0 * hour);
+    const Weather level = without_trend(longer, seven);
+    for (const double h : {0.0, 5.0, 12.0, 24.0}) {
+        const Instant when = later(seven, hour * h);
+        CHECK(level.at(when).air.temperature + 10.0 * 7.0 / 24.0 ==
+              Approx(summers(0.0, 3).at(when).air.temperature).margin(1e-6));
+    }
+}

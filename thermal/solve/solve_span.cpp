@@ -1,0 +1,208 @@
+#include "thermal/solve/solve_span.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "terrain/place/sun.hpp"
+#include "thermal/weather/repeated_day.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double day = seconds_of_day;
+
+/// A span on its way, day by day.
+struct Walk {
+    const SolveInput& input;
+    const ExposureOf& exposure;
+    const SpanOptions& options;
+    SpanResult result;
+    HeatState state;
+    int days = 0, all_days = 1;
+};
+
+/// The worst of two reports, and what both took.
+void add_report(const SolveReport& one, SolveReport& all) {
+    const bool first = all.facets == 0;
+    all.converged = (first || all.converged) && one.converged;
+    all.facets = one.facets;
+    all.steps += one.steps;
+    all.passes = std::max(all.passes, one.passes);
+    all.periodic_residual = std::max(all.periodic_residual, one.periodic_residual);
+    all.estimated_error = std::max(all.estimated_error, one.estimated_error);
+    all.exchange_change = std::max(all.exchange_change, one.exchange_change);
+    all.worst_energy_closure = std::max(all.worst_energy_closure, one.worst_energy_closure);
+    all.newton_iterations = std::max(all.newton_iterations, one.newton_iterations);
+    all.worst_newton_iterations =
+        std::max(all.worst_newton_iterations, one.worst_newton_iterations);
+    all.bisections += one.bisections;
+    all.points = std::max(all.points, one.points);
+    all.point_passes = std::max(all.point_passes, one.point_passes);
+    all.limited += one.limited;
+    all.coldest = first ? one.coldest : std::min(all.coldest, one.coldest);
+    all.warmest = std::max(all.warmest, one.warmest);
+    all.exchange_seconds += one.exchange_seconds;
+    all.step_seconds += one.step_seconds;
+    all.step_cpu_seconds += one.step_cpu_seconds;
+    all.seconds += one.seconds;
+}
+
+/// Keeps the wanted instants of a solve's steps: of [start, end), and the end if it is the last.
+void keep(const TemperatureField& steps, bool last, Walk& walk) {
+    const std::vector<Instant>& wanted = walk.options.wanted;
+    TemperatureField& kept = walk.result.temperature;
+    const auto begin = std::lower_bound(wanted.begin(), wanted.end(), steps.instant.front());
+    for (auto when = begin; when != wanted.end(); ++when) {
+        if (*when > steps.instant.back() || (*when == steps.instant.back() && !last)) break;
+        const std::vector<float> row = steps.interpolate(*when);
+        kept.instant.push_back(*when);
+        kept.facets = steps.facets;
+        kept.kelvin.insert(kept.kelvin.end(), row.begin(), row.end());
+    }
+}
+
+struct Piece {
+    Instant from, to;
+    bool periodic = false, goes_on = true;
+    const Weather* weather = nullptr;  // null: the input's
+    const HeatState* begin = nullptr;
+};
+
+SolveResult solve_piece(const Piece& piece, Walk& walk) {
+    SolveOptions options = walk.options.day;
+    options.start = piece.from;
+    options.duration = seconds_between(piece.from, piece.to);
+    options.keep_every = 0.0;  // every step
+    options.periodic = piece.periodic;
+    options.goes_on = piece.goes_on;
+    const double done = walk.days++, all = std::max(walk.days, walk.all_days);
+    if (walk.options.day.progress) {
+        options.progress = [&](double share) { walk.options.day.progress((done + share) / all); };
+    }
+    const SolveInput& given = walk.input;
+    const SunExposure sun = walk.exposure(step_instants(options));
+    SolveResult result = solve({.facets = given.facets,
+                                .views = given.views,
+                                .sun = sun,
+                                .materials = given.materials,
+                                .weather = piece.weather ? *piece.weather : given.weather,
+                                .site = given.site,
+                                .elevation = given.elevation,
+                                .clear_sky = given.clear_sky,
+                                .from = piece.begin},
+                               options);
+    add_report(result.report, walk.result.report);
+    return result;
+}
+
+/// The state that a day without its trend, again and again, leads to.
+void repeat_day(Instant from, Walk& walk) {
+    const Weather weather = without_trend(walk.input.weather, from);
+    walk.state =
+        solve_piece({.from = from, .to = later(from, day), .periodic = true, .weather = &weather},
+                    walk)
+            .end;
+}
+
+/// From one instant to another in days, from the walk's state if it has one; what is wanted of them
+/// is kept.
+void go_on(Instant from, Instant to, bool keeping, Walk& walk) {
+    for (Instant begin = from; begin < to;) {
+        Instant end = std::min(to, later(begin, day));
+        if (seconds_between(end, to) < walk.options.day.step) end = to;  // no crumbs
+        const bool begun = !walk.state.block.empty();
+        SolveResult one =
+            solve_piece({.from = begin, .to = end, .begin = begun ? &walk.state : nullptr}, walk);
+        if (keeping) keep(one.temperature, end == to, walk);
+        walk.state = std::move(one.end);
+        begin = end;
+    }
+}
+
+/// The span from or within a day that repeats from `first` on: that day, and what follows it.
+void go_round(Instant first, Walk& walk) {
+    const Instant end = walk.options.end, next = later(first, day);
+    SolveResult one =
+        solve_piece({.from = first, .to = next, .periodic = true, .goes_on = next < end}, walk);
+    keep(one.temperature, next >= end, walk);
+    walk.state = std::move(one.end);
+    go_on(next, end, true, walk);
+}
+
+/// Whole days of weather before an instant.
+int days_known_before(const Weather& weather, Instant when) {
+    const double known = seconds_between(weather.instant.front(), when) + 0.5 * weather.span_of(0);
+    return static_cast<int>(std::floor(known / day + 1e-6));
+}
+bool known_until(const Weather& weather, Instant when) {
+    const double half = 0.5 * weather.span_of(weather.instant.size() - 1);
+    return seconds_between(when, later(weather.instant.back(), half)) > -3600.0;
+}
+
+/// Where a day that is to repeat begins best: in the dark, as tomorrow's sun rises half a minute
+/// off; at the start, or else at solar midnight before it if the series has the hours in between.
+Instant day_around(const SolveInput& input, Instant start, double step) {
+    if (sun_position(input.site, start).elevation_deg < -1.0) return start;
+    const double since = std::chrono::duration<double>(start.time_since_epoch()).count();
+    const double ahead = input.site.longitude_deg * 240.0;  // [s] of mean solar time before UTC
+    const double of_day = std::fmod(std::fmod(since + ahead, day) + day, day);
+    const Instant midnight = later(start, -step * std::round(of_day / step));
+    const bool known = seconds_between(input.weather.instant.front(), midnight) >= -3600.0;
+    return known ? midnight : start;
+}
+
+void from_the_weather_before(int days, Walk& walk) {
+    const SpanOptions& options = walk.options;
+    const Instant first = later(options.start, -day * days);
+    walk.all_days += days;
+    repeat_day(first, walk);
+    go_on(first, options.start, false, walk);
+    go_on(options.start, options.end, true, walk);
+    walk.result.start = fmt::format("from the weather of {} day{} before, the first also repeated",
+                                    days, days == 1 ? "" : "s");
+}
+
+void from_a_repeated_day(Walk& walk) {
+    const Weather& weather = walk.input.weather;
+    const Instant start = walk.options.start, end = walk.options.end;
+    Instant first = day_around(walk.input, start, walk.options.day.step);
+    if (!known_until(weather, later(first, day)) && days_known_before(weather, start) >= 1) {
+        first = later(start, -day);
+    } else if (repeats(weather, first)) {
+        go_round(first, walk);
+        walk.result.start = "its day repeats";
+        return;
+    }
+    repeat_day(first, walk);
+    go_on(first < start ? first : start, start, false, walk);
+    go_on(start, end, true, walk);
+    walk.result.start = fmt::format("from the day {} repeated without its trend",
+                                    first < start ? "around it or before" : "that it begins");
+}
+
+}  // namespace
+
+SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
+                      const SpanOptions& options) {
+    Walk walk{.input = input, .exposure = exposure, .options = options, .result = {}, .state = {}};
+    const double length = seconds_between(options.start, options.end);
+    walk.all_days = static_cast<int>(std::ceil(length / day - 1e-9));
+    const int known = days_known_before(input.weather, options.start);
+    if (options.begin == SpanStart::steady) {
+        go_on(options.start, options.end, true, walk);
+        walk.result.start = "from the balance of the first day's mean";
+    } else if (options.begin != SpanStart::periodic && known >= 1) {
+        from_the_weather_before(std::min(known, options.days_before), walk);
+    } else {
+        from_a_repeated_day(walk);
+        if (options.begin == SpanStart::weather) {
+            walk.result.start += " (no day of weather goes before the span)";
+        }
+    }
+    return std::move(walk.result);
+}
+
+}  // namespace diurna

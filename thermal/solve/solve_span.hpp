@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "thermal/solve/solver.hpp"
+
+namespace diurna {
+
+/// What went before a span.
+enum class SpanStart {
+    known,     // the weather where the series has a day of it, else periodic
+    weather,   // the days before it, as the weather tells; the first of them repeated
+    periodic,  // its first 24 hours, or the 24 before it, again and again without their trend
+    steady,    // the balance of its first day's means, for ever
+};
+
+/// The days of a span one after the other, each stepped as `day` says but for its start, duration
+/// and whether it repeats.
+struct SpanOptions {
+    SolveOptions day{};
+    Instant start{}, end{};
+    SpanStart begin = SpanStart::known;
+    int days_before = 3;            // at most, of SpanStart::weather
+    std::vector<Instant> wanted{};  // ascending, within the span: when temperatures are kept
+};
+
+/// The share of each facet that the sun reaches at each of some instants.
+using ExposureOf = std::function<SunExposure(const std::vector<Instant>& instants)>;
+
+struct SpanResult {
+    TemperatureField temperature;  // at the wanted instants, straight between steps
+    SolveReport report;  // of all days: sums of passes, steps and seconds, worst of all else
+    std::string start;   // in one line: how the start was found
+};
+
+/// Temperatures of all facets over any span. A day is solved at a time, the next goes on from the
+/// heat that it leaves, and no more than a day and the wanted instants are held. Where the first
+/// day repeats (thermal/weather/repeated_day.hpp) and none is known before, it is found by Newton
+/// and is the span's own.
+///
+/// A start costs: weather, as many days as go before and a periodic one; periodic, one day, none
+/// where the first day repeats. Throws InputError as solve() does.
+///
+/// - input: its `sun` and `from` are left aside
+SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
+                      const SpanOptions& options);
+
+}  // namespace diurna

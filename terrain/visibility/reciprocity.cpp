@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/base/parallel.hpp"
+#include "materials/base/random.hpp"
 
 namespace diurna {
 
@@ -46,7 +47,13 @@ double rays_of(const FacetViews& views, std::size_t facet) {
     return views.rays.empty() ? 1.0 : views.rays[facet];
 }
 
-/// Rays of either facet of a pair that met the other, for all pairs that have met.
+/// A number in [0, 1) of a pair, whichever of the two asks.
+double drawn(std::size_t a, std::size_t b) {
+    return unit_interval(hashed((std::uint64_t{std::min(a, b)} << 32) | std::max(a, b)));
+}
+
+/// Rays of either facet of a pair that met the other, for all pairs that have met. Of the pairs
+/// below the cut-off a few stand for all.
 Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_off,
                    ReciprocityReport& report) {
     const ViewFactors& seen = views.others;
@@ -71,9 +78,12 @@ Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_o
             const double mine = facets.area[f], theirs = facets.area[partner];
             const double area =
                 hits / (rays_of(views, f) / mine + rays_of(views, partner) / theirs);
-            if (area < cut_off * std::min(mine, theirs)) {
-                report.left_out += partner > f;
-                continue;
+            if (const double least = cut_off * std::min(mine, theirs); area < least) {
+                if (drawn(f, partner) >= area / least) {
+                    report.left_out += partner > f;
+                    continue;
+                }
+                hits *= least / area;
             }
             report.pairs += partner > f;
             pairs.partner.push_back(partner);

@@ -1,22 +1,102 @@
 #include "thermal/solve/facet_exchange.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "materials/base/parallel.hpp"
+#include "terrain/visibility/interreflection.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// Σ factor · value over a facet's row.
-double gathered(const ViewFactors& exchange, std::size_t facet, std::span<const float> value) {
-    double sum = 0.0;
-    for (std::uint32_t k = exchange.row[facet]; k < exchange.row[facet + 1]; ++k) {
-        sum += double(exchange.factor[k]) * value[index(exchange.facet[k])];
+constexpr std::size_t instants_at_once = 16;  // a cache line of every facet
+constexpr double sunlight_bound = 1e-4;       // of the global sun, left out of a facet's light
+constexpr float most_sent_on = 0.99f;
+
+/// Sunlight on all facets at a few instants, (facet, instant of these).
+class SunlightAtOnce {
+ public:
+    SunlightAtOnce(const ExchangingFacets& scene, const SunlitInstants& sun,
+                   std::span<const std::size_t> instants)
+        : scene_(scene), sun_(sun), instants_(instants) {
+        incident_.resize(scene.facets.size() * instants.size());
     }
-    return sum;
-}
+
+    /// Sun and sky, and ground below the scene's edge.
+    void shine() {
+        const std::size_t n = instants_.size();
+        for_each_index(scene_.facets.size(), [&](std::size_t f) {
+            const Eigen::Vector3d normal = scene_.facets.normal[f].cast<double>();
+            for (std::size_t k = 0; k < n; ++k) {
+                const SkyState& sky = sun_.sky[instants_[k]];
+                // The fraction counts the facet's own turning away already.
+                const double lit = sun_.fraction.empty()
+                                       ? 1.0
+                                       : sun_.fraction[instants_[k] * scene_.facets.size() + f];
+                double light =
+                    facet_sunlight(sky, normal.dot(sky.to_sun), lit, scene_.views.sky[f]);
+                if (scene_.exchange) {
+                    light += double(scene_.views.below[f]) * scene_.optics.albedo[f] *
+                             sky.global_horizontal();
+                }
+                incident_[f * n + k] = float(light);
+            }
+        });
+    }
+
+    /// What facets reflect of each other, to the bound.
+    void bounce(double bound) {
+        const std::size_t n = instants_.size();
+        std::vector<float> scale(n), unsent(incident_.size()), counts(scene_.facets.size());
+        for (std::size_t k = 0; k < n; ++k) {
+            scale[k] = float(1.0 / (bound * sun_.sky[instants_[k]].global_horizontal()));
+        }
+        const auto reflect = [&](std::size_t f, const float* light, float* out) {
+            float most = 0.0f;
+            for (std::size_t k = 0; k < n; ++k) {
+                out[k] += scene_.optics.albedo[f] * light[k];
+                most = std::max(most, out[k] * scale[k]);
+            }
+            return most;
+        };
+        for_each_index(scene_.facets.size(), [&](std::size_t f) {
+            counts[f] = reflect(f, &incident_[f * n], &unsent[f * n]);
+        });
+        const ViewFactors& seen = scene_.views.others;
+        interreflect(
+            SeenRows<FacetId>{.row = seen.row, .source = seen.facet, .factor = seen.factor},
+            {.value = unsent.data(), .stride = n, .lanes = n, .counts = counts},
+            [&](std::size_t f, const float* arrived, float* out) {
+                for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
+                return reflect(f, arrived, out);
+            });
+    }
+
+    void put(std::span<float> incident) const {
+        const std::size_t n = instants_.size(), facets = scene_.facets.size();
+        for_each_index(facets, [&](std::size_t f) {
+            for (std::size_t k = 0; k < n; ++k) {
+                incident[instants_[k] * facets + f] = incident_[f * n + k];
+            }
+        });
+    }
+
+ private:
+    const ExchangingFacets& scene_;
+    const SunlitInstants& sun_;
+    std::span<const std::size_t> instants_;
+    std::vector<float> incident_;
+};
 
 }  // namespace
+
+float greatest_sent_on(const FacetViews& views, std::span<const float> reflectance) {
+    float greatest = 0.0f;
+    for (std::size_t f = 0; f < reflectance.size(); ++f) {
+        greatest = std::max(greatest, reflectance[f] * (1.0f - views.sky[f]));
+    }
+    return std::min(greatest, most_sent_on);
+}
 
 FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& materials) {
     FacetOptics optics;
@@ -29,31 +109,26 @@ FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& material
     return optics;
 }
 
-void incident_sunlight(const ExchangingFacets& scene, const SkyState& sky,
-                       std::span<const float> fraction, std::span<float> incident) {
-    const FacetViews& view = scene.views;
-    const std::vector<float>& albedo = scene.optics.albedo;
-    const std::size_t n = scene.facets.size();
-    const double global = sky.global_horizontal();
-    if (global <= 0.0) {
-        std::fill(incident.begin(), incident.end(), 0.0f);
-        return;
-    }
-    std::vector<float> own(n), reflected(n);
-    for (std::size_t f = 0; f < n; ++f) {
-        const double cosine = scene.facets.normal[f].cast<double>().dot(sky.to_sun);
-        // The fraction counts the facet's own turning away already.
-        const double lit = fraction.empty() ? 1.0 : fraction[f];
-        double light = facet_sunlight(sky, cosine, lit, view.sky[f]);
-        if (scene.exchange) light += double(view.below[f]) * albedo[f] * global;
-        own[f] = incident[f] = float(light);
-    }
-    if (!scene.exchange || view.others.facet.empty()) return;
-    for (int bounce = 0; bounce < 2; ++bounce) {
-        for (std::size_t f = 0; f < n; ++f) reflected[f] = albedo[f] * incident[f];
-        for (std::size_t f = 0; f < n; ++f) {
-            incident[f] = float(own[f] + gathered(view.others, f, reflected));
+void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
+                       std::span<float> incident) {
+    const std::size_t facets = scene.facets.size();
+    const bool bounces = scene.exchange && !scene.views.others.facet.empty();
+    const double bound =
+        sunlight_bound * (1.0 - double(greatest_sent_on(scene.views, scene.optics.albedo)));
+    std::vector<std::size_t> lit;
+    for (std::size_t i = 0; i < sun.sky.size(); ++i) {
+        if (sun.sky[i].global_horizontal() > 0.0) {
+            lit.push_back(i);
+        } else {
+            std::fill_n(incident.begin() + std::ptrdiff_t(i * facets), facets, 0.0f);
         }
+    }
+    for (std::size_t first = 0; first < lit.size(); first += instants_at_once) {
+        const std::size_t count = std::min(instants_at_once, lit.size() - first);
+        SunlightAtOnce light(scene, sun, std::span(lit).subspan(first, count));
+        light.shine();
+        if (bounces) light.bounce(bound);
+        light.put(incident);
     }
 }
 

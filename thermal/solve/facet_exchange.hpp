@@ -25,13 +25,23 @@ struct ExchangingFacets {
     bool exchange = true;  // else each sees sun and sky alone
 };
 
-/// Sunlight on every facet at one instant [W m⁻²]: beam and sky (facet_sunlight) and what other
-/// facets reflect, two bounces deep; what is left of the third is below albedo³ of the seen share.
-/// Ground below the scene's edge reflects the horizontal global sun as the facet itself would.
+/// The instants that sunlight is wanted at.
+struct SunlitInstants {
+    std::span<const SkyState> sky;    // (instant)
+    std::span<const float> fraction;  // (instant, facet) share in the sun; empty: no shadows
+};
+
+/// The greatest share of light sent out that comes back from any facet, 0 to 0.99: its
+/// reflectance × what it sees of others.
+float greatest_sent_on(const FacetViews& views, std::span<const float> reflectance);
+
+/// Sunlight on every facet [W m⁻²]: beam and sky (facet_sunlight) and what other facets reflect,
+/// all bounces of it within 1e-4 of the horizontal global sun (interreflection.hpp). Ground below
+/// the scene's edge reflects the horizontal global sun as the facet itself would.
 ///
-/// fraction  (facet) share in the sun; empty: nothing casts a shadow
-void incident_sunlight(const ExchangingFacets& scene, const SkyState& sky,
-                       std::span<const float> fraction, std::span<float> incident);
+/// incident  (instant, facet)
+void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
+                       std::span<float> incident);
 
 /// Longwave from other facets beyond what the sky they hide would send, D = L_in − L_sky [W m⁻²]:
 /// neighbours emit ε σ T⁴ and reflect the rest of what reaches them. Zero, whatever the

@@ -9,20 +9,11 @@ namespace diurna {
 
 void shine(SolveState& solve) {
     solve.sunlight.resize(solve.instant.size() * solve.facets);
-    for_each_index(
-        solve.instant.size(),
-        [&](std::size_t i) {
-            std::span<const float> fraction;
-            if (!solve.input.sun.fraction.empty()) {
-                fraction = {solve.input.sun.fraction.data() + i * solve.facets, solve.facets};
-            }
-            incident_sunlight({.facets = solve.input.facets,
-                               .views = solve.input.views,
-                               .optics = solve.optics,
-                               .exchange = solve.options.exchange},
-                              solve.sky[i], fraction, solve.row(solve.sunlight, i));
-        },
-        1);
+    incident_sunlight({.facets = solve.input.facets,
+                       .views = solve.input.views,
+                       .optics = solve.optics,
+                       .exchange = solve.options.exchange},
+                      {.sky = solve.sky, .fraction = solve.input.sun.fraction}, solve.sunlight);
 }
 
 void find_jumps(SolveState& solve) {

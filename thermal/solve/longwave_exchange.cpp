@@ -5,6 +5,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "terrain/visibility/interreflection.hpp"
 #include "thermal/solve/linearised_span.hpp"
 #include "thermal/solve/periodic_newton.hpp"
 
@@ -12,20 +13,91 @@ namespace diurna {
 
 namespace {
 
-constexpr int most_sweeps = 10;
+constexpr int most_sweeps = 10, sweeps_together = 3;
 constexpr std::size_t facets_at_once = 256;
 /// [W m⁻²] of longwave that is followed further: a tenth of a millikelvin, or a thousandth of the
 /// largest change.
 constexpr float least_change = 0.002f, least_share = 1e-3f;
 
-/// What leaves the facets at the instants of a level, and how it changes: (facet, instant).
+/// What facets have got to send at the instants of a level, and how what arrives changes by it:
+/// (facet, instant).
 struct Field {
     std::size_t used;  // instants
     std::vector<float> leaving, change;
     std::vector<float> most;          // (facet) largest |change|
-    std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` is not zero
+    std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` may be worth sending
+    float open = 1.0f;  // 1 − the greatest share of longwave that comes back from a facet
     std::span<float> changes(std::size_t f) { return {change.data() + f * used, used}; }
+    std::span<float> leaves(std::size_t f) { return {leaving.data() + f * used, used}; }
 };
+
+float largest(std::span<const float> x) {
+    float most = 0.0f;
+    for (const float v : x) most = std::max(most, std::abs(v));
+    return most;
+}
+
+/// Carries what leaves the facets to those that see it, and on from there as they reflect it, in so
+/// many sweeps or until less than `least` [W m⁻²] would be added: `change` becomes what arrives.
+/// What was not sent stays in `leaving`; tells whether any of that counts.
+bool send(const SolveState& solve, float least, int sweeps, Field& field) {
+    constexpr std::size_t most_values = 16'000'000;  // at once
+    const FacetViews& view = solve.input.views;
+    const SeenRows<FacetId> rows{.row = view.others.row,
+                                 .source = view.others.facet,
+                                 .factor = view.others.factor,
+                                 .itself = view.below};
+    const std::size_t room = std::max<std::size_t>(16, most_values / solve.facets);
+    const std::size_t chunks = (field.used + room - 1) / room;
+    const std::size_t lanes = (field.used + chunks - 1) / chunks;
+    const float scale = 1.0f / (least * field.open);
+    std::vector<float> counts(solve.facets);
+    std::vector<std::uint8_t> left(solve.facets, 0);
+    for_each_index(solve.facets, [&](std::size_t f) {
+        if (field.most[f] > 0.0f) std::fill_n(field.changes(f).begin(), field.used, 0.0f);
+    });
+    for (std::size_t first = 0; first < field.used; first += lanes) {
+        const std::size_t count = std::min(lanes, field.used - first);
+        for_each_index(solve.facets, [&](std::size_t f) {
+            counts[f] =
+                field.sends[f] ? scale * largest(field.leaves(f).subspan(first, count)) : 0.0f;
+        });
+        interreflect(
+            rows,
+            {.value = field.leaving.data() + first,
+             .stride = field.used,
+             .lanes = count,
+             .counts = counts},
+            [&](std::size_t f, const float* arrived, float* unsent) {
+                const float reflectance = 1.0f - solve.optics.emissivity[f];
+                float* const change = field.changes(f).data() + first;
+                for (std::size_t k = 0; k < count; ++k) change[k] += arrived[k];
+                for (std::size_t k = 0; k < count; ++k) {
+                    unsent[k] += reflectance * arrived[k];
+                }
+                return scale * largest({unsent, count});
+            },
+            sweeps);
+        for (std::size_t f = 0; f < solve.facets; ++f) left[f] |= counts[f] > 1.0f;
+    }
+    field.sends.swap(left);
+    return std::find(field.sends.begin(), field.sends.end(), 1) != field.sends.end();
+}
+
+/// The excess grows by `change`.
+void take_in(SolveState& solve, const Level& level, Field& field) {
+    for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::size_t> grown;
+        for (std::size_t f = begin; f < end; ++f) {
+            field.most[f] = largest(field.changes(f));
+            if (field.most[f] > 0.0f) grown.push_back(f);
+        }
+        for (std::size_t k = 0; k < field.used; ++k) {
+            float* const excess = solve.excess.data() + k * level.stride * solve.facets;
+            for (const std::size_t f : grown) excess[f] += field.change[f * field.used + k];
+        }
+    });
+}
 
 /// All of the longwave anew. `change` becomes what arrives now less what did before.
 void renew_all(SolveState& solve, const Level& level, Field& field) {
@@ -45,8 +117,8 @@ void renew_all(SolveState& solve, const Level& level, Field& field) {
     for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
             arriving_longwave(solve.input.views, field.leaving, f, field.changes(f));
-            field.most[f] = 0.0f;
         }
+        for (std::size_t f = begin; f < end; ++f) field.most[f] = 0.0f;
         for (std::size_t k = 0; k < used; ++k) {
             float* const excess = solve.excess.data() + k * level.stride * solve.facets;
             for (std::size_t f = begin; f < end; ++f) {
@@ -56,6 +128,17 @@ void renew_all(SolveState& solve, const Level& level, Field& field) {
                 excess[f] = next;
                 field.most[f] = std::max(field.most[f], std::abs(change));
             }
+        }
+    });
+}
+
+/// Puts by for sending what is reflected of the change.
+void reflect(const SolveState& solve, float least, Field& field) {
+    for_each_index(solve.facets, [&](std::size_t f) {
+        const float reflectance = 1.0f - solve.optics.emissivity[f];
+        field.sends[f] = reflectance * field.most[f] > least * field.open;
+        for (std::size_t k = 0; k < field.used; ++k) {
+            field.leaving[f * field.used + k] = reflectance * field.change[f * field.used + k];
         }
     });
 }
@@ -72,7 +155,6 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             float most = 0.0f;
             for (const std::size_t f : block.facet) {
                 most = std::max(most, field.most[f]);
-                field.sends[f] = 0;
             }
             if (most < least || !block.period) return;
             const auto count = Eigen::Index(block.facet.size());
@@ -107,49 +189,14 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
                 field.sends[f] = 1;
                 for (std::size_t k = 0; k < used; ++k) {
                     const float t = solve.kelvin[k * level.stride * solve.facets + f];
-                    field.leaving[f * used + k] =
+                    field.leaving[f * used + k] +=
                         4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
-                            float(day.warmer(Eigen::Index(k), Eigen::Index(l))) +
-                        (1.0f - emissivity) * field.change[f * used + k];
+                        float(day.warmer(Eigen::Index(k), Eigen::Index(l)));
                 }
             }
         },
         4);
     return *std::max_element(warmest.begin(), warmest.end());
-}
-
-/// Carries what is sent beyond what was to those that see it: what arrives grows by `change`.
-void pass_on(SolveState& solve, const Level& level, Field& field) {
-    const FacetViews& view = solve.input.views;
-    const std::size_t used = field.used;
-    for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
-        std::vector<std::size_t> grown;
-        for (std::size_t f = begin; f < end; ++f) {
-            field.most[f] = 0.0f;
-            const std::span<float> change = field.changes(f);
-            bool any = false;
-            const auto add = [&](std::size_t from, float factor) {
-                if (!field.sends[from] || factor == 0.0f) return;
-                const float* const sent = field.leaving.data() + from * used;
-                if (!any) std::fill(change.begin(), change.end(), 0.0f);
-                any = true;
-                for (std::size_t k = 0; k < used; ++k) change[k] += factor * sent[k];
-            };
-            add(f, view.below[f]);
-            for (auto k = view.others.row[f]; k < view.others.row[f + 1]; ++k) {
-                add(index(view.others.facet[k]), view.others.factor[k]);
-            }
-            if (any) grown.push_back(f);
-        }
-        for (std::size_t k = 0; k < used; ++k) {
-            float* const excess = solve.excess.data() + k * level.stride * solve.facets;
-            for (const std::size_t f : grown) {
-                const float change = field.change[f * used + k];
-                excess[f] += change;
-                field.most[f] = std::max(field.most[f], std::abs(change));
-            }
-        }
-    });
 }
 
 }  // namespace
@@ -162,11 +209,16 @@ bool exchanging(const SolveInput& input) {
 
 ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
     const std::size_t used = solve.steps() / level.stride + 1;
+    std::vector<float> reflectance;
+    for (const float emissivity : solve.optics.emissivity) {
+        reflectance.push_back(1.0f - emissivity);
+    }
     Field field{.used = used,
                 .leaving = std::vector<float>(used * solve.facets),
                 .change = std::vector<float>(used * solve.facets),
                 .most = std::vector<float>(solve.facets),
-                .sends = std::vector<std::uint8_t>(solve.facets, 0)};
+                .sends = std::vector<std::uint8_t>(solve.facets, 0),
+                .open = 1.0f - greatest_sent_on(solve.input.views, reflectance)};
     ExchangeChange result;
     renew_all(solve, level, field);
     const float first = *std::max_element(field.most.begin(), field.most.end());
@@ -180,11 +232,16 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
         }
     };
     tell_blocks();
+    reflect(solve, least, field);
+    bool left = true;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         const double warmer = follow(solve, level, least, field);
         result.warmer = std::max(result.warmer, warmer);
-        if (warmer == 0.0) break;
-        pass_on(solve, level, field);
+        if (warmer == 0.0 && !left) break;
+        // What is reflected goes along with what is warmer; what is left of it then goes by itself.
+        const bool all = warmer == 0.0 || sweep >= sweeps_together;
+        left = send(solve, least, all ? enough_sweeps : 1, field);
+        take_in(solve, level, field);
         tell_blocks();
     }
     return result;

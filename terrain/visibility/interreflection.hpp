@@ -1,0 +1,124 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "materials/base/parallel.hpp"
+#include "terrain/facets.hpp"
+
+namespace diurna {
+
+/// Who sees whom: facet f sees source[k] with factor[k] for k in [row[f], row[f + 1]).
+template <class Id>
+struct SeenRows {
+    std::span<const std::uint32_t> row;
+    std::span<const Id> source;
+    std::span<const float> factor;
+    std::span<const float> itself = {};  // (facet) with which it sees its own like; empty: 0
+
+    std::size_t facets() const { return row.size() - 1; }
+};
+
+/// What facets have got to send: so many numbers each (instants, or modes of bands).
+struct UnsentLight {
+    float* value;        // (facet, lane)
+    std::size_t stride;  // from a facet's to the next one's
+    std::size_t lanes;
+    std::span<float> counts;  // (facet) how much it matters: what is above 1 is sent
+};
+
+/// Nothing real asks for so many sweeps: a closed room of snow needs 180.
+inline constexpr int enough_sweeps = 1000;
+
+namespace interreflection {
+
+inline std::size_t number(std::uint32_t id) { return id; }
+inline std::size_t number(FacetId id) { return index(id); }
+
+struct Sender {
+    const float* value;
+    float factor;
+};
+
+/// Σ factor × value over the senders, sixteen lanes at a time.
+inline void gather(std::span<const Sender> senders, std::size_t lanes, float* out) {
+    constexpr std::size_t width = 16;
+    for (std::size_t first = 0; first < lanes; first += width) {
+        const std::size_t n = std::min(width, lanes - first);
+        alignas(64) float sum[width] = {};
+        if (n == width) {
+            for (const Sender& from : senders) {
+                for (std::size_t k = 0; k < width; ++k)
+                    sum[k] += from.factor * from.value[first + k];
+            }
+        } else {
+            for (const Sender& from : senders) {
+                for (std::size_t k = 0; k < n; ++k) sum[k] += from.factor * from.value[first + k];
+            }
+        }
+        std::copy_n(sum, n, out + first);
+    }
+}
+
+}  // namespace interreflection
+
+/// All bounces of light between diffuse facets: Neumann's series of E = F (sent + R E), summed
+/// until no facet has anything left to send that counts. What a facet has got waits until it does
+/// (as in progressive refinement: Cohen and others, SIGGRAPH 1988), so that sweeps cost what
+/// is still under way; what is left at the end is in `unsent`, at most 1 a facet. If its lanes
+/// count by x / bound, E is short of what an infinite series would give by at most
+/// bound × s / (1 − r), with s the largest Σ factor of a row and r the largest share of what
+/// arrives that is sent on, times s.
+///
+/// unsent   in: what each sends at first; out: what was not sent any more
+/// reflect  float(facet, const float* arrived, float* unsent): takes in what has arrived (lane),
+///          adds what is sent on to `unsent`, and tells how much that counts now. Called from many
+///          threads, once for a facet and sweep
+/// sweeps   at most
+/// returns  sweeps; the same bytes for any number of threads
+template <class Id, class Reflect>
+int interreflect(const SeenRows<Id>& rows, const UnsentLight& unsent, const Reflect& reflect,
+                 int sweeps = enough_sweeps) {
+    using interreflection::Sender;
+    constexpr std::size_t grain = 512;
+    const std::size_t facets = rows.facets(), count = unsent.lanes;
+    std::vector<std::uint8_t> sends(facets), reached(facets);
+    std::vector<float> arrived;
+    for (int sweep = 0;; ++sweep) {
+        bool any = false;
+        for (std::size_t f = 0; f < facets; ++f) any |= (sends[f] = unsent.counts[f] > 1.0f);
+        if (!any || sweep == sweeps) return sweep;
+        arrived.resize(facets * count);
+        for_each_block(facets, grain, [&](std::size_t begin, std::size_t end) {
+            std::vector<Sender> senders;
+            for (std::size_t f = begin; f < end; ++f) {
+                senders.clear();
+                const auto add = [&](std::size_t from, float factor) {
+                    if (sends[from])
+                        senders.push_back({unsent.value + from * unsent.stride, factor});
+                };
+                if (!rows.itself.empty() && rows.itself[f] > 0.0f) add(f, rows.itself[f]);
+                for (std::uint32_t k = rows.row[f]; k < rows.row[f + 1]; ++k) {
+                    add(interreflection::number(rows.source[k]), rows.factor[k]);
+                }
+                reached[f] = !senders.empty();
+                if (reached[f]) interreflection::gather(senders, count, &arrived[f * count]);
+            }
+        });
+        for_each_block(facets, grain, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                float* const own = unsent.value + f * unsent.stride;
+                if (sends[f]) {
+                    std::fill_n(own, count, 0.0f);
+                    unsent.counts[f] = 0.0f;
+                }
+                if (reached[f]) unsent.counts[f] = reflect(f, &arrived[f * count], own);
+            }
+        });
+    }
+}
+
+}  // namespace diurna

@@ -129,7 +129,7 @@ void add_notes(std::size_t b, const SceneLight& light, const PathTable& path, co
         eye.heights, of.basis.size(), of.basis.thermal, of.channels.size());
     frame.notes["bounces." + name] = fmt::format(
         "{} followed, the second at {} of {} facets; the rest is at most {:.2g} W m-2 sr-1",
-        light.bounces[b].bounces, light.radiosity.followed(), light.lit.facet.size(),
+        light.radiosity.bounces(), light.radiosity.followed(), light.lit.facet.size(),
         left_over(of, light.state.extent, light.lit.bounds[b], light.bounces[b]));
 }
 

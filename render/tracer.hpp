@@ -14,10 +14,10 @@
 namespace diurna {
 
 struct FrameOptions {
-    bool truth = true;        // temperature, range, facet, object, material, normal
-    bool terms = false;       // the terms of the radiance one by one
-    double tolerance = 1e-3;  // [K] aimed at by the tables, in apparent temperature
-    int bounces = 2;          // of light between surfaces, 1 or 2 (radiosity.hpp)
+    bool truth = true;          // temperature, range, facet, object, material, normal
+    bool terms = false;         // the terms of the radiance one by one
+    double tolerance = 1e-3;    // [K] aimed at by the tables, in apparent temperature
+    int bounces = all_bounces;  // of light between surfaces, at most (radiosity.hpp)
     /// lit_facets(input, view.facet, bands), for a series of frames in which nothing moves.
     const LitFacets* lit = nullptr;
     /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_light.hpp).

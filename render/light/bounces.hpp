@@ -7,18 +7,19 @@ namespace diurna {
 
 /// How much of the light that surfaces reflect of each other is followed in a band.
 struct BounceOptions {
-    int bounces = 2;           // 1: what surroundings reflect of each other counts as black
-    float tolerance = 3e-4f;   // [K] a second bounce is left out where it changes less
-    float most_change = 1e3f;  // [K] no facet around differs by more, sunlight included
+    int bounces = all_bounces;  // 1: what surroundings reflect of each other counts as black
+    float first = 1e-6f;  // share of what it sends below which a facet's surroundings count as
+                          // black
+    float least = 1e-6f;  // [W m⁻² sr⁻¹] what a bounce adds to a facet's radiance waits below
 };
-/// With the worth of sunlight and of the scene's spread in kelvins at its cold end.
+/// What is left out is below the tolerance, or 1e-5 of the light of sun and sky that a white
+/// surface would send back, whichever is more.
 ///
-/// - tolerance: [K]
-BounceOptions bounce_options(const BandLight& band, const TemperatureExtent& extent, int bounces,
-                             double tolerance);
+/// - tolerance: [K] at the scene's cold end
+BounceOptions bounce_options(const BandLight& band, const TemperatureExtent& extent,
+                             const ReflectionBounds& bounds, int bounces, double tolerance);
 
-/// Bound on the radiance [W m⁻² sr⁻¹] that goes on after the bounces followed, surroundings left
-/// out for being below tolerance included.
+/// Bound on the radiance [W m⁻² sr⁻¹] of a facet seen that is left out.
 double left_over(const BandLight& band, const TemperatureExtent& extent,
                  const ReflectionBounds& bounds, const BounceOptions& options);
 

@@ -13,31 +13,15 @@ namespace diurna {
 
 namespace {
 
-/// Steps from the eye: 1 seen, 2 shines on one seen, 3 shines on one of those, 0 none of these.
-std::vector<std::uint8_t> steps_from_eye(const RadianceInput& input,
-                                         std::span<const FacetId> seen) {
-    const ViewFactors& others = input.views.others;
-    std::vector<std::uint8_t> step(input.facets.size(), 0);
-    for (const FacetId id : seen) step[index(id)] = 1;
-    for (std::uint8_t now = 1; now <= 2; ++now) {
-        for (std::size_t f = 0; f < step.size(); ++f) {
-            if (step[f] != now) continue;
-            for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
-                std::uint8_t& of_source = step[index(others.facet[k])];
-                if (of_source == 0) of_source = static_cast<std::uint8_t>(now + 1);
-            }
-        }
-    }
-    return step;
-}
+constexpr float most_returned = 0.99f;
 
-/// (material) greatest reflectance in a band of those that are used.
-std::vector<float> greatest_reflectances(const Band& band, const RadianceInput& input,
-                                         const LitFacets& lit) {
-    std::vector<float> greatest(input.materials.size(), 0.0f);
+/// (material) greatest reflectance in a band.
+std::vector<float> greatest_reflectances(const Band& band, const MaterialLibrary& materials,
+                                         const std::vector<bool>& used) {
+    std::vector<float> greatest(materials.size(), 0.0f);
     for (std::size_t m = 0; m < greatest.size(); ++m) {
-        if (!lit.material_used[m]) continue;
-        const Material& material = input.materials[MaterialId{static_cast<std::uint16_t>(m)}];
+        if (!used[m]) continue;
+        const Material& material = materials[MaterialId{static_cast<std::uint16_t>(m)}];
         for (const double um : band.node_um) {
             greatest[m] = std::max(greatest[m], static_cast<float>(material.reflectance.at(um)));
         }
@@ -45,47 +29,85 @@ std::vector<float> greatest_reflectances(const Band& band, const RadianceInput& 
     return greatest;
 }
 
-ReflectionBounds bounds_of(const Band& band, const RadianceInput& input, const LitFacets& lit,
-                           std::span<const std::uint8_t> step) {
-    const std::vector<float> greatest = greatest_reflectances(band, input, lit);
-    const auto whole = [&](std::size_t i) {
-        return greatest[index(lit.material[i])] * (1.0f - lit.sky_view[i]);
-    };
-    const auto response = [&](std::size_t i) {
-        return lit.row[i] == lit.row[i + 1] ? 0.0f : whole(i);
-    };
-    ReflectionBounds bounds;
-    bounds.twice.assign(lit.facet.size(), 0.0f);
-    for (std::size_t i = 0; i < lit.facet.size(); ++i) {
-        if (step[index(lit.facet[i])] != 1) continue;
-        const float r = response(i);
-        if (r > 0.0f) bounds.surrounded = std::max(bounds.surrounded, 1.0f - lit.sky_view[i]);
-        for (std::uint32_t k = lit.row[i]; k < lit.row[i + 1]; ++k) {
-            float& most = bounds.twice[lit.source[k]];
-            most = std::max(most, r);
+/// (facet) greatest reflectance in any band × (1 − sky view).
+std::vector<float> returned_by(const RadianceInput& input, std::span<const Band> bands) {
+    std::vector<bool> used(input.materials.size(), false);
+    for (const MaterialId id : input.facets.material) used[index(id)] = true;
+    std::vector<float> greatest(input.materials.size(), 0.0f);
+    for (const Band& band : bands) {
+        const std::vector<float> here = greatest_reflectances(band, input.materials, used);
+        for (std::size_t m = 0; m < here.size(); ++m) greatest[m] = std::max(greatest[m], here[m]);
+    }
+    std::vector<float> returned(input.facets.size());
+    for (std::size_t f = 0; f < returned.size(); ++f) {
+        returned[f] = std::min(
+            most_returned, greatest[index(input.facets.material[f])] * (1.0f - input.views.sky[f]));
+    }
+    return returned;
+}
+
+/// How a picture depends on the facets of the scene, (facet).
+struct Reached {
+    std::vector<std::uint8_t> seen, has_row;
+    std::vector<float> reach;  // LitFacets::reach; below 0: nobody asks for it
+};
+
+/// From the eye along the ways of light, as long as what a facet's surroundings send matters.
+Reached reached(const RadianceInput& input, std::span<const FacetId> seen,
+                std::span<const float> returned) {
+    const ViewFactors& others = input.views.others;
+    const std::size_t n = input.facets.size();
+    Reached found{.seen = std::vector<std::uint8_t>(n, 0),
+                  .has_row = std::vector<std::uint8_t>(n, 0),
+                  .reach = std::vector<float>(n, -1.0f)};
+    std::vector<std::uint32_t> now, next;
+    for (const FacetId id : seen) {
+        found.seen[index(id)] = found.has_row[index(id)] = 1;
+        now.push_back(static_cast<std::uint32_t>(index(id)));
+    }
+    while (!now.empty()) {
+        next.clear();
+        for (const std::uint32_t f : now) {
+            const float on = (found.seen[f] ? 1.0f : found.reach[f]) * returned[f];
+            for (std::uint32_t k = others.row[f]; k < others.row[f + 1]; ++k) {
+                const std::size_t source = index(others.facet[k]);
+                float& best = found.reach[source];
+                if (best >= on) continue;
+                best = on;
+                if (found.seen[source] || best * returned[source] < least_reach) continue;
+                found.has_row[source] = 1;
+                next.push_back(static_cast<std::uint32_t>(source));
+            }
         }
+        now.swap(next);
     }
-    // The rows of the third facet may be left out of `lit`, but not its sky view.
-    float most_twice = 0.0f, third = 0.0f;
+    return found;
+}
+
+ReflectionBounds bounds_of(const Band& band, const RadianceInput& input, const LitFacets& lit) {
+    const std::vector<float> greatest =
+        greatest_reflectances(band, input.materials, lit.material_used);
+    ReflectionBounds bounds;
     for (std::size_t i = 0; i < lit.facet.size(); ++i) {
-        bounds.twice[i] *= response(i);
-        most_twice = std::max(most_twice, bounds.twice[i]);
-        third = std::max(third, whole(i));
+        const float returned = greatest[index(lit.material[i])] * (1.0f - lit.sky_view[i]);
+        bounds.strongest = std::max(bounds.strongest, std::min(returned, most_returned));
     }
-    bounds.thrice = most_twice * third;
+    for (const std::uint32_t i : lit.target) {
+        if (lit.row[i] == lit.row[i + 1] || greatest[index(lit.material[i])] == 0.0f) continue;
+        bounds.surrounded = std::max(bounds.surrounded, 1.0f - lit.sky_view[i]);
+    }
     return bounds;
 }
 
-/// Which facets shine on each of those that are seen or shine on one seen.
+/// Which facets shine on each of those whose surroundings matter.
 ///
 /// - place: (facet of the scene) index in `lit`
-void add_sources(const FacetViews& views, std::span<const std::uint8_t> step,
+void add_sources(const FacetViews& views, const Reached& found,
                  std::span<const std::uint32_t> place, LitFacets& lit) {
-    const auto has_row = [&](FacetId facet) { return step[index(facet)] <= 2; };
     std::size_t entries = 0;
     for (const FacetId facet : lit.facet) {
         const std::size_t f = index(facet);
-        if (has_row(facet)) entries += views.others.row[f + 1] - views.others.row[f];
+        if (found.has_row[f]) entries += views.others.row[f + 1] - views.others.row[f];
     }
     lit.row.reserve(lit.facet.size() + 1);
     lit.source.reserve(entries);
@@ -93,7 +115,7 @@ void add_sources(const FacetViews& views, std::span<const std::uint8_t> step,
     lit.row.push_back(0);
     lit.is_source.assign(lit.facet.size(), 0);
     for (const FacetId facet : lit.facet) {
-        if (has_row(facet)) {
+        if (found.has_row[index(facet)]) {
             each_seen_facet(views, facet, [&](FacetId from, double factor) {
                 lit.source.push_back(place[index(from)]);
                 lit.is_source[place[index(from)]] = 1;
@@ -122,22 +144,25 @@ void set_heights(const RadianceInput& input, LitFacets& lit) {
 
 LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
                      std::span<const Band> bands) {
-    const std::vector<std::uint8_t> step = steps_from_eye(input, seen);
+    const std::vector<float> returned = returned_by(input, bands);
+    const Reached found = reached(input, seen, returned);
     LitFacets lit;
     lit.material_used.assign(input.materials.size(), false);
     std::vector<std::uint32_t> place(input.facets.size(), 0);  // in `lit`
     for (std::size_t f = 0; f < place.size(); ++f) {
-        if (step[f] == 0) continue;
+        if (!found.seen[f] && found.reach[f] < 0.0f) continue;
         place[f] = static_cast<std::uint32_t>(lit.facet.size());
         lit.facet.push_back(FacetId{static_cast<std::uint32_t>(f)});
         lit.material.push_back(input.facets.material[f]);
         lit.sky_view.push_back(input.views.sky[f]);
+        lit.reach.push_back(std::max(0.0f, found.reach[f]));
+        lit.returned.push_back(returned[f]);
         lit.material_used[index(input.facets.material[f])] = true;
     }
     for (const FacetId id : seen) lit.target.push_back(place[index(id)]);
-    add_sources(input.views, step, place, lit);
+    add_sources(input.views, found, place, lit);
     set_heights(input, lit);
-    for (const Band& band : bands) lit.bounds.push_back(bounds_of(band, input, lit, step));
+    for (const Band& band : bands) lit.bounds.push_back(bounds_of(band, input, lit));
     return lit;
 }
 

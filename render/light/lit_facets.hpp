@@ -10,26 +10,35 @@
 
 namespace diurna {
 
-/// What light that surfaces reflect of each other can come to in a band, from above; with r = the
-/// greatest reflectance × (1 − sky view) of a facet that has sources.
+/// What light that surfaces reflect of each other can come to in a band.
 struct ReflectionBounds {
-    float surrounded = 0.0f;   // the greatest 1 − sky view of a facet seen that has sources
-    std::vector<float> twice;  // (lit) r of a facet × the greatest r of the facets seen that it
-                               // shines on; 0 if on none
-    float thrice = 0.0f;       // bounds what goes on after two bounces
+    float surrounded = 0.0f;  // the greatest 1 − sky view of a facet seen that has sources
+    float strongest = 0.0f;  // the greatest reflectance × (1 − sky view) of a lit facet, below 1
 };
 
-/// The facets a picture depends on (those seen, those that shine on them, and those that shine on
-/// these in turn) and who shines on whom: all that stays the same while nothing moves.
+/// Of what a surface sends, the share that has to reach a facet seen for its surroundings to
+/// matter.
+inline constexpr float least_reach = 1e-5f;
+/// Of light between surfaces: as many as count.
+inline constexpr int all_bounces = 1000;
+
+/// The facets a picture depends on (those seen, those that shine on them, those that shine on these
+/// in turn, and so on while it matters) and who shines on whom: all that stays the same while
+/// nothing moves.
 struct LitFacets {
-    std::vector<FacetId> facet;            // ascending
-    std::vector<std::uint32_t> target;     // (facet handed in) index above
-    std::vector<std::uint32_t> row;        // (lit + 1) light that arrives: [row[i], row[i + 1])
-    std::vector<std::uint32_t> source;     // index of a lit facet
-    std::vector<float> factor;             // of each source; a row adds up to 1 − sky view
-    std::vector<MaterialId> material;      // (lit)
-    std::vector<float> sky_view;           // (lit)
-    std::vector<std::uint8_t> is_source;   // (lit) of some row
+    std::vector<FacetId> facet;           // ascending
+    std::vector<std::uint32_t> target;    // (facet handed in) index above
+    std::vector<std::uint32_t> row;       // (lit + 1) light that arrives: [row[i], row[i + 1])
+    std::vector<std::uint32_t> source;    // index of a lit facet
+    std::vector<float> factor;            // of each source; a row adds up to 1 − sky view
+    std::vector<MaterialId> material;     // (lit)
+    std::vector<float> sky_view;          // (lit)
+    std::vector<std::uint8_t> is_source;  // (lit) of some row
+    /// (lit) The most of a difference in what a facet sends that comes to a difference in what one
+    /// seen sends, along the best way of reflections: products of the greatest reflectance in any
+    /// band × (1 − sky view). 0 if it is the source of none.
+    std::vector<float> reach;
+    std::vector<float> returned;           // (lit) that greatest reflectance × (1 − sky view)
     std::vector<float> height;             // (lit) −1 to 1 from the lowest to the highest
     std::array<double, 3> height_km{};     // least, middle, most of them
     std::vector<bool> material_used;       // (material)

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
+#include <cmath>
 #include <vector>
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/light/lanes.hpp"
+#include "terrain/visibility/interreflection.hpp"
 
 namespace diurna {
 
@@ -22,10 +23,42 @@ Lane at_height(const std::array<std::vector<float>, 3>& heights, const std::arra
            up[2] * load(&heights[2][k]);
 }
 
+void add(const float* from, std::size_t n, float* to) {
+    for (std::size_t k = 0; k < n; ++k) to[k] += from[k];
+}
+
+/// How much light in modes counts in a picture: its band radiance over what a band leaves out, from
+/// above (Σ w f ≤ √(Σ w) √(Σ w f²)), in the band where it counts most.
+class Counting {
+ public:
+    Counting(const RadiosityTables& tables, std::span<const BandLight> bands,
+             std::span<const BounceOptions> bounces)
+        : first_(tables.first) {
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            const double scale =
+                std::sqrt(std::max(0.0, bands[b].band.width_um())) / double{bounces[b].least};
+            scale_.push_back(static_cast<float>(std::min(scale, 1e30)));
+        }
+    }
+    float worth(const float* modes) const {
+        float most = 0.0f;
+        for (std::size_t b = 0; b < scale_.size(); ++b) {
+            float square = 0.0f;
+            for (std::size_t k = first_[b]; k < first_[b + 1]; ++k) square += modes[k] * modes[k];
+            most = std::max(most, scale_[b] * std::sqrt(square));
+        }
+        return most;
+    }
+
+ private:
+    std::span<const std::size_t> first_;
+    std::vector<float> scale_;  // (band)
+};
+
 }  // namespace
 
 Radiosity::Radiosity(const LitFacets& lit, const LitState& state, const RadiosityTables& tables,
-                     std::span<const BounceOptions> bounces)
+                     std::span<const BandLight> bands, std::span<const BounceOptions> bounces)
     : lit_(lit), state_(state), tables_(tables), radiosity_(lit.facet.size() * tables.lanes) {
     if (tables.lanes > most_lanes) throw InputError("render", "too many bands at a time");
     for_each_block(lit.facet.size(), 4096, [&](std::size_t begin, std::size_t end) {
@@ -33,51 +66,61 @@ Radiosity::Radiosity(const LitFacets& lit, const LitState& state, const Radiosit
             if (lit_.is_source[i]) first_bounce(i, &radiosity_[i * tables_.lanes]);
         }
     });
-    follow_second_bounces(bounces);
+    follow_bounces(bands, bounces);
 }
 
-void Radiosity::follow_second_bounces(std::span<const BounceOptions> bounces) {
-    const std::size_t n = lit_.facet.size(), lanes = tables_.lanes;
-    std::vector<std::pair<const float*, float>> least;  // (band followed) bound and what to follow
-    for (std::size_t b = 0; b < bounces.size(); ++b) {
-        if (bounces[b].bounces < 2) continue;
-        least.emplace_back(lit_.bounds[b].twice.data(),
-                           bounces[b].tolerance / bounces[b].most_change);
+void Radiosity::follow_bounces(std::span<const BandLight> bands,
+                               std::span<const BounceOptions> bounces) {
+    int most = 1;
+    float first = 1.0f;
+    for (const BounceOptions& band : bounces) {
+        most = std::max(most, band.bounces);
+        first = std::min(first, band.first);
     }
-    if (least.empty()) return;
-    const auto follow = [&](std::size_t i) {
-        return std::any_of(least.begin(), least.end(),
-                           [&](const auto& band) { return band.first[i] > band.second; });
-    };
-    // All are worked out before any is replaced, so that none is followed twice.
-    constexpr std::size_t grain = 4096;
-    struct Block {
-        std::vector<std::uint32_t> place;
-        std::vector<float> radiosity;
-    };
-    std::vector<Block> blocks((n + grain - 1) / grain);
-    for_each_block(n, grain, [&](std::size_t begin, std::size_t end) {
-        Block& block = blocks[begin / grain];
+    const std::size_t n = lit_.facet.size(), lanes = tables_.lanes;
+    if (most < 2 || n == 0) return;
+    const Counting counting(tables_, bands, bounces);
+    ReusedFloats unsent(n * lanes);
+    std::vector<float> counts(n, 0.0f);
+    std::vector<std::uint8_t> begun(n, 0);  // whether it has a value in `unsent`
+    for_each_block(n, 4096, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::uint32_t> chosen;
         for (std::size_t i = begin; i < end; ++i) {
-            if (follow(i)) block.place.push_back(static_cast<std::uint32_t>(i));
+            begun[i] = lit_.row[i] != lit_.row[i + 1] && lit_.reach[i] * lit_.returned[i] > first;
+            if (begun[i]) chosen.push_back(static_cast<std::uint32_t>(i));
         }
-        block.radiosity.resize(block.place.size() * lanes);
-        for (std::size_t k = 0; k < block.place.size(); ++k) {
-            if (k + ahead < block.place.size()) fetch(block.place[k + ahead]);
-            second_bounce(block.place[k], &block.radiosity[k * lanes]);
+        for (std::size_t k = 0; k < chosen.size(); ++k) {
+            if (k + ahead < chosen.size()) fetch(chosen[k + ahead]);
+            const std::size_t i = chosen[k];
+            second_bounce(i, &unsent[i * lanes]);
+            counts[i] = lit_.reach[i] * counting.worth(&unsent[i * lanes]);
         }
     });
-    for_each_index(
-        blocks.size(),
-        [&](std::size_t k) {
-            const Block& block = blocks[k];
-            for (std::size_t j = 0; j < block.place.size(); ++j) {
-                std::copy_n(&block.radiosity[j * lanes], lanes,
-                            &radiosity_[block.place[j] * lanes]);
-            }
-        },
-        1);
-    for (const Block& block : blocks) followed_ += block.place.size();
+    for_each_block(n, 4096, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (begun[i]) add(&unsent[i * lanes], lanes, &radiosity_[i * lanes]);
+        }
+    });
+    followed_ = std::size_t(std::count(begun.begin(), begun.end(), 1));
+    bounces_ = 2 + interreflect(
+                       SeenRows<std::uint32_t>{
+                           .row = lit_.row, .source = lit_.source, .factor = lit_.factor},
+                       {.value = unsent.data(), .stride = lanes, .lanes = lanes, .counts = counts},
+                       [&](std::size_t i, const float* arrived, float* own) {
+                           if (!lit_.is_source[i]) return 0.0f;
+                           alignas(32) std::array<float, most_lanes> more;
+                           std::fill_n(more.begin(), lanes, 0.0f);
+                           reflect(i, arrived, more.data());
+                           add(more.data(), lanes, &radiosity_[i * lanes]);
+                           if (begun[i]) {
+                               add(more.data(), lanes, own);
+                           } else {
+                               std::copy_n(more.data(), lanes, own);
+                           }
+                           begun[i] = 1;
+                           return lit_.reach[i] * counting.worth(own);
+                       },
+                       most - 2);
 }
 
 /// Own heat, sky and sun; black surroundings. Eight lanes at a time stay in registers.
@@ -97,16 +140,19 @@ void Radiosity::first_bounce(std::size_t i, float* out) const {
     }
 }
 
-/// What it was, plus ρ times the light that arrives less that of the black surroundings it was
-/// closed with.
-void Radiosity::second_bounce(std::size_t i, float* out) const {
+/// Light that arrives less that of the black surroundings it was closed with.
+void Radiosity::second_bounce(std::size_t i, float* unsent) const {
     const std::size_t n = tables_.lanes;
     alignas(32) std::array<float, most_lanes> own, light;
     black_modes(tables_, state_.temperature[i], own.data());
     arriving(i, own.data(), light.data());
     const float rest = 1.0f - lit_.sky_view[i];
     for (std::size_t k = 0; k < n; ++k) light[k] -= rest * own[k];
-    std::copy_n(&radiosity_[i * n], n, out);
+    std::fill_n(unsent, n, 0.0f);
+    reflect(i, light.data(), unsent);
+}
+
+void Radiosity::reflect(std::size_t i, const float* light, float* out) const {
     const auto& material = tables_.material[index(lit_.material[i])];
     for (std::size_t b = 0; b < tables_.size.size(); ++b) {
         const std::size_t first = tables_.first[b], width = tables_.first[b + 1] - first;

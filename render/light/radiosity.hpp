@@ -14,16 +14,18 @@ namespace diurna {
 /// The radiosity (over π: as radiance) of every facet lit that shines on others, in the modes of
 /// all bands.
 ///
-/// Its own heat, light of the sky and of the sun, and, with two bounces, what it reflects of the
-/// facets around it; the facets around those count as black at the receiver's temperature, so that
-/// an isothermal enclosure is exactly black. A facet without sources is closed likewise.
+/// Its own heat, light of the sky and of the sun, and what it reflects of the facets around it, to
+/// and fro (terrain/visibility/interreflection.hpp) until a bounce adds less than BounceOptions say
+/// to what is seen. To begin with, a facet's surroundings count as black at its own temperature,
+/// and so they remain where they do not matter or are not there: an isothermal enclosure is
+/// exactly black.
 class Radiosity {
  public:
     /// All of these are to outlive it.
     ///
     /// - bounces: (band)
     Radiosity(const LitFacets& lit, const LitState& state, const RadiosityTables& tables,
-              std::span<const BounceOptions> bounces);
+              std::span<const BandLight> bands, std::span<const BounceOptions> bounces);
 
     /// Light that arrives at a facet from those around it: Σ F_j J_j, over a hemisphere 1 − sky
     /// view.
@@ -37,17 +39,22 @@ class Radiosity {
         }
     }
     std::size_t followed() const { return followed_; }  // facets with a second bounce
+    int bounces() const { return bounces_; }            // followed, the first included
 
  private:
     void first_bounce(std::size_t lit, float* out) const;
-    void second_bounce(std::size_t lit, float* out) const;
-    void follow_second_bounces(std::span<const BounceOptions> bounces);
+    /// Adds ρ times the light that arrives.
+    void reflect(std::size_t lit, const float* light, float* out) const;
+    /// Puts by what a facet reflects of its surroundings beyond black ones.
+    void second_bounce(std::size_t lit, float* unsent) const;
+    void follow_bounces(std::span<const BandLight> bands, std::span<const BounceOptions> bounces);
 
     const LitFacets& lit_;
     const LitState& state_;
     const RadiosityTables& tables_;
     ReusedFloats radiosity_;  // (lit, lane)
     std::size_t followed_ = 0;
+    int bounces_ = 1;
 };
 
 }  // namespace diurna

@@ -4,12 +4,12 @@ namespace diurna {
 
 namespace {
 
-std::vector<BounceOptions> bounces_of(std::span<const BandLight> bands,
+std::vector<BounceOptions> bounces_of(std::span<const BandLight> bands, const LitFacets& lit,
                                       const TemperatureExtent& extent, int bounces,
                                       double tolerance) {
     std::vector<BounceOptions> options;
-    for (const BandLight& band : bands) {
-        options.push_back(bounce_options(band, extent, bounces, tolerance));
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        options.push_back(bounce_options(bands[b], extent, lit.bounds[b], bounces, tolerance));
     }
     return options;
 }
@@ -22,8 +22,8 @@ SceneLight::SceneLight(const RadianceInput& input_of, const LitFacets& lit_of,
       lit(lit_of),
       state(lit_state(input, lit)),
       band(band_lights(bands, input, lit, state.extent)),
-      bounces(bounces_of(band, state.extent, most_bounces, tolerance)),
+      bounces(bounces_of(band, lit, state.extent, most_bounces, tolerance)),
       tables(radiosity_tables(band, temperature_grid(state.extent.coldest, state.extent.hottest))),
-      radiosity(lit, state, tables, bounces) {}
+      radiosity(lit, state, tables, band, bounces) {}
 
 }  // namespace diurna

@@ -14,7 +14,7 @@ namespace diurna {
 /// they send to each other.
 struct SceneLight {
     /// - input, lit: to outlive it; `lit` of these bands
-    /// - bounces: of light between surfaces, 1 or 2
+    /// - bounces: of light between surfaces, at most
     /// - tolerance: [K] of apparent temperature
     SceneLight(const RadianceInput& input, const LitFacets& lit, std::span<const Band> bands,
                int bounces, double tolerance);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "materials/radiation/band.hpp"
+#include "render/light/lit_facets.hpp"
 #include "render/light/radiance_input.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
@@ -28,7 +29,7 @@ namespace diurna {
 class HopLight {
  public:
     HopLight(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
-             const RadianceInput& input, int bounces = 2, double tolerance = 1e-3);
+             const RadianceInput& input, int bounces = all_bounces, double tolerance = 1e-3);
     ~HopLight();
 
     /// Adds to the pixels of the hops: planes (band, term), or (band) for the sum of the terms.

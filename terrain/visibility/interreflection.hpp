@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -86,12 +87,12 @@ int interreflect(const SeenRows<Id>& rows, const UnsentLight& unsent, const Refl
     constexpr std::size_t grain = 512;
     const std::size_t facets = rows.facets(), count = unsent.lanes;
     std::vector<std::uint8_t> sends(facets), reached(facets);
-    std::vector<float> arrived;
+    std::unique_ptr<float[]> arrived;  // memory of facets that are not reached is never touched
     for (int sweep = 0;; ++sweep) {
         bool any = false;
         for (std::size_t f = 0; f < facets; ++f) any |= (sends[f] = unsent.counts[f] > 1.0f);
         if (!any || sweep == sweeps) return sweep;
-        arrived.resize(facets * count);
+        if (!arrived) arrived = std::make_unique_for_overwrite<float[]>(facets * count);
         for_each_block(facets, grain, [&](std::size_t begin, std::size_t end) {
             std::vector<Sender> senders;
             for (std::size_t f = begin; f < end; ++f) {

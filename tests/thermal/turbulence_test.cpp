@@ -3,6 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "materials/air/saturation.hpp"
+
 using namespace diurna;
 
 namespace {
@@ -65,7 +67,7 @@ TEST_CASE("films and vapour change with temperature as their derivatives say",
         compare([&](double t) { return plate_film(plate, natural_film(0.3), t); });
     }
     double slope;
-    const double pressure = vapour_pressure_of(temperature, slope);
+    const double pressure = saturation_over_water(temperature, slope);
     CHECK(pressure == Approx(saturation_vapour_pressure(temperature)).epsilon(1e-13));
     const double difference =
         saturation_vapour_pressure(temperature + d) - saturation_vapour_pressure(temperature - d);

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/air/saturation.hpp"
 #include "materials/base/fast_exp.hpp"
 #include "thermal/kernels/mode_kernel.hpp"
 #include "thermal/kernels/surface_loops.hpp"
 
 // The surface balance of columns in modes, lanes side by side, compiled once for each width of
-// vectors (surface_avx2.cpp, surface_avx512.cpp); everything here belongs to the unit that includes
+// vectors (kernels_avx2.cpp, kernels_avx512.cpp); everything here belongs to the unit that includes
 // it.
 //
 // One evaluation is a chain of some 250 cycles of latency but a quarter of that of work. It is cut
@@ -27,9 +28,6 @@ constexpr int halvings = 56;      // of the bracket 1 to 5000 K, to its last bit
 template <bool Plate>
 constexpr double near_enough = Plate ? 1e-8 : 1e-4;
 
-constexpr double murray_a = 17.2693882, murray_b = 35.86, triple_point = 273.16;  // Murray 1967
-constexpr double coldest_vapour = 100.0, hottest_vapour = 450.0;                  // [K] his range
-
 /// A correction that leads across the bend proves nothing of what is left, unless it is tiny.
 template <bool Wet>
 [[gnu::always_inline]] inline double size_of(double correction, double t, double next,
@@ -41,8 +39,8 @@ template <bool Wet>
 }
 
 /// The surface balance of `Count` lanes: what ground_film, plate_film and latent_heat of
-/// thermal/surface/turbulence.hpp say (tests/thermal/mode_batch_test), in short loops. Air [lane]
-/// where it changes from lane to lane (`Mixed`), else as it is.
+/// thermal/surface/turbulence.hpp say, to 4 ulp of its terms (tests/thermal/vector_lanes_test.cpp),
+/// in short loops. `air_at` (lane) is the air, which may change from lane to lane.
 template <std::size_t Count>
 struct Balance {
     alignas(64) double flux[Count], slope[Count];
@@ -73,20 +71,19 @@ template <bool Plate, bool Wet, std::size_t Count, class Air>
 #pragma omp simd
     for (std::size_t l = 0; l < Count; ++l) {
         const double t = std::min(std::max(temperature[l], coldest_vapour), hottest_vapour);
-        inverse[l] = 1.0 / (t - murray_b);
-        const ExpParts parts = exp_parts(murray_a * (t - triple_point) * inverse[l]);
+        inverse[l] = 1.0 / (t - over_water.b);
+        const ExpParts parts = exp_parts(saturation_exponent(over_water, t, inverse[l]));
         rest[l] = parts.rest;
         scale[l] = parts.scale;
     }
 #pragma omp simd
     for (std::size_t l = 0; l < Count; ++l) {
-        pressure[l] = 610.78 * scale[l] * exp_series(rest[l]);
+        pressure[l] = triple_point_pressure * scale[l] * exp_series(rest[l]);
     }
 #pragma omp simd
     for (std::size_t l = 0; l < Count; ++l) {
         const AirFilm& air = air_at(l);
-        const double steep =
-            pressure[l] * (murray_a * (triple_point - murray_b)) * inverse[l] * inverse[l];
+        const double steep = saturation_slope(over_water, pressure[l], inverse[l]);
         const double above = std::max(0.0, temperature[l] - hottest_vapour);
         const double excess = pressure[l] + steep * above - air.vapour_pressure;
         const LatentHeat latent = latent_heat(air, {h[l], 0.0, film_slope[l]}, excess, steep);

@@ -4,6 +4,6 @@
 namespace diurna {
 
 const SurfaceKernel surface_avx2{solve};
-const ModeKernel modes_avx2{advance_all, split_some};
+const ModeKernel modes_avx2{advance_all, split_some, balance_all};
 
 }  // namespace diurna

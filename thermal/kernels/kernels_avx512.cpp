@@ -4,6 +4,6 @@
 namespace diurna {
 
 const SurfaceKernel surface_avx512{solve};
-const ModeKernel modes_avx512{advance_all, split_some};
+const ModeKernel modes_avx512{advance_all, split_some, balance_all};
 
 }  // namespace diurna

@@ -60,6 +60,10 @@ struct ModeKernel {
                            const ModeLanes&);
     bool (*split)(const AirFilm& before, const AirFilm& air, const ModeCoefficients&,
                   const SplitLanes&);
+    /// What both evaluate: emission, film and latent heat of `lanes` facets at their temperatures,
+    /// flux [W m⁻²] towards the surface and d(flux)/dT. radiation: ε σ [W m⁻² K⁻⁴].
+    void (*balance)(const AirFilm& air, const NaturalFilm* natural, double radiation,
+                    const double* temperature, double* flux, double* slope);
 };
 extern const ModeKernel modes_avx2, modes_avx512;
 

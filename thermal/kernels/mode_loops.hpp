@@ -118,6 +118,23 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     return outcome;
 }
 
+template <bool Plate, bool Wet>
+void balance_lanes(const AirFilm& air, const NaturalFilm* natural, double radiation,
+                   const double* temperature, double* flux, double* slope) {
+    Balance<lanes> at;
+    evaluate<Plate, Wet>(SameAir{air}, natural, radiation, temperature, at);
+    std::copy_n(at.flux, lanes, flux);
+    std::copy_n(at.slope, lanes, slope);
+}
+void balance_all(const AirFilm& air, const NaturalFilm* natural, double radiation,
+                 const double* temperature, double* flux, double* slope) {
+    const bool wet = air.wetness > 0.0;
+    const auto balance = air.plate ? (wet ? balance_lanes<true, true> : balance_lanes<true, false>)
+                         : wet     ? balance_lanes<false, true>
+                                   : balance_lanes<false, false>;
+    balance(air, natural, radiation, temperature, flux, slope);
+}
+
 ModeOutcome advance_all(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
                         const ModeLanes& s) {
     const bool wet = air.wetness > 0.0;

@@ -8,9 +8,10 @@
 #include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
-// The loops of the surface balance, compiled once for each width of vectors (surface_avx2.cpp,
-// surface_avx512.cpp); everything here belongs to the unit that includes it. The arithmetic of a
-// lane is the same in all of them.
+// The loops of the surface balance, compiled once for each width of vectors (kernels_avx2.cpp,
+// kernels_avx512.cpp); everything here belongs to the unit that includes it. The arithmetic of a
+// lane is the same in all of them but for which products the compiler fuses into sums: 4 ulp of
+// the terms (tests/thermal/vector_lanes_test.cpp).
 
 namespace diurna {
 

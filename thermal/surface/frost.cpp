@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/air/saturation.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -14,11 +15,11 @@ constexpr double freezing_span = 2.0;  // [K] over which vapour's heat turns to 
 /// Saturation pressure over ice below the triple point, where the two meet, over water above;
 /// and its slope.
 double saturation_over(double temperature, double& slope) {
-    constexpr double a = 21.8745584, b = 7.66, triple = 273.16;
-    if (temperature >= triple) return vapour_pressure_of(temperature, slope);
-    const double t = std::max(temperature, 100.0), inverse = 1.0 / (t - b);
-    const double pressure = 610.78 * std::exp(a * (t - triple) * inverse);
-    slope = pressure * a * (triple - b) * inverse * inverse;
+    if (temperature >= triple_point) return saturation_over_water(temperature, slope);
+    const double t = std::max(temperature, coldest_vapour), inverse = 1.0 / (t - over_ice.b);
+    const double pressure =
+        triple_point_pressure * std::exp(saturation_exponent(over_ice, t, inverse));
+    slope = saturation_slope(over_ice, pressure, inverse);
     return pressure;
 }
 
@@ -37,11 +38,11 @@ LatentHeat latent_heat_or_frost(const AirFilm& air, const Film& film, double wet
     const VapourPath path = vapour_path(air, film, drying ? resistance : 0.0);
     const double wet = drying ? wetness : 1.0;
     const double frozen = frozen_share(temperature);
-    const double over_ice = latent_heat_of_sublimation(air.air_temperature) /
-                            latent_heat_of_vaporisation(air.air_temperature);
-    const double heat = air.latent * (1.0 + frozen * (over_ice - 1.0));
+    const double of_ice = latent_heat_of_sublimation(air.air_temperature) /
+                          latent_heat_of_vaporisation(air.air_temperature);
+    const double heat = air.latent * (1.0 + frozen * (of_ice - 1.0));
     const bool blends = frozen > 0.0 && frozen < 1.0;
-    const double heat_slope = blends ? -air.latent * (over_ice - 1.0) / freezing_span : 0.0;
+    const double heat_slope = blends ? -air.latent * (of_ice - 1.0) / freezing_span : 0.0;
     return {-wet * heat * path.conductance * excess,
             -wet * (heat * (path.conductance * slope + path.steeper * excess) +
                     heat_slope * path.conductance * excess)};

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/air/saturation.hpp"
 #include "materials/base/cube_root.hpp"
-#include "materials/base/fast_exp.hpp"
 #include "materials/matter/material.hpp"
 
 namespace diurna {
@@ -76,18 +76,6 @@ double recovery_temperature(double air_temperature, double speed);
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed);
 
-/// Saturation vapour pressure [Pa] as in materials/air/moist_air.hpp and, through `slope`, its
-/// derivative; above 450 K it goes on in a straight line, so that a surface hotter than boiling
-/// stays finite. For loops over lanes: no call, no branch.
-inline double vapour_pressure_of(double temperature, double& slope) {
-    constexpr double a = 17.2693882, b = 35.86, triple = 273.16;  // Murray 1967
-    const double t = std::clamp(temperature, 100.0, 450.0);
-    const double inverse = 1.0 / (t - b);
-    const double pressure = 610.78 * fast_exp(a * (t - triple) * inverse);
-    slope = pressure * (a * (triple - b)) * inverse * inverse;
-    return pressure + slope * std::max(0.0, temperature - 450.0);
-}
-
 /// A film between surface and air [W m⁻² K⁻¹]; (T_s − T_a) dh/dT_s, which stays finite where the
 /// two are equally warm; and dh/dT_s for the latent heat, zero for plates: there a step of Newton's
 /// more costs less.
@@ -151,7 +139,7 @@ struct LatentHeat {
 [[gnu::always_inline]] inline LatentHeat latent_heat(const AirFilm& air, const Film& film,
                                                      double temperature) {
     double slope;
-    const double excess = vapour_pressure_of(temperature, slope) - air.vapour_pressure;
+    const double excess = saturation_over_water(temperature, slope) - air.vapour_pressure;
     return latent_heat(air, film, excess, slope);
 }
 

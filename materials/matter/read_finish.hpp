@@ -9,13 +9,13 @@ namespace diurna {
 
 /// The keys of a material that say how light is sent back and let through; mistakes are noted.
 ///
-/// - finish: { kind = "lambert" }; { kind = "gloss", roughness, index } or index_file, a CSV file
-/// of
-///   wavelength_um, n and k: paint, varnish, glass, water; { kind = "metal", roughness };
-///   { kind = "by_angle", factors = [[angle_deg, factor], ...] }
-///
+/// - finish: one of
+///     - { kind = "lambert" }
+///     - { kind = "gloss", roughness, index }: paint, varnish, glass, water; in place of index
+///       index_file, a CSV file of wavelength_um, n and k
+///     - { kind = "metal", roughness }
+///     - { kind = "by_angle", factors = [[angle_deg, factor], ...] }
 /// - see_through: true where rays go on behind it, as far as its transmittance lets them
-///
 /// - cover: 0 to 1, of a net: this share is the material and the rest is open
 ///
 /// To be read after reflectance, transmittance and the means that follow from them. With a finish

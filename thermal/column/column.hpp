@@ -20,8 +20,9 @@ struct GridOptions {
 /// A layered column as nodes and links (finite volumes around nodes). Node 0 lies in the surface
 /// and holds the capacity of its half cell; nodes lie on every interface, so no link crosses one.
 ///
-/// Second order in the spacing: amplitude and lag of the diurnal wave in a half-space are right to
-/// 0.1 % and 0.2 min with the default options (tests/thermal/column_test.cpp).
+/// Second order in the spacing: under a daily wave of flux the surface of a half-space swings 0.40
+/// % too little and 0.42 min late with the default options, 20 nodes; 0.05 % and 0.21 min with a
+/// growth of 0.05, 53 nodes (tests/thermal/column_test.cpp).
 struct ColumnGrid {
     std::vector<double> depth;        // (node) [m]
     std::vector<double> capacity;     // (node) [J m⁻² K⁻¹]

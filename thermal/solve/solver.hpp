@@ -47,11 +47,12 @@ struct SolveResult {
 /// exponential modes, stepped exactly for fluxes linear in time. Method::layered, the reference:
 /// SDIRK2 (γ = 1 − 1/√2, second order, L-stable) on the nodes of thermal/column/column.hpp. Forcing
 /// is linear between step instants; materials too thin for the step are stepped more often. The
-/// surface equation is solved by Newton within a bracket to 1e-12 K, by either method together with
-/// the column. A periodic span is found by Newton on the period map, begun on steps of an hour:
-/// each block of facets has its own monodromy matrix, at two steepnesses of its surface, between
-/// which each facet finds its own. What neighbours send in longwave is solved for together with
-/// what it does to temperatures, to first order, after each pass
+/// surface equation is solved by Newton together with the column: layered within a bracket, to
+/// 1e-12 K; in modes without one, to 1e-9 K, and by halving a bracket to its last bit where ten
+/// steps did not do. A periodic span is found by Newton on the period map, begun on steps of an
+/// hour: each block of facets has its own monodromy matrix, at two steepnesses of its surface,
+/// between which each facet finds its own. What neighbours send in longwave is solved for together
+/// with what it does to temperatures, to first order, after each pass
 /// (thermal/solve/longwave_exchange.hpp). Same bytes for any number of threads. Facets whose
 /// material asks for more than a linear column under a dry or evenly wet surface (freezing ground,
 /// snow, canopy, store of water, schedules) are solved one by one: thermal/solve/point_facets.hpp.

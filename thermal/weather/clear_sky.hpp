@@ -37,8 +37,10 @@ struct Sunlight {
 /// Clear-sky sunlight at the ground, Bird & Hulstrom 1981 (SERI/TR-642-761): 5 to 10 % of rigorous
 /// codes for known aerosol and water. Zero for a sun at or below the horizon.
 ///
-/// sun_elevation_deg  refracted          distance_au  sun
-/// pressure           [Pa]               water_cm     precipitable [cm]
+/// - sun_elevation_deg: refracted
+/// - distance_au: of the sun
+/// - pressure: [Pa]
+/// - water_cm: precipitable [cm]
 Sunlight bird_clear_sky(double sun_elevation_deg, double distance_au, double pressure,
                         double water_cm, const ClearSky& sky = {});
 

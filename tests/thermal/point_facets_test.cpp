@@ -30,7 +30,7 @@ Material ground(const char* name, double albedo, std::vector<Layer> layers) {
     return material;
 }
 
-enum Ground { snow, big_leaf, two_source, wet, freezing, room, rock, grounds };
+enum Ground { snow, ageing_snow, big_leaf, two_source, wet, freezing, room, rock, grounds };
 
 MaterialLibrary library() {
     Soil loam = soil_named("loam");
@@ -40,6 +40,9 @@ MaterialLibrary library() {
     all[snow] = ground("snow", 0.75, {{0.5, 0.2, 300.0, 2090.0, Melting{}}});
     all[snow].thermal.bottom = FixedTemperature{273.15};
     all[snow].thermal.evaporation = {.minimum_resistance = 0.0, .wetness = 1.0};
+    all[ageing_snow] = all[snow];
+    all[ageing_snow].name = "ageing snow";
+    all[ageing_snow].thermal.snow_albedo = AgeingAlbedo{};
     all[big_leaf] = ground("big leaf", 0.2, {thawed});
     all[big_leaf].thermal.canopy = BigLeaf{.skin_conductance = 10.0};
     all[big_leaf].thermal.evaporation = {.minimum_resistance = 70.0, .wetness = 1.0};
@@ -116,7 +119,7 @@ TEST_CASE("snow, leaves, standing water, freezing ground and schedules reach the
     const Weather weather = day(274.0);
     const SolveResult result = solve_level(weather, {.start = march_first});
     CHECK(result.report.converged);
-    CHECK(result.report.points == 6);
+    CHECK(result.report.points == 7);
     CHECK(result.report.limited == 0);
     CHECK(result.report.worst_energy_closure < 1e-9);
     const MaterialLibrary materials = library();
@@ -177,7 +180,8 @@ TEST_CASE("on hills with shadows every point closes its day and its energy",
     const auto first = result.temperature.at(0), last = result.temperature.at(24);
     for (std::size_t f = 0; f < facets.size(); ++f) {
         REQUIRE(std::abs(first[f] - last[f]) < 1e-3f);
-        const bool is_snow = facets.material[f] == MaterialId{snow};
+        const bool is_snow =
+            facets.material[f] == MaterialId{snow} || facets.material[f] == MaterialId{ageing_snow};
         for (std::size_t h = 0; is_snow && h <= 24; ++h) {
             REQUIRE(result.temperature.at(h)[f] <= 273.151f);
         }
@@ -205,7 +209,7 @@ TEST_CASE("who needs to be solved as a point", "[thermal][scene_points]") {
     };
     CHECK(need(rock) == PointNeed::never);
     CHECK(need(freezing) == PointNeed::if_freezing);
-    for (const Ground g : {snow, big_leaf, two_source, wet, room}) {
+    for (const Ground g : {snow, ageing_snow, big_leaf, two_source, wet, room}) {
         CHECK(need(g) == PointNeed::always);
     }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
 #include "materials/radiation/spectrum.hpp"
 
 namespace diurna {
@@ -19,6 +20,7 @@ double moon_over_sun(double wavelength_um, const MoonLight& moon) {
         throw InputError("moon distance",
                          fmt::format("found {:g} km, expected 340000 to 420000", moon.distance_km));
     }
+    if (wavelength_um >= moonlight_ends_um) return 0.0;
     static const Spectrum colour{
         {0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.8, 0.9, 1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 2.5},
         {0.70, 0.76, 0.84, 0.92, 1.0, 1.07, 1.13, 1.19, 1.28, 1.33, 1.38, 1.52, 1.66, 1.80, 1.90,
@@ -31,12 +33,6 @@ double moon_over_sun(double wavelength_um, const MoonLight& moon) {
            (moon.sun_distance_au * moon.sun_distance_au);
 }
 
-std::vector<double> lunar_at_nodes(const Atmosphere& atmosphere, double height_km,
-                                   double zenith_deg, const MoonLight& moon,
-                                   std::span<const double> node_um) {
-    std::vector<double> light = solar_at_nodes(atmosphere, height_km, zenith_deg, 1.0, node_um);
-    for (std::size_t i = 0; i < light.size(); ++i) light[i] *= moon_over_sun(node_um[i], moon);
-    return light;
-}
+double lit_share(const MoonLight& moon) { return 0.5 + 0.5 * std::cos(radians(moon.phase_deg)); }
 
 }  // namespace diurna

@@ -231,8 +231,10 @@ SunlitAir sunlit_air(const BandModel& model, const SunLight& sun, std::span<cons
     air.bins = bins_of(node_um);
     for (const double um : node_um) {
         air.node_bin.push_back(bin_of(um) - air.bins.first);
+        // Not 1 for the moon, and for the sun below 0.351 µm.
         air.node_share.push_back(solar_above_air(um) /
                                  solar_above_air(bin_middles_um()[bin_of(um)]));
+        if (sun.moon) air.node_share.back() *= moon_over_sun(um, *sun.moon);
     }
     for (std::size_t b = air.bins.first; b < air.bins.last; ++b) {
         air.above_air.push_back(solar_above_air(bin_middles_um()[b]) /

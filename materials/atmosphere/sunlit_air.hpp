@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "materials/atmosphere/bins.hpp"
 #include "materials/atmosphere/level_curves.hpp"
 #include "materials/atmosphere/medium.hpp"
+#include "materials/atmosphere/moon.hpp"
 
 namespace diurna {
 
@@ -15,6 +17,8 @@ struct SunLight {
     double zenith_deg = 180.0;  // at the ground, as seen through the air
     double distance_au = 1.0;
     double ground_albedo = 0.2;  // of the land all around, at every wavelength
+    /// The moon at that zenith angle in place of the sun, whose distance is 1 au then.
+    std::optional<MoonLight> moon{};
 };
 
 /// Drops of clouds: mean cosine of their scattering, and the share of it in the peak.
@@ -33,7 +37,7 @@ struct SunlitAir {
     SunLight sun;
     BinRange bins;
     std::vector<std::size_t> node_bin;  // counted from the first of the range
-    std::vector<double> node_share;     // irradiance there over its bin's: not 1 below 0.351 µm
+    std::vector<double> node_share;     // irradiance there over the sun's of its bin
     std::vector<double> above_air;  // (bin) irradiance [W m⁻² µm⁻¹] at the sun's distance
     std::vector<double> level;      // [km], ascending
     std::vector<bool> lit;          // (level)

@@ -6,15 +6,17 @@
 namespace diurna {
 
 std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<const double> node_um) {
-    constexpr double no_sunlight_um = 5.0;
+    const double no_sunlight_um = input.moon ? moonlight_ends_um : 5.0;
     const auto* model = std::get_if<BandModel>(&input.atmosphere);
     if (model == nullptr || input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0 ||
         std::none_of(node_um.begin(), node_um.end(),
-                     [](double um) { return um < no_sunlight_um; })) {
+                     [&](double um) { return um < no_sunlight_um; })) {
         return std::nullopt;
     }
     return SunField(*model,
-                    {.zenith_deg = input.sun_zenith_deg, .distance_au = input.sun_distance_au},
+                    {.zenith_deg = input.sun_zenith_deg,
+                     .distance_au = input.sun_distance_au,
+                     .moon = input.moon},
                     node_um);
 }
 
@@ -25,6 +27,9 @@ IncidentLight incident_light(const RadianceInput& input, double height_km,
     if (!input.sun_fraction.empty()) {
         light.sun = solar_at_nodes(input.atmosphere, height_km, input.sun_zenith_deg,
                                    input.sun_distance_au, node_um);
+    }
+    for (std::size_t n = 0; input.moon && n < node_um.size(); ++n) {
+        light.sun[n] *= moon_over_sun(node_um[n], *input.moon);
     }
     if (scattered != nullptr) {
         const SunFlux flux = scattered->flux(height_km);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 
 #include "materials/atmosphere/atmosphere.hpp"
+#include "materials/atmosphere/moon.hpp"
 #include "materials/matter/library.hpp"
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"
@@ -26,6 +28,9 @@ struct RadianceInput {
     double sun_distance_au = 1.0;
     double ground_height_km = 0.0;  // of the scene's origin above the sea
     Instant instant{};
+    /// The moon shines in the sun's place: sun_fraction, to_sun and sun_zenith_deg are the moon's,
+    /// sun_distance_au is 1.
+    std::optional<MoonLight> moon{};
 
     /// Height above the sea [km] of a height above the origin's level surface [m].
     double above_sea_km(double height) const { return ground_height_km + 1e-3 * height; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 
@@ -48,7 +49,7 @@ std::vector<Appearance> appearances(const Prepared& prepared, const FacetViews& 
     std::vector<Appearance> all;
     for (const Instant instant : some_of(prepared.plan.frames)) {
         const std::vector<float> temperature = field.interpolate(instant);
-        const SunPosition sun = sun_position(prepared.world.site, instant);
+        const SunPosition sun = luminary(prepared.world.site, instant, bands).place;
         for (const Band& band : bands) {
             if (band.to_um() > 3.0) {
                 all.push_back(

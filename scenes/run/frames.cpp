@@ -19,6 +19,7 @@
 #include "render/view/cast_view.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
+#include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/world/air.hpp"
 #include "terrain/place/sun.hpp"
@@ -119,13 +120,31 @@ void write_cube(const fs::path& base, const Cube& cube) {
     write_envi(base.string() + ".img", cube);
 }
 
+/// All that a frame of an observer shows.
+std::vector<Band> lit_bands(const Series& s) {
+    std::vector<Band> all = s.bands;
+    for (const CubeSeries& cube : s.cubes) {
+        all.insert(all.end(), cube.channels.begin(), cube.channels.end());
+    }
+    return all;
+}
+
+std::string moon_note(const Luminary& light) {
+    return fmt::format(
+        "shines in the sun's place below {:g} um: azimuth {:.2f} deg, elevation {:.2f} deg, phase "
+        "{:.1f} deg, {:.0f} % lit; {:.2e} of the sun's light at 0.55 um",
+        moonlight_ends_um, light.place.azimuth_deg, light.place.elevation_deg,
+        light.moon->phase_deg, 100.0 * lit_share(*light.moon), moon_over_sun(0.55, *light.moon));
+}
+
 /// Renders and writes the bands and cubes of one instant; returns the tables' notes of their error.
 std::map<std::string, std::string> render_instant(const Prepared& prepared, const Series& s,
                                                   const FacetViews& views,
                                                   const TemperatureField& field, Instant instant,
                                                   const fs::path& out) {
     const World& world = prepared.world;
-    const SunPosition sun = sun_position(world.site, instant);
+    const Luminary light = luminary(world.site, instant, lit_bands(s));
+    const SunPosition& sun = light.place;
     const std::vector<float> fraction = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples);
     const std::vector<float> temperature = field.interpolate(instant);
     const Atmosphere atmosphere = atmosphere_at(prepared.scene, world, prepared.weather, instant);
@@ -139,7 +158,8 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                             .sun_zenith_deg = 90.0 - sun.elevation_deg,
                             .sun_distance_au = sun.distance_au,
                             .ground_height_km = world.sea_level_height / 1000.0,
-                            .instant = instant};
+                            .instant = instant,
+                            .moon = light.moon};
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,
@@ -147,6 +167,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                           .hops = &s.hops,
                           .plumes = prepared.plumes});
     check_finite(frame, s.input.bands);
+    if (light.moon) frame.notes["moon"] = moon_note(light);
     if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
     write_bands(out, frame, s.bands);
     for (const CubeSeries& cube : s.cubes) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
@@ -28,6 +29,7 @@ struct World {
     std::vector<float> temperature, sun;
     Eigen::Vector3d to_sun = Eigen::Vector3d::UnitZ();
     double sun_zenith_deg = 180.0;
+    std::optional<MoonLight> moon;
 
     /// A parallelogram in n × n squares; its normal is along a × b.
     void plate(const Eigen::Vector3d& corner, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -75,7 +77,8 @@ struct World {
                        .temperature = temperature,
                        .sun_fraction = sun,
                        .to_sun = to_sun,
-                       .sun_zenith_deg = sun_zenith_deg},
+                       .sun_zenith_deg = sun_zenith_deg,
+                       .moon = moon},
                       {.bounces = bounces})["radiance." + band.name]
             .pixel;
     }
@@ -123,6 +126,27 @@ TEST_CASE("the picture of an irradiated plate is Lambert's law", "[render][close
             CHECK(double{radiance} == Approx(expected).epsilon(1e-3));
         }
     }
+}
+
+// Magnitudes (Allen 1976): the sun -26.75, the full moon -12.73, at 90° of phase
+// -12.73 + 0.026 · 90 + 4e-9 · 90⁴ = -10.13.
+TEST_CASE("moonlight on a plate is sunlight by the difference of their magnitudes",
+          "[render][closed_form][moon]") {
+    const Band band = flat_band("0.545-0.555", 0.545, 0.555, bin_edges_um());
+    World world;
+    world.plate({-5, -5, 0}, 10.0 * Eigen::Vector3d::UnitX(), 10.0 * Eigen::Vector3d::UnitY(), 2,
+                0.4, 3.0f);
+    world.sun.assign(world.facets.size(), 1.0f);
+    world.to_sun = direction(130.0, 35.0);
+    world.sun_zenith_deg = 55.0;
+    const auto radiance = [&] {
+        return mean(world.picture(upon({0, 0, 0}, {-30, 5, 40}, 0.5, 4), band, 16));
+    };
+    const double by_sun = radiance();
+    world.moon = MoonLight{};
+    CHECK(by_sun / radiance() == Approx(std::pow(10.0, 0.4 * (26.75 - 12.73))).epsilon(0.01));
+    world.moon->phase_deg = 90.0;
+    CHECK(by_sun / radiance() == Approx(std::pow(10.0, 0.4 * (26.75 - 10.13))).epsilon(0.01));
 }
 
 // Equal squares a side apart (C-11): with X = Y = 1,

@@ -65,7 +65,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "terrain/raster/dem_notes.cpp", "terrain/raster/geoid.cpp",
       "terrain/raster/land_shapes.cpp"}},
     {"GeographicLib/", {"terrain/place/site.cpp"}},
-    {"erfa", {"terrain/place/sun.cpp"}},
+    {"erfa", {"terrain/place/celestial.cpp"}},
     {"OpenEXR/", {"render/picture/exr.cpp"}},
     {"Imf", {"render/picture/exr.cpp"}},
     {"png.h", {"render/picture/quicklook.cpp"}},

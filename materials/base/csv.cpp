@@ -17,8 +17,9 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Splits at commas; a cell may stand in double quotes, within which commas do not count.
-std::vector<std::string> cells(std::string_view line) {
+}  // namespace
+
+std::vector<std::string> csv_cells(std::string_view line) {
     std::vector<std::string> found;
     std::size_t begin = 0;
     bool quoted = false;
@@ -34,8 +35,6 @@ std::vector<std::string> cells(std::string_view line) {
     }
     return found;
 }
-
-}  // namespace
 
 bool parse_number(std::string_view text, double& value) {
     const char* const end = text.data() + text.size();
@@ -71,7 +70,7 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
     return value;
 }
 
-CsvTable read_csv(const std::filesystem::path& path) {
+CsvTable read_csv(const std::filesystem::path& path, int skip) {
     const std::string text = read_text(path);
     CsvTable table{.path = path, .header = {}, .rows = {}, .line = {}};
     int line_number = 0;
@@ -80,8 +79,8 @@ CsvTable read_csv(const std::filesystem::path& path) {
         std::string_view line = trimmed(std::string_view(text).substr(begin, end - begin));
         begin = end + 1;
         if (++line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
-        if (line.empty() || line.front() == '#') continue;
-        std::vector<std::string> row = cells(line);
+        if (line_number <= skip || line.empty() || line.front() == '#') continue;
+        std::vector<std::string> row = csv_cells(line);
         if (table.header.empty()) {
             table.header = std::move(row);
             continue;

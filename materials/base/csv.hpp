@@ -24,7 +24,11 @@ struct CsvTable {
     /// The finite number in a cell. "1,5", "nan", "inf", "1e999" and trailing text are refused.
     double number(std::size_t row, std::size_t column) const;
 };
-CsvTable read_csv(const std::filesystem::path& path);
+/// The first `skip` lines of the file are passed over.
+CsvTable read_csv(const std::filesystem::path& path, int skip = 0);
+
+/// The trimmed cells of a line; one may stand in double quotes, within which commas do not count.
+std::vector<std::string> csv_cells(std::string_view line);
 
 /// A finite number that takes up the whole text, or nothing; independent of the locale.
 bool parse_number(std::string_view text, double& value);

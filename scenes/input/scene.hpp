@@ -17,7 +17,7 @@
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 #include "thermal/weather/clear_sky.hpp"
-#include "thermal/weather/weather.hpp"
+#include "thermal/weather_file/read_weather.hpp"
 
 /// The whole input of a job as plain values: what a scene file says, with units converted, ranges
 /// checked and file names resolved. Places are east, north [m] from the site.
@@ -25,7 +25,7 @@ namespace diurna {
 
 struct WeatherInput {
     std::filesystem::path file;
-    WeatherOptions options;  // but for the elevation, which is that of the site
+    WeatherOptions options;  // but for place and span, which are those of the scene
 };
 
 struct Scene {

@@ -8,7 +8,7 @@
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "thermal/weather/sky_section.hpp"
-#include "thermal/weather/weather_section.hpp"
+#include "thermal/weather_file/weather_section.hpp"
 
 namespace diurna {
 
@@ -31,8 +31,8 @@ std::optional<Site> read_site(const Section& section) {
 }
 
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
-    return {.file = reading.file(section, "file", "CSV; its columns stand in scenes/README.md"),
-            .options = read_weather_options(section, Stamp::instant, 0.5)};
+    return {.file = reading.file(section, "file", weather_file_says),
+            .options = read_weather_options(section, 0.5)};
 }
 
 /// Names, and how finely the scene is sampled.

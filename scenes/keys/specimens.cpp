@@ -58,6 +58,8 @@ response = "camera.csv"
 [[bands]]
 range_um = [3.7, 4.9]
 [[cubes]]
+[weather.columns]
+tmpc = "air_temperature degC"
 [atmosphere]
 table = "air.tp7"
 [[observer]]  # stands, looks at a place
@@ -81,6 +83,8 @@ const std::vector<std::string> column_specimens{R"(
 start = 2026-07-15T00:00:00Z
 end = 2026-07-16T00:00:00Z
 initial_profile = [[0.0, 290.0]]
+[weather.columns]
+tmpc = "air_temperature degC"
 [sky]
 sun = "bird"
 precipitable_water_cm = 1.5

@@ -58,6 +58,7 @@ Prepared prepare(Scene scene) {
         plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
     }
     std::vector<std::string> notes = dem.notes;
+    if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));

@@ -22,7 +22,7 @@ struct Prepared {
     std::vector<Observer> observers;  // placed above the ground, in the order of the scene
     Plan plan;
     std::vector<Plume> plumes;       // placed likewise
-    std::vector<std::string> notes;  // what a reader should know of the elevation data
+    std::vector<std::string> notes;  // what a reader should know of elevation and weather data
 };
 
 /// Builds the world and checks what can be checked before anything is computed or written.

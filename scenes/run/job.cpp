@@ -19,7 +19,8 @@ namespace {
 Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, bool& keep) {
     fs::create_directories(options.out / "frames");
     Manifest manifest{.key = job_key(prepared.scene, options.settings),
-                      .settings = options.settings};
+                      .settings = options.settings,
+                      .weather = prepared.weather.note};
     const Manifest earlier = read_manifest(options.out);
     keep = options.resume && earlier.key == manifest.key;
     if (keep) {
@@ -73,7 +74,6 @@ JobReport run_job(Scene scene, const JobOptions& options) {
         keep ? load_temperature_field(out / "temperatures.nc")
              : solve_and_write(prepared, views, out, progress, manifest, report);
     report.not_converged = manifest.not_converged;
-    if (!prepared.weather.note.empty()) report.notes.push_back(prepared.weather.note);
 
     const FramesReport frames = render_frames(prepared, views, field, out, progress);
     report.frames_rendered = frames.rendered;

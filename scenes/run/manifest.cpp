@@ -71,6 +71,7 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     json["scene"] = scene.name;
     json["seed"] = scene.seed;
     json["settings"] = manifest.settings;
+    if (!manifest.weather.empty()) json["weather"] = manifest.weather;
     json["threads"] = thread_count();
     for (const fs::path& file : input_files(scene)) {
         json["inputs"][file.lexically_normal().string()] = sha256_of_file(file);

@@ -13,6 +13,7 @@ namespace diurna {
 struct Manifest {
     std::string key{};                    // job_key()
     std::vector<std::string> settings{};  // of the command line
+    std::string weather{};                // what was modelled and filled in of it
     std::string not_converged{};          // by how much the temperatures miss the tolerance
     std::vector<std::string> outputs{};   // files of the folder; empty: still running
     std::vector<Progress::Stage> stages{};

@@ -34,7 +34,9 @@ Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& s
     const Weather& weather = series.weather();
     Weather driven = weather;
     driven.span.clear();
-    driven.note = "sun and longwave that were not measured come from the scene's atmosphere";
+    driven.note +=
+        (weather.note.empty() ? "" : "; but ") +
+        std::string("sun and longwave that were not measured come from the scene's atmosphere");
     driven.instant = driven_instants(scene, weather);
     driven.sample.resize(driven.instant.size());
     const double ground_km = world.sea_level_height / 1000.0;
@@ -137,6 +139,8 @@ std::vector<std::string> table_notes(const Scene& scene) {
 Weather scene_weather(const Scene& scene, const World& world) {
     WeatherOptions options = scene.weather.options;
     options.elevation = world.sea_level_height;
+    options.site = world.site;
+    options.asked = {scene.time.start, later(scene.time.start, scene.time.duration)};
     Weather weather = read_weather(scene.weather.file, options);
     const SkySeries series(std::move(weather), world.site, world.sea_level_height, scene.sky,
                            scene.time.start, scene.time.end());

@@ -52,6 +52,7 @@ roof = "painted_steel"
 [weather]
 file = ")" +
            folder + R"(weather.csv"
+interval = "instant"
 [time]
 start = 2026-07-15T00:00:00-04:00
 step_s = 1200.0

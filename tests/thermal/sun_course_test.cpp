@@ -64,9 +64,9 @@ Weather means(const Minutes& day, int minutes, Given given) {
         if (given.direct) forcing.direct_normal = mean(day.direct);
         if (given.diffuse) forcing.diffuse = mean(day.diffuse);
         weather.sample.push_back(forcing);
-        weather.instant.push_back(later(day.start, 60.0 * (from + minutes)));
+        weather.instant.push_back(later(day.start, 60.0 * (from + 0.5 * minutes)));
+        weather.span.push_back(60.0 * minutes);
     }
-    place_means(Stamp::end, weather);
     return weather;
 }
 

@@ -4,6 +4,7 @@
 
 #include "materials/base/error.hpp"
 #include "tests/support/small_scene.hpp"
+#include "thermal/weather_file/read_weather.hpp"
 
 using namespace diurna;
 

@@ -10,7 +10,7 @@
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "thermal/weather/sky_section.hpp"
-#include "thermal/weather/weather_section.hpp"
+#include "thermal/weather_file/weather_section.hpp"
 
 namespace diurna {
 
@@ -97,12 +97,13 @@ PointJob read_column_job(const Document& document) {
     job.surface = read_material(material, default_material_library(), folder, "column").thermal;
     job.clear_sky = read_sky(root.section("sky", sky_says));
     const Section weather = root.required_section("weather", "what drives the heat balance");
-    const std::string weather_file =
-        weather.text("file", "CSV; its columns stand in scenes/README.md");
-    WeatherOptions options = read_weather_options(weather, Stamp::end, 0.1);
+    const std::string weather_file = weather.text("file", weather_file_says);
+    WeatherOptions options = read_weather_options(weather, 0.1);
     options.elevation = job.elevation;
+    options.site = job.site;
     read_time(root.required_section("time", "the span, its start and its steps"), job);
     document.finish();
+    options.asked = {job.start, job.end};
     job.weather = read_weather(folder / weather_file, options);
     return job;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -52,23 +51,5 @@ struct Weather {
     AirState air_at(Instant when) const;
     double span_of(std::size_t i) const { return span.empty() ? 0.0 : span[i]; }
 };
-
-struct WeatherOptions {
-    Stamp interval = Stamp::end;
-    double wind_height = 10.0;  // [m]
-    double air_height = 2.0;    // [m]
-    double elevation = 0.0;     // [m] above the sea: pressure where the file has none
-};
-
-/// Reads a weather CSV (columns: scenes/README.md). `time` and
-/// `air_temperature_K` must be there, everything else may be absent or have empty cells; relative
-/// humidity counts as 0.5 and wind as 1 m/s then. Throws InputError with file:line:column for cells
-/// that are no number or out of range, instants that do not ascend, and unknown columns.
-Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options = {});
-
-/// Turns a series' time stamps, `weather.instant`, into middles of the intervals that they end or
-/// begin, and fills `span`: the time to the stamp before (after), but where rows are missing the
-/// series' usual interval.
-void place_means(Stamp interval, Weather& weather);
 
 }  // namespace diurna

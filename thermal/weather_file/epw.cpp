@@ -1,0 +1,105 @@
+#include "thermal/weather_file/epw.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "materials/base/csv.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/units.hpp"
+#include "thermal/weather_file/text_lines.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t header_lines = 8;
+
+/// A column that becomes a quantity as it stands: where it is, its code for missing, its unit.
+struct EpwColumn {
+    std::size_t column;
+    double missing;
+    Quantity quantity;
+    double factor = 1.0, offset = 0.0;
+};
+// Energies of an hour [Wh m⁻²] are mean fluxes; of shorter intervals they are too (the dictionary).
+constexpr std::array<EpwColumn, 9> columns{{
+    {6, 99.9, Quantity::air_temperature, 1.0, zero_celsius},
+    {7, 99.9, Quantity::dew_point, 1.0, zero_celsius},
+    {8, 999.0, Quantity::relative_humidity, 0.01},
+    {9, 999999.0, Quantity::pressure},
+    {12, 9999.0, Quantity::longwave_down},
+    {13, 9999.0, Quantity::shortwave_down},
+    {14, 9999.0, Quantity::direct_normal},
+    {15, 9999.0, Quantity::diffuse},
+    {21, 999.0, Quantity::wind_speed},
+}};
+constexpr std::size_t total_cover = 22, opaque_cover = 23, rain_depth = 33, rain_hours = 34;
+
+/// A line's numbers; columns that are not there are NaN.
+double cell(const std::vector<std::string>& cells, std::size_t column, const std::string& where) {
+    if (column >= cells.size() || cells[column].empty()) return not_measured;
+    return number_in(cells[column], fmt::format("{}:{}", where, column + 1));
+}
+
+void put_epw(const std::vector<std::string>& cells, const std::string& where, WeatherTable& table) {
+    for (const EpwColumn& c : columns) {
+        const double value = unless_missing(cell(cells, c.column, where), c.missing);
+        put(table, c.quantity, c.factor * value + c.offset,
+            fmt::format("{}:{}", where, c.column + 1));
+    }
+    double cover = unless_missing(cell(cells, opaque_cover, where), 99.0);
+    if (std::isnan(cover)) cover = unless_missing(cell(cells, total_cover, where), 99.0);
+    put(table, Quantity::cloud_fraction, 0.1 * cover,
+        fmt::format("{}:{}", where, opaque_cover + 1));
+    // Rain fell over so many hours; most files do not say, then over the row's own.
+    const double depth = unless_missing(cell(cells, rain_depth, where), 999.0);
+    double hours = unless_missing(cell(cells, rain_hours, where), 99.0);
+    if (std::isnan(hours) || hours <= 0.0) hours = 1.0;
+    put(table, Quantity::rain, depth / hours, fmt::format("{}:{}", where, rain_depth + 1));
+}
+
+}  // namespace
+
+WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked) {
+    const TextLines lines(file);
+    if (lines.line.size() <= header_lines || !lines.line[0].starts_with("LOCATION,")) {
+        throw InputError(lines.where(0), "an EPW file begins with LOCATION and 7 more lines");
+    }
+    WeatherTable table{.file = file, .format = "EPW"};
+    table.stamps = Stamp::end;
+    table.states_at_stamp = true;
+    const std::vector<std::string> place = csv_cells(lines.line[0]);
+    if (place.size() < 10) {
+        throw InputError(lines.where(0), fmt::format("found {} cells, expected 10", place.size()));
+    }
+    const auto of_place = [&](std::size_t i) {
+        return number_in(place[i], fmt::format("{}:{}", lines.where(0), i + 1));
+    };
+    table.place = {of_place(6), of_place(7), of_place(9)};
+    const double offset_h = of_place(8);
+    std::vector<LocalRow> rows;
+    std::vector<std::vector<std::string>> cells;
+    for (std::size_t i = header_lines; i < lines.line.size(); ++i) {
+        if (lines.line[i].find_first_not_of(" ,\t") == std::string_view::npos) continue;
+        const std::string where = lines.where(i);
+        std::vector<std::string> row = csv_cells(lines.line[i]);
+        if (row.size() < 22) {
+            throw InputError(where, fmt::format("found {} cells, expected 35", row.size()));
+        }
+        std::array<int, 5> time{};
+        for (std::size_t k = 0; k < 5; ++k) {
+            time[k] = int(std::lround(number_in(row[k], fmt::format("{}:{}", where, k + 1))));
+        }
+        const double minute = time[4] == 0 ? 60.0 : time[4];
+        rows.push_back({time[0], time[1], time[2], 3600.0 * (time[3] - 1) + 60.0 * minute, where});
+        cells.push_back(std::move(row));
+    }
+    if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    add_local_rows(rows, offset_h, asked, table,
+                   [&](std::size_t i) { put_epw(cells[i], rows[i].where, table); });
+    return table;
+}
+
+}  // namespace diurna

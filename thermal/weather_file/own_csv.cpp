@@ -1,0 +1,157 @@
+#include "thermal/weather_file/own_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "materials/base/csv.hpp"
+#include "materials/base/error.hpp"
+#include "thermal/weather_file/stamps.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Where in the file a column is, and what it holds.
+struct UsedColumn {
+    std::size_t column;
+    Quantity quantity;
+    Unit unit;
+};
+
+struct Layout {
+    std::size_t time = 0;
+    double offset_h = not_measured;
+    std::vector<UsedColumn> used;
+    std::vector<std::string> unused;
+};
+
+std::vector<std::string> own_columns() {
+    std::vector<std::string> known{"time"};
+    for (std::size_t i = 0; i < quantity_count; ++i) {
+        known.emplace_back(facts(quantity_at(i)).column);
+    }
+    return known;
+}
+
+/// Throws InputError for columns that no weather file has, or that are declared and not there.
+Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declared) {
+    Layout layout;
+    std::vector<Mistake> mistakes;
+    const std::string file = csv.path.string();
+    for (const DeclaredColumn& d : declared) {
+        if (csv.has(d.name)) continue;
+        mistakes.push_back({file, "no column '" + d.name + "' of [weather.columns] in the header",
+                            did_you_mean(d.name, csv.header)});
+    }
+    bool has_time = false;
+    std::array<bool, quantity_count> taken{};
+    for (std::size_t c = 0; c < csv.header.size(); ++c) {
+        const std::string& name = csv.header[c];
+        const auto found = std::find_if(declared.begin(), declared.end(),
+                                        [&](const DeclaredColumn& d) { return d.name == name; });
+        const bool is_declared = found != declared.end();
+        const std::optional<Quantity> quantity =
+            is_declared ? found->quantity : quantity_of_column(name);
+        if (is_declared ? !found->quantity : name == "time") {
+            if (has_time && !is_declared) continue;
+            layout.time = c;
+            layout.offset_h = is_declared ? found->offset_h : not_measured;
+            has_time = true;
+        } else if (quantity) {
+            if (taken[index(*quantity)]) {
+                mistakes.push_back(
+                    {file + ": " + name,
+                     fmt::format("is the second column of {}", facts(*quantity).name), ""});
+            }
+            taken[index(*quantity)] = true;
+            layout.used.push_back({c, *quantity, is_declared ? found->unit : Unit{}});
+        } else if (declared.empty()) {
+            mistakes.push_back({file + ": " + name, "is no column of a weather file",
+                                did_you_mean(name, own_columns())});
+        } else {
+            layout.unused.push_back(name);
+        }
+    }
+    if (!has_time) mistakes.push_back({file, "no column 'time' in the header", ""});
+    if (!taken[index(Quantity::air_temperature)]) {
+        mistakes.push_back({file, "no column 'air_temperature_K' in the header",
+                            "columns of other names or units: [weather.columns]"});
+    }
+    if (!mistakes.empty()) throw InputError(mistakes);
+    return layout;
+}
+
+bool missing(const std::string& cell, bool foreign) {
+    if (cell.empty()) return true;
+    return foreign &&
+           (cell == "M" || cell == "NA" || cell == "null" || cell == "nan" || cell == "NaN");
+}
+
+/// A cell in SI; NaN where it is missing. A trace of rain ("T") is none.
+double value_of(const CsvTable& csv, std::size_t row, const UsedColumn& c, bool foreign,
+                double interval) {
+    const std::string& cell = csv.rows[row][c.column];
+    if (missing(cell, foreign)) return not_measured;
+    if (foreign && c.quantity == Quantity::rain && cell == "T") return 0.0;
+    const double value = c.unit.factor * csv.number(row, c.column) + c.unit.offset;
+    if (!c.unit.per_interval) return value;
+    return interval > 0.0 ? value / interval : not_measured;
+}
+
+}  // namespace
+
+DeclaredColumn declared_column(const std::string& name, const std::string& says,
+                               const std::string& where) {
+    DeclaredColumn column{.name = name};
+    const std::size_t blank = says.find(' ');
+    const std::string word = says.substr(0, blank);
+    std::string unit = blank == std::string::npos ? "" : says.substr(blank + 1);
+    std::erase_if(unit, [](char c) { return c == ' ' || c == '[' || c == ']'; });
+    if (word == "time") {
+        if (!unit.empty() && !offset_in(unit, column.offset_h)) {
+            throw InputError(
+                where, fmt::format("found offset '{}', expected UTC or such as -05:00", unit));
+        }
+        return column;
+    }
+    column.quantity = quantity_named(word);
+    if (!column.quantity) {
+        std::vector<std::string> known = quantity_names();
+        known.insert(known.begin(), "time");
+        refuse_word(where, word, known);
+    }
+    const std::optional<Unit> found = unit_named(*column.quantity, unit);
+    if (!found) refuse_word(where, unit, unit_names(*column.quantity));
+    column.unit = *found;
+    return column;
+}
+
+WeatherTable read_own_csv(const std::filesystem::path& file,
+                          const std::vector<DeclaredColumn>& declared) {
+    const CsvTable csv = read_csv(file);
+    const bool foreign = !declared.empty();
+    const Layout layout = layout_of(csv, declared);
+    if (csv.rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    WeatherTable table{.file = file, .format = "CSV"};
+    for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+        const std::string where = csv.where(row, layout.time);
+        add_row(table, stamp_in(csv.rows[row][layout.time], layout.offset_h, where), where);
+    }
+    const double interval = usual_interval(table.stamp);
+    for (const UsedColumn& c : layout.used) {
+        for (std::size_t row = 0; row < csv.rows.size(); ++row) {
+            const double value = value_of(csv, row, c, foreign, interval);
+            check_range(c.quantity, value, csv.where(row, c.column));
+            table.of(c.quantity).push_back(value);
+        }
+    }
+    if (!layout.unused.empty()) {
+        table.notes.push_back(fmt::format("columns not used: {}", fmt::join(layout.unused, ", ")));
+    }
+    return table;
+}
+
+}  // namespace diurna

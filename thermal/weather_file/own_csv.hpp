@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "thermal/weather_file/weather_table.hpp"
+
+namespace diurna {
+
+/// What a column of somebody's CSV holds: a quantity in a unit, or the time.
+struct DeclaredColumn {
+    std::string name;                    // in the file's header
+    std::optional<Quantity> quantity{};  // none: the time
+    Unit unit{};
+    double offset_h = std::numeric_limits<double>::quiet_NaN();  // from UTC, of the time; NaN: its
+                                                                 // cells say it
+};
+
+/// "air_temperature degC", "time UTC": a quantity and its unit as [weather.columns] declares them.
+/// Throws InputError(where) with the words it may be.
+DeclaredColumn declared_column(const std::string& name, const std::string& says,
+                               const std::string& where);
+
+/// A CSV file with the program's own columns (scenes/README.md) and those declared besides. Where
+/// columns are declared, others are passed over and named in a note, and cells "M", "NA", "null"
+/// and "nan" are missing as empty ones are; where none are, unknown columns are mistakes.
+WeatherTable read_own_csv(const std::filesystem::path& file,
+                          const std::vector<DeclaredColumn>& declared);
+
+}  // namespace diurna

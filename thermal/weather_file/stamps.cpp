@@ -1,0 +1,32 @@
+#include "thermal/weather_file/stamps.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace diurna {
+
+Instant stamp_in(std::string text, double offset_h, const std::string& where) {
+    constexpr std::size_t date_length = 10;  // of 2022-01-01
+    if (text.size() > date_length && text[date_length] == ' ') text[date_length] = 'T';
+    const bool has_offset =
+        text.size() > date_length && text.find_first_of("Z+-", date_length) != std::string::npos;
+    if (has_offset || std::isnan(offset_h)) return parse_instant(text, where);
+    return later(parse_instant(text + "Z", where), -3600.0 * offset_h);
+}
+
+bool offset_in(const std::string& word, double& offset_h) {
+    if (word == "UTC" || word == "Z" || word == "GMT") {
+        offset_h = 0.0;
+        return true;
+    }
+    int hours = 0, minutes = 0, taken = 0;
+    char sign = 0;
+    if (std::sscanf(word.c_str(), "%c%2d:%2d%n", &sign, &hours, &minutes, &taken) != 3 ||
+        taken != int(word.size()) || (sign != '+' && sign != '-') || hours > 15 || minutes > 59) {
+        return false;
+    }
+    offset_h = (sign == '-' ? -1.0 : 1.0) * (hours + minutes / 60.0);
+    return true;
+}
+
+}  // namespace diurna

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "terrain/place/instant.hpp"
+#include "thermal/weather_file/weather_table.hpp"
+
+namespace diurna {
+
+/// The years that a weather is wanted for; empty: as the file says.
+struct AskedSpan {
+    Instant begin{}, end{};
+    bool any() const { return begin < end; }
+};
+
+/// A row of a calendar kept in local standard time. Its hour ends at `seconds` of the day.
+struct LocalRow {
+    int year = 0, month = 0, day = 0;
+    double seconds = 0.0;
+    std::string where;
+};
+
+/// Puts rows of a local calendar into a table: `put_values(i)` puts those of row i, after its stamp
+/// was added.
+///
+/// Files of a typical year (EPW, TMY3) take each month from another year. Where the years of rows
+/// change otherwise than at New Year, the rows stand for every year that the span asked for
+/// touches (without one: for the year of the first row), and a note says so. Such years have no 29
+/// February.
+void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const AskedSpan& asked,
+                    WeatherTable& table, const std::function<void(std::size_t)>& put_values);
+
+}  // namespace diurna

@@ -1,0 +1,66 @@
+#include "thermal/weather_file/weather_section.hpp"
+
+#include <cmath>
+
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+namespace {
+
+std::optional<double> height_or(const Section& section, const char* key, const char* says,
+                                const char* usual, Range range) {
+    const double height = section.number_or(key, says, {std::nan(""), usual}, range);
+    return std::isnan(height) ? std::nullopt : std::optional(height);
+}
+
+std::vector<DeclaredColumn> read_columns(const Section& columns) {
+    std::vector<DeclaredColumn> declared;
+    for (const std::string& name : columns.free_keys()) {
+        const std::string says = columns.text(
+            name,
+            "what the file's column of this name holds, and its unit: \"time UTC\", "
+            "\"air_temperature degC\", \"wind_speed kn\"; quantities and units stand in "
+            "scenes/README.md");
+        try {
+            declared.push_back(declared_column(name, says, columns.where(name)));
+        } catch (const InputError& error) {
+            columns.mistake(name, error.mistakes().front().problem, error.mistakes().front().hint);
+        }
+    }
+    return declared;
+}
+
+}  // namespace
+
+WeatherOptions read_weather_options(const Section& section, double lowest_wind) {
+    const std::string stated = section.word_or(
+        "interval",
+        "a row is the mean over the time that starts or ends at its stamp, or is of that instant; "
+        "formats other than CSV say it themselves, and another word is a mistake",
+        {"", "the format's; of CSV end"}, {"start", "end", "instant"});
+    WeatherOptions options;
+    if (stated == "start") options.interval = Stamp::start;
+    if (stated == "end") options.interval = Stamp::end;
+    if (stated == "instant") options.interval = Stamp::instant;
+    options.wind_height = height_or(section, "wind_height_m", "at which wind was measured",
+                                    "the format's; of CSV 10", {lowest_wind, 200.0});
+    options.air_height = height_or(section, "air_height_m",
+                                   "at which the air's temperature and humidity were measured",
+                                   "the format's; of CSV 2", {0.1, 200.0});
+    options.on_gap = section.choice_or(
+        "on_gap",
+        "where values are missing for more than 3 h within the span (less is filled straight): "
+        "refuse the file, fill straight, or leave radiation there to the clear sky's formulas; "
+        "every value filled is counted in the report",
+        OnGap::refuse,
+        {{"refuse", OnGap::refuse},
+         {"interpolate", OnGap::interpolate},
+         {"clear_sky", OnGap::clear_sky}});
+    options.columns =
+        read_columns(section.section("columns", "of a CSV file with names and units of its own"));
+    options.where = section.where();
+    return options;
+}
+
+}  // namespace diurna

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "thermal/weather/weather.hpp"
+#include "thermal/weather_file/weather_table.hpp"
+
+namespace diurna {
+
+/// From when to when a file tells of the weather: its first interval's start to its last one's end,
+/// or its first and last instant.
+struct CoveredSpan {
+    Instant begin, end;
+};
+CoveredSpan covered_span(const WeatherTable& table, Stamp stamps);
+
+/// The series of a table without gaps. A mean is put in the middle of its interval; states that are
+/// of the stamps are taken from the straight line there. Humidity comes from the dew point, station
+/// pressure from the altimeter setting (NWS: p = A (1 − 0.0065 h / 288)^5.2561), what is not there
+/// from WeatherTable's defaults, which the note tells.
+///
+/// elevation  [m] above the sea, of the place
+Weather weather_series(const WeatherTable& table, Stamp stamps, double elevation);
+
+/// Station pressure of an altimeter setting (QNH), both [Pa].
+double station_pressure(double altimeter, double elevation);
+
+}  // namespace diurna

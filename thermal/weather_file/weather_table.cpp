@@ -1,0 +1,63 @@
+#include "thermal/weather_file/weather_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+void add_row(WeatherTable& table, Instant stamp, const std::string& where) {
+    if (!table.stamp.empty() && stamp <= table.stamp.back()) {
+        throw InputError(
+            where, fmt::format("{} does not come after the row before it", format_instant(stamp)));
+    }
+    table.stamp.push_back(stamp);
+    table.where.push_back(where);
+    for (std::vector<double>& column : table.value) {
+        if (!column.empty()) column.resize(table.stamp.size(), not_measured);
+    }
+}
+
+void check_range(Quantity quantity, double value, const std::string& where) {
+    const QuantityFacts& f = facts(quantity);
+    if (value < f.least || value > f.most) {
+        throw InputError(where, fmt::format("found {:g}; {} lies between {:g} and {:g}", value,
+                                            f.column, f.least, f.most));
+    }
+}
+
+void put(WeatherTable& table, Quantity quantity, double value, const std::string& where) {
+    check_range(quantity, value, where);
+    std::vector<double>& column = table.of(quantity);
+    column.resize(table.stamp.size(), not_measured);
+    column.back() = value;
+}
+
+double usual_interval(const std::vector<Instant>& stamp) {
+    if (stamp.size() < 2) return 0.0;
+    std::vector<double> step;
+    for (std::size_t i = 1; i < stamp.size(); ++i) {
+        step.push_back(seconds_between(stamp[i - 1], stamp[i]));
+    }
+    const auto middle = step.begin() + static_cast<std::ptrdiff_t>((step.size() - 1) / 2);
+    std::nth_element(step.begin(), middle, step.end());
+    return *middle;
+}
+
+Instant local_instant(int year, int month, int day, double seconds, double offset_h,
+                      const std::string& where) {
+    using namespace std::chrono;
+    const year_month_day date{std::chrono::year(year), std::chrono::month(unsigned(month)),
+                              std::chrono::day(unsigned(day))};
+    if (!date.ok() || seconds < 0.0 || seconds > 86400.0) {
+        throw InputError(where, fmt::format("{}-{}-{} {:g} h: there is no such time", year, month,
+                                            day, seconds / 3600.0));
+    }
+    return later(Instant(sys_days(date)), seconds - 3600.0 * offset_h);
+}
+
+}  // namespace diurna

@@ -25,7 +25,8 @@ namespace diurna {
 
 struct WeatherInput {
     std::filesystem::path file;
-    WeatherOptions options;  // but for place and span, which are those of the scene
+    WeatherOptions options;       // but for place and span, which are those of the scene
+    std::string measured_over{};  // a material; "": the only one
 };
 
 struct Scene {

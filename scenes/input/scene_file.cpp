@@ -32,7 +32,8 @@ std::optional<Site> read_site(const Section& section) {
 
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
     return {.file = reading.file(section, "file", weather_file_says),
-            .options = read_weather_options(section, 0.5)};
+            .options = read_weather_options(section, 0.5),
+            .measured_over = read_measured_over(section, reading.materials.known)};
 }
 
 /// Names, and how finely the scene is sampled.

@@ -5,6 +5,7 @@
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/ground.hpp"
+#include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/plumes.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
@@ -60,6 +61,9 @@ Prepared prepare(Scene scene) {
     std::vector<std::string> notes = dem.notes;
     if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
+    if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
+        notes.push_back(std::move(note));
+    }
     Plan plan = make_plan(scene, world);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/texture/level_values.hpp"
@@ -90,6 +91,7 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
         shadows += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
         return sun;
     };
+    const MeasuredAlbedo albedo = measured_albedo(prepared.scene, prepared.world, prepared.weather);
     SpanResult result = solve_span({.facets = prepared.world.surfaces(),
                                     .views = views,
                                     .sun = none,
@@ -97,7 +99,8 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                                     .weather = prepared.weather,
                                     .site = prepared.world.site,
                                     .elevation = prepared.world.sea_level_height,
-                                    .clear_sky = prepared.scene.sky},
+                                    .clear_sky = prepared.scene.sky,
+                                    .measured_share = albedo.share},
                                    exposure, span);
     progress.set_apart("shadows", shadows);
     return result;

@@ -1,5 +1,7 @@
 #include "thermal/point/point_job_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -54,6 +56,19 @@ std::vector<SoilPoint> read_profile(const Section& time) {
     return profile;
 }
 
+/// Reflected light tells nothing of a facet of another material.
+void forget_albedo(const std::string& measured_over, const std::string& material,
+                   Weather& weather) {
+    bool measured = false;
+    for (Forcing& f : weather.sample) {
+        measured = measured || !std::isnan(f.shortwave_up);
+        f.shortwave_up = not_measured;
+    }
+    if (!measured) return;
+    weather.note += fmt::format("{}shortwave_up was measured over {}: albedo of {} its own",
+                                weather.note.empty() ? "" : "; ", measured_over, material);
+}
+
 void read_time(const Section& time, PointJob& job) {
     const std::string start = time.moment("start", "with its offset from UTC");
     const std::string end = time.moment("end", "with its offset from UTC");
@@ -94,17 +109,24 @@ PointJob read_column_job(const Document& document) {
                job);
     const Section material =
         root.required_section("material", "of the facet, with the keys of the third chapter");
-    job.surface = read_material(material, default_material_library(), folder, "column").thermal;
+    const Material read = read_material(material, default_material_library(), folder, "column");
+    job.surface = read.thermal;
     job.clear_sky = read_sky(root.section("sky", sky_says));
     const Section weather = root.required_section("weather", "what drives the heat balance");
     const std::string weather_file = weather.text("file", weather_file_says);
     WeatherOptions options = read_weather_options(weather, 0.1);
     options.elevation = job.elevation;
     options.site = job.site;
+    std::vector<std::string> materials = default_material_library().names();
+    materials.push_back(read.name);
+    const std::string measured_over = read_measured_over(weather, materials);
     read_time(root.required_section("time", "the span, its start and its steps"), job);
     document.finish();
     options.asked = {job.start, job.end};
     job.weather = read_weather(folder / weather_file, options);
+    if (!measured_over.empty() && measured_over != read.name) {
+        forget_albedo(measured_over, read.name, job.weather);
+    }
     return job;
 }
 

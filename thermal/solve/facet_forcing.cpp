@@ -9,6 +9,7 @@ FacetForcing::FacetForcing(const SolveState& solve, const std::vector<Forcing>& 
                            const Block& block, std::size_t lane)
     : solve_(solve), weather_(weather) {
     const std::size_t facet = block.facet[lane];
+    measured_share_ = measured_share(solve.input, solve.input.facets.material[facet]);
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const std::size_t at = i * solve.facets + facet;
         double longwave = solve.sky[i].longwave_down;
@@ -40,7 +41,8 @@ PointForcing FacetForcing::operator()(Instant when) const {
                    .rain_mm_h = weather.rain_mm_h,
                    .sunlight = std::lerp(sunlight_[i], sunlight_[i + 1], x),
                    .own_light = 0.0,
-                   .albedo = std::lerp(solve_.sky[i].albedo, solve_.sky[i + 1].albedo, x),
+                   .albedo = std::lerp(measured_albedo(solve_.sky[i], measured_share_),
+                                       measured_albedo(solve_.sky[i + 1], measured_share_), x),
                    .longwave_in = std::lerp(longwave_[i], longwave_[i + 1], x),
                    .own_view = 0.0};
     // The straight line has the jump in it; a millisecond behind the edge it is done.

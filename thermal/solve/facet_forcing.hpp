@@ -22,6 +22,7 @@ class FacetForcing {
 
  private:
     const SolveState& solve_;
+    double measured_share_ = 0.0;
     const std::vector<Forcing>& weather_;      // (instant)
     std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
     std::vector<HeatJump> jump_;  // of step i from first_jump_[i] to first_jump_[i + 1]

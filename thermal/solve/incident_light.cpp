@@ -1,19 +1,50 @@
 #include "thermal/solve/incident_light.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "materials/base/parallel.hpp"
 #include "thermal/weather/tilted_sky.hpp"
 
 namespace diurna {
 
+namespace {
+
+/// What facets reflect at an instant: where it was measured, what was measured.
+FacetOptics optics_at(const SolveState& solve, std::size_t i) {
+    FacetOptics optics = solve.optics;
+    for (std::size_t f = 0; f < solve.facets; ++f) {
+        const double albedo = measured_albedo(
+            solve.sky[i], measured_share(solve.input, solve.input.facets.material[f]));
+        if (!std::isnan(albedo)) optics.albedo[f] = float(albedo);
+    }
+    return optics;
+}
+
+}  // namespace
+
 void shine(SolveState& solve) {
     solve.sunlight.resize(solve.instant.size() * solve.facets);
-    incident_sunlight({.facets = solve.input.facets,
-                       .views = solve.input.views,
-                       .optics = solve.optics,
-                       .exchange = solve.options.exchange},
-                      {.sky = solve.sky, .fraction = solve.input.sun.fraction}, solve.sunlight);
+    const auto at = [&](const FacetOptics& optics, std::span<const SkyState> sky,
+                        std::span<const float> fraction, std::span<float> sunlight) {
+        incident_sunlight({.facets = solve.input.facets,
+                           .views = solve.input.views,
+                           .optics = optics,
+                           .exchange = solve.options.exchange},
+                          {.sky = sky, .fraction = fraction}, sunlight);
+    };
+    const std::span<const float> fraction = solve.input.sun.fraction;
+    if (solve.input.measured_share.empty()) {
+        at(solve.optics, solve.sky, fraction, solve.sunlight);
+        return;
+    }
+    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+        const bool measured = !std::isnan(solve.sky[i].albedo);
+        const FacetOptics of_instant = measured ? optics_at(solve, i) : FacetOptics{};
+        at(measured ? of_instant : solve.optics, std::span(solve.sky).subspan(i, 1),
+           fraction.empty() ? fraction : fraction.subspan(i * solve.facets, solve.facets),
+           solve.row(solve.sunlight, i));
+    }
 }
 
 void find_jumps(SolveState& solve) {

@@ -18,6 +18,15 @@ std::vector<Instant> step_instants(const SolveOptions& options) {
     return instants;
 }
 
+double measured_share(const SolveInput& input, MaterialId material) {
+    return input.measured_share.empty() ? 0.0 : input.measured_share[index(material)];
+}
+
+double measured_albedo(const SkyState& sky, double share) {
+    if (!(share > 0.0) || std::isnan(sky.albedo)) return not_measured;
+    return std::min(1.0, share * sky.albedo);
+}
+
 void check(const SolveInput& input, const SolveOptions& options) {
     const std::size_t n = input.facets.size();
     if (n == 0) throw InputError("thermal solve", "the scene has no facets");
@@ -27,6 +36,9 @@ void check(const SolveInput& input, const SolveOptions& options) {
     if (input.views.sky.size() != n || input.views.below.size() != n ||
         input.views.others.row.size() != n + 1) {
         throw InputError("thermal solve", "the sky view belongs to another set of facets");
+    }
+    if (!input.measured_share.empty() && input.measured_share.size() != input.materials.size()) {
+        throw InputError("thermal solve", "shares of measured albedo belong to other materials");
     }
     const std::size_t instants = step_instants(options).size();
     for (std::size_t i = 0; i < input.sun.edge.size(); ++i) {

@@ -68,8 +68,16 @@ struct SolveInput {
     Site site;
     double elevation = 0.0;  // [m] above the sea, of the weather
     ClearSky clear_sky{};
+    /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
+    /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.
+    std::vector<double> measured_share{};
     const HeatState* from = nullptr;  // at the start; null: periodic, or the span's mean balance
 };
+
+/// SolveInput::measured_share of a material.
+double measured_share(const SolveInput& input, MaterialId material);
+/// The albedo that a sky measured of such a material, 0 to 1; NaN where it did not.
+double measured_albedo(const SkyState& sky, double share);
 
 /// Throws InputError where arrays do not match each other or the options.
 void check(const SolveInput& input, const SolveOptions& options);

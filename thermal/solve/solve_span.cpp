@@ -92,6 +92,7 @@ SolveResult solve_piece(const Piece& piece, Walk& walk) {
                                 .site = given.site,
                                 .elevation = given.elevation,
                                 .clear_sky = given.clear_sky,
+                                .measured_share = given.measured_share,
                                 .from = piece.begin},
                                options);
     add_report(result.report, walk.result.report);

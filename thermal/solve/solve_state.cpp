@@ -16,7 +16,7 @@ SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
       optics(facet_optics(given.facets, given.materials)) {}
 
 double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i) {
-    const double measured = solve.sky[i].albedo;
+    const double measured = measured_albedo(solve.sky[i], kind.measured_share);
     return std::isnan(measured)
                ? kind.column.absorptance()
                : std::max(0.0, 1.0 - measured - kind.column.surface.solar_transmittance);

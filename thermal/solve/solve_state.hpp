@@ -86,6 +86,7 @@ struct Kind {
     std::vector<double> slope;          // like `forcing`: mean surface slope, last pass
     std::vector<double> back_slope;     // of plates
     std::size_t facets = 0;
+    double measured_share = 0.0;  // SolveInput::measured_share
 };
 
 /// Whether a material's facets are stepped in modes.

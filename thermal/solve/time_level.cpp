@@ -45,6 +45,7 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
         [&](std::size_t m) {
             Kind& kind = level.kind[m];
             const ThermalSurface& surface = solve.input.materials[materials[m]].thermal;
+            kind.measured_share = measured_share(solve.input, materials[m]);
             const bool thin = solve.options.method == Method::modes && surface.back;
             kind.column = material_column(surface,
                                           {.step = step,

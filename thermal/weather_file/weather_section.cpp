@@ -63,4 +63,11 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
     return options;
 }
 
+std::string read_measured_over(const Section& section, const std::vector<std::string>& materials) {
+    return section.name_or("measured_over",
+                           "whose albedo measured shortwave_up over shortwave_down is, in place of "
+                           "its own, in what it takes in and what it reflects",
+                           {"", "the only material, else none"}, {"material", materials});
+}
+
 }  // namespace diurna

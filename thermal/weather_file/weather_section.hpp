@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "materials/base/section.hpp"
 #include "thermal/weather_file/read_weather.hpp"
 
@@ -15,5 +18,9 @@ inline constexpr const char* weather_file_says =
 ///
 /// lowest_wind  [m] least height that wind may be measured at
 WeatherOptions read_weather_options(const Section& section, double lowest_wind);
+
+/// `measured_over` of [weather]: the name of the material below the pyranometers; "" if it is not
+/// told.
+std::string read_measured_over(const Section& section, const std::vector<std::string>& materials);
 
 }  // namespace diurna

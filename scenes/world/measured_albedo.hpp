@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// Whose albedo the reflected light of a weather file is.
+struct MeasuredAlbedo {
+    std::vector<double> share{};  // (material) SolveInput::measured_share; empty: nobody's
+    std::string note{};           // why it is nobody's, though it was measured or asked for
+};
+
+/// The material of `[weather] measured_over`, or the scene's only one. Levels of a texture on it
+/// keep their albedo's ratio to its own.
+MeasuredAlbedo measured_albedo(const Scene& scene, const World& world, const Weather& weather);
+
+}  // namespace diurna

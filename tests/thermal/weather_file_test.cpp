@@ -111,8 +111,13 @@ TEST_CASE("EPW: hours end at their stamp in local standard time, nines are missi
     // The other meaning of stamps contradicts the format; a file of another format its name.
     CHECK(has(
         message_of(file, epw(epw_row("2019,7,15,12,0", "24.0,10.0,41,81900", "310,800,900,110")),
-                   {.interval = Stamp::start, .where = "s.toml:3:1: weather"}),
+                   {.interval = Stamp::start, .where = "s.toml:3:1: weather.interval"}),
         "weather.interval: found 'start', but stamps of EPW files are 'end'"));
+    // A byte order mark is no content.
+    const std::string one = epw(epw_row("2019,7,15,12,0", "24.0,10.0,41,81900", "310,800,900,110"));
+    CHECK(message_of(file, "\xEF\xBB\xBF" + one) == "");
+    CHECK(has(message_of(file, one, {.columns = {declared_column("x", "time UTC", "x")}}),
+              "is of a format that has its own columns"));
     CHECK(has(message_of(file, "time,air_temperature_K\n"), "is named .epw"));
     CHECK(has(message_of(file, epw(epw_row("2019,7,15,12,0", "24,0x", "310,800,900,110"))),
               "denver.epw:9"));
@@ -264,7 +269,10 @@ TEST_CASE("a SURFRAD day as NOAA wrote it is read as such", "[thermal][weather_f
     if (!folder) return;
     const AskedSpan day{parse_instant("2016-01-01T00:00:00Z"),
                         parse_instant("2016-01-02T00:00:00Z")};
-    const Weather w = read_weather(*folder / "slv16001.dat", {.elevation = 2317.0, .asked = day});
+    const Weather w = read_weather(*folder / "slv16001.dat",
+                                   {.elevation = 2317.0,
+                                    .asked = day,
+                                    .site = Site{.latitude_deg = 37.70, .longitude_deg = -105.92}});
     CHECK(w.instant.size() == 1440);
     // Its first line: 0:00, -1.8 global, -0.8 up, 1.8 direct, 2.3 diffuse, 186.3 longwave, -7.6 °C,
     // 52.7 %, 3.1 m/s, 773.5 hPa.
@@ -276,4 +284,5 @@ TEST_CASE("a SURFRAD day as NOAA wrote it is read as such", "[thermal][weather_f
     CHECK(w.sample.front().air.pressure == Approx(77350.0));
     CAPTURE(w.note);
     CHECK(has(w.note, "ends 1 min before the span"));
+    CHECK_FALSE(has(w.note, "away"));  // its 105.92 are degrees west
 }

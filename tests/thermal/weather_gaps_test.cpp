@@ -74,7 +74,7 @@ TEST_CASE("a span outside the file is refused with both spans in one line",
     CHECK(refusal(0.0, 24.1, Stamp::end) != "");
     const Weather held =
         read_weather(file, {.interval = Stamp::instant, .asked = {at_hour(0), at_hour(24)}});
-    CHECK(has(held.note, "the file ends 60 min before the span does, its last row held"));
+    CHECK(has(held.note, "the file ends 60 min before the span; its last row is held"));
     CHECK(held.at(at_hour(24)).air.temperature == 303.0);
     const Weather whole =
         read_weather(file, {.interval = Stamp::start, .asked = {at_hour(0), at_hour(24)}});

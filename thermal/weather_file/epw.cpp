@@ -23,7 +23,8 @@ struct EpwColumn {
     Quantity quantity;
     double factor = 1.0, offset = 0.0;
 };
-// Energies of an hour [Wh m⁻²] are mean fluxes; of shorter intervals they are too (the dictionary).
+// Energies of an hour [Wh m⁻²] are mean fluxes; those of shorter intervals EnergyPlus takes for
+// such.
 constexpr std::array<EpwColumn, 9> columns{{
     {6, 99.9, Quantity::air_temperature, 1.0, zero_celsius},
     {7, 99.9, Quantity::dew_point, 1.0, zero_celsius},

@@ -31,7 +31,7 @@ std::string head_of(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     in.read(head.data(), std::streamsize(enough));
     head.resize(std::size_t(std::max<std::streamsize>(0, in.gcount())));
-    return head;
+    return head.starts_with(byte_order_mark) ? head.substr(byte_order_mark.size()) : head;
 }
 
 std::string line_of(const std::string& text, int number) {
@@ -75,9 +75,9 @@ WeatherTable read_table(const std::filesystem::path& file, const WeatherOptions&
     const WeatherFormat format = weather_format(file);
     if (format != WeatherFormat::csv && format != WeatherFormat::era5_csv &&
         !options.columns.empty()) {
-        throw InputError(options.where + ".columns", "columns are declared of CSV files only; " +
-                                                         file.filename().string() +
-                                                         " is of a format that has its own");
+        throw InputError(file.string(),
+                         "is of a format that has its own columns; those of [weather.columns] are "
+                         "declared of CSV only");
     }
     switch (format) {
         case WeatherFormat::epw:
@@ -102,7 +102,7 @@ WeatherTable read_table(const std::filesystem::path& file, const WeatherOptions&
 Stamp stamps_of(const WeatherTable& table, const WeatherOptions& options) {
     if (table.stamps && options.interval && *table.stamps != *options.interval) {
         throw InputError(
-            options.where + ".interval",
+            options.where,
             fmt::format("found '{}', but stamps of {} files are '{}'", name_of(*options.interval),
                         table.format, name_of(*table.stamps)),
             "leave the key out");
@@ -123,15 +123,15 @@ void check_cover(WeatherTable& table, Stamp stamps, const AskedSpan& asked) {
                                      format_instant(span.begin), format_instant(span.end),
                                      format_instant(asked.begin), format_instant(asked.end)));
     }
-    const auto hold = [&](const char* what, double seconds) {
-        if (seconds <= 0.0) return;
-        table.notes.push_back(fmt::format("the file {} {:g} min {} held for them", what,
-                                          seconds / 60.0,
-                                          what[0] == 'b' ? "after the span does, its first row"
-                                                         : "before the span does, its last row"));
-    };
-    hold("begins", early);
-    hold("ends", late);
+    if (early > 0.0) {
+        table.notes.push_back(
+            fmt::format("the file begins {:g} min after the span; its first row is held before it",
+                        early / 60.0));
+    }
+    if (late > 0.0) {
+        table.notes.push_back(fmt::format(
+            "the file ends {:g} min before the span; its last row is held behind it", late / 60.0));
+    }
 }
 
 /// Where a station is far from the place it stands for.

@@ -21,9 +21,9 @@ struct WeatherOptions {
     double elevation = 0.0;               // [m] above the sea: pressure where the file has none
     std::vector<DeclaredColumn> columns{};
     OnGap on_gap = OnGap::refuse;
-    AskedSpan asked{};              // what must be covered; none: nothing in particular
-    std::optional<Site> site{};     // tells night from day, and whether the station is far away
-    std::string where = "weather";  // of these options, for messages: "scene.toml:12:1: weather"
+    AskedSpan asked{};           // what must be covered; none: nothing in particular
+    std::optional<Site> site{};  // tells night from day, and whether the station is far away
+    std::string where = "weather.interval";  // of `interval`: "scene.toml:12:1: weather.interval"
 };
 
 enum class WeatherFormat { csv, epw, tmy3, surfrad, bsrn, era5_csv, era5_netcdf };

@@ -61,7 +61,8 @@ WeatherTable read_surfrad(const std::filesystem::path& file) {
     table.stamps = Stamp::end;
     table.wind_height = table.air_height = 10.0;
     const std::vector<std::string_view> place = words_of(lines.line.at(1));
-    table.place = {number_in(place.at(0), lines.where(1)), number_in(place.at(1), lines.where(1)),
+    table.place = {number_in(place.at(0), lines.where(1)),
+                   -std::abs(number_in(place.at(1), lines.where(1))),
                    number_in(place.at(2), lines.where(1))};
     Flagged flagged;
     for (std::size_t i = 2; i < lines.line.size(); ++i) {

@@ -10,7 +10,8 @@
 namespace diurna {
 
 TextLines::TextLines(const std::filesystem::path& file) : path(file), text(read_text(file)) {
-    const std::string_view all = text;
+    std::string_view all = text;
+    if (all.starts_with(byte_order_mark)) all.remove_prefix(byte_order_mark.size());
     for (std::size_t begin = 0; begin < all.size();) {
         const std::size_t end = std::min(all.find('\n', begin), all.size());
         std::string_view one = all.substr(begin, end - begin);

@@ -7,7 +7,11 @@
 
 namespace diurna {
 
-/// A text file cut into lines, without their ends. Not to be copied: the lines lie in `text`.
+/// What some programs begin a text with.
+inline constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// A text file cut into lines, without their ends and the mark before the first. Not to be copied:
+/// the lines lie in `text`.
 struct TextLines {
     std::filesystem::path path;
     std::string text;

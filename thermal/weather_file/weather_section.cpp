@@ -59,7 +59,7 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
          {"clear_sky", OnGap::clear_sky}});
     options.columns =
         read_columns(section.section("columns", "of a CSV file with names and units of its own"));
-    options.where = section.where();
+    if (!stated.empty()) options.where = section.where("interval");
     return options;
 }
 

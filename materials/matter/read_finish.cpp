@@ -102,7 +102,8 @@ Finish read_law(const Section& section, const std::filesystem::path& folder) {
     return finish;
 }
 
-/// The share that is not covered lets everything through.
+/// The share that is not covered lets everything through. The heat balance stays that of the
+/// strips: a net is less of them, and mass, air, sun and longwave go by their area alike.
 void open_up(double cover, Material& material) {
     if (material.transmittance.empty()) {
         material.transmittance = flat_spectrum(1.0 - cover);
@@ -110,10 +111,6 @@ void open_up(double cover, Material& material) {
         for (double& value : material.transmittance.value) value = 1.0 - cover + cover * value;
     }
     for (double& value : material.reflectance.value) value *= cover;
-    ThermalSurface& thermal = material.thermal;
-    thermal.albedo *= cover;
-    thermal.emissivity *= cover;
-    thermal.solar_transmittance = 1.0 - cover + cover * thermal.solar_transmittance;
 }
 
 }  // namespace
@@ -135,7 +132,8 @@ void read_finish(const Section& section, const std::filesystem::path& folder, Ma
         material.see_through);
     if (section.has("cover")) {
         open_up(
-            section.number("cover", "a net, of which this share is the material; the rest is open",
+            section.number("cover",
+                           "a net, of which this share is strips of the material; the rest is open",
                            {0.0, 1.0}),
             material);
         material.see_through = true;

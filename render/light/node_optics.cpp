@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "materials/matter/passed_light.hpp"
 #include "materials/radiation/planck.hpp"
 
 namespace diurna {
@@ -21,6 +22,7 @@ std::vector<NodeOptics> node_optics(const Band& band, const MaterialLibrary& mat
         const Material& material = materials[MaterialId{static_cast<std::uint16_t>(m)}];
         NodeOptics& optics = all[m];
         optics.transparent = !material.transmittance.empty();
+        optics.passed = passed_heat(material);
         for (const double um : band.node_um) {
             const SurfaceOptics at = optics_at(material, um);
             optics.emissivity.push_back(at.emissivity);

@@ -20,6 +20,7 @@ struct NodeOptics {
     /// where what is behind is as warm as the facet itself
     std::vector<double> room;
     bool transparent = false;
+    double passed = 0.0;  // goes on behind it (materials/matter/passed_light.hpp): heat
 };
 
 /// (material) of those with `used` set; the rest stays empty.

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "materials/matter/passed_light.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/light/node_optics.hpp"
 
@@ -73,8 +74,16 @@ std::vector<double> arriving(LightMemo& memo, FacetId facet, int bounces) {
     std::vector<double> sum;
     each_seen_facet(memo.input.views, facet, [&](FacetId other, double factor) {
         sum.resize(memo.node_um.size(), 0.0);
+        // Of a net its strips alone, which the factor is for: what is behind has its own.
+        const RadianceInput& input = memo.input;
+        const double passed = passed_heat(input.materials[input.facets.material[index(other)]]);
+        const double share = passed < 1.0 ? factor / (1.0 - passed) : factor;
+        const double temperature = input.temperature[index(other)];
         for (const auto& term : terms_of(memo, other, bounces - 1)) {
-            for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += factor * term[n];
+            for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += share * term[n];
+        }
+        for (std::size_t n = 0; n < sum.size() && passed > 0.0; ++n) {
+            sum[n] -= share * passed * planck(memo.node_um[n], temperature);
         }
     });
     return sum;

@@ -105,7 +105,13 @@ void fill(const BandLight& band, const NodeOptics& optics, const Eigen::MatrixXd
         std::transform(own.begin(), own.end(), optics.transmittance.begin(), own.begin(),
                        std::plus<>());
     }
-    const Eigen::MatrixXd reflect = product(basis, optics.reflectance);
+    // Others see so much less of a net, by what goes on behind it, and that bright.
+    std::vector<double> reflectance = optics.reflectance;
+    if (optics.passed > 0.0 && optics.passed < 1.0) {
+        for (double& x : own) x = std::max(0.0, x - optics.passed) / (1.0 - optics.passed);
+        for (double& x : reflectance) x /= 1.0 - optics.passed;
+    }
+    const Eigen::MatrixXd reflect = product(basis, reflectance);
     Eigen::MatrixXd emitted = black * product(basis, own).transpose();
     if (!optics.room.empty()) {
         emitted.topRows(emitted.rows() / 4).rowwise() += project(basis, optics.room).transpose();
@@ -114,8 +120,8 @@ void fill(const BandLight& band, const NodeOptics& optics, const Eigen::MatrixXd
     lay_out(black * reflect.transpose(), first, tables.lanes, material.reflected);
     for (std::size_t h = 0; h < 3; ++h) {
         const IncidentLight& light = band.incident[h];
-        lay_out(project(basis, times(optics.reflectance, light.sky)), first, material.sky[h]);
-        lay_out(project(basis, times(optics.reflectance, light.sun)), first, material.sun[h]);
+        lay_out(project(basis, times(reflectance, light.sky)), first, material.sky[h]);
+        lay_out(project(basis, times(reflectance, light.sun)), first, material.sun[h]);
     }
     material.reflection[b].assign(basis.size() * width, 0.0f);
     for (std::size_t in = 0; in < basis.size(); ++in) {

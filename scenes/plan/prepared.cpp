@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "materials/matter/passed_light.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/ground.hpp"
@@ -46,7 +47,7 @@ Prepared prepare(Scene scene) {
     tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
     const Dem dem = read_dem(tiles, scene.terrain.reading);
     World world = build_world(scene, dem);
-    RayScene rays(world.facets);
+    RayScene rays(world.facets, passed_light(scene.materials));
     Weather weather = scene_weather(scene, world);
     std::vector<Observer> observers;
     for (const ObserverInput& observer : scene.observers) {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "materials/matter/passed_light.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
@@ -26,12 +28,15 @@ ReliefVisibility light_of(const Prepared& prepared) {
 
 }  // namespace
 
-FacetViews scene_sky_view(const Prepared& prepared) {
-    FacetViews view = light_of(prepared).facet_views({.rays = prepared.scene.sky_rays,
+FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
+    const Scene& scene = prepared.scene;
+    FacetViews view = light_of(prepared).facet_views({.rays = scene.sky_rays,
                                                       .first_object = prepared.world.ground_facets,
-                                                      .object_rays = prepared.scene.object_sky_rays,
-                                                      .seed = prepared.scene.seed});
-    make_reciprocal(prepared.world.facets, view);
+                                                      .object_rays = scene.object_sky_rays,
+                                                      .seed = scene.seed,
+                                                      .sunlight = sunlight});
+    const std::vector<PassedLight> passed = passed_light(scene.materials);
+    make_reciprocal(prepared.world.facets, view, {.passed = passed, .sunlight = sunlight});
     const TextureLevels& texture_levels = prepared.world.texture_levels;
     return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
 }
@@ -84,6 +89,10 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
     double shadows = 0.0;
     SpanOptions span = scene_span(prepared.scene);
     span.day.progress = [&](double share) { progress.done(share); };
+    std::optional<FacetViews> sunlight_views;
+    if (passes_by_spectrum(passed_light(prepared.scene.materials))) {
+        sunlight_views = scene_sky_view(prepared, true);
+    }
     const SunExposure none;
     const auto exposure = [&](const std::vector<Instant>& instants) {
         const auto begun = std::chrono::steady_clock::now();
@@ -100,7 +109,8 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                                     .site = prepared.world.site,
                                     .elevation = prepared.world.sea_level_height,
                                     .clear_sky = prepared.scene.sky,
-                                    .measured_share = albedo.share},
+                                    .measured_share = albedo.share,
+                                    .sunlight_views = sunlight_views ? &*sunlight_views : nullptr},
                                    exposure, span);
     progress.set_apart("shadows", shadows);
     return result;

@@ -10,7 +10,9 @@
 namespace diurna {
 
 /// What each facet sees: the ground's sky by the march over the raster, all else by rays.
-FacetViews scene_sky_view(const Prepared& prepared);
+///
+/// - sunlight: of what goes through panes, sunlight; else heat
+FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
 
 /// Who is in the sun at each of some instants, and when between them shadows' edges pass.
 SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Instant>& instants);

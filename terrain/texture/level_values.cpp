@@ -29,7 +29,8 @@ std::vector<float> for_all_levels(const TextureLevels& texture_levels,
 FacetViews for_all_levels(const TextureLevels& texture_levels, const FacetViews& solid) {
     FacetViews all{.sky = for_all_levels(texture_levels, solid.sky),
                    .below = for_all_levels(texture_levels, solid.below),
-                   .others = {}};
+                   .others = {},
+                   .hidden = for_all_levels(texture_levels, solid.hidden)};
     const std::size_t n = texture_levels.origin.size();
     if (!solid.rays.empty()) {
         for (const std::uint32_t f : texture_levels.origin) all.rays.push_back(solid.rays[f]);

@@ -56,8 +56,29 @@ void BlockRays::ask_which(std::size_t count) {
             escaped(owners_[k], packet_.direction_z[k]);
             continue;
         }
+        if (scene_.to_follow(nearest[k])) {
+            follow(k);
+            continue;
+        }
         owner.push_back(owners_[k]);
-        facet.push_back(FacetId{nearest[k]});
+        seen.push_back({FacetId{nearest[k]}, 1.0f});
+    }
+}
+
+void BlockRays::follow(std::size_t k) {
+    scene_.along(
+        {.origin = {packet_.origin_x[k], packet_.origin_y[k], packet_.origin_z[k]},
+         .direction = {packet_.direction_x[k], packet_.direction_y[k], packet_.direction_z[k]}},
+        sunlight_, met_);
+    for (const RayScene::Met& met : met_) {
+        if (met.facet == no_facet) {
+            escaped(owners_[k], packet_.direction_z[k], double{met.share});
+        } else if (met.back) {
+            hidden[owners_[k]] += double{met.share};
+        } else {
+            owner.push_back(owners_[k]);
+            seen.push_back({met.facet, met.share});
+        }
     }
 }
 

@@ -36,10 +36,12 @@ struct RayQueue {
 
 /// What the rays of one block of facets meet. Those above everything round about meet the sky. Of
 /// the others first is asked whether anything stands in their way, the cheapest question; only
-/// where it does, for the nearest facet, and that only if `nearest` is wanted.
+/// where it does, for the nearest facet, and that only if `nearest` is wanted. Light that goes on
+/// behind a facet is followed, heat or sunlight.
 class BlockRays {
  public:
-    BlockRays(const RayScene& scene, bool nearest) : scene_(scene), nearest_(nearest) {}
+    BlockRays(const RayScene& scene, bool nearest, bool sunlight)
+        : scene_(scene), nearest_(nearest), sunlight_(sunlight) {}
 
     /// The first lanes of a packet, of the block's facet `from`; `sines` of the elevations above
     /// which there is only sky.
@@ -47,19 +49,32 @@ class BlockRays {
     /// Asks for the rays that are left.
     void finish();
 
-    std::array<int, facets_per_block> sky{}, below{};  // (facet of the block) rays
-    std::vector<std::uint32_t> owner;                  // (hit) facet of the block, rising
-    std::vector<FacetId> facet;                        // (hit)
+    // (facet of the block) rays; `hidden`: that met the back of a sheet
+    std::array<double, facets_per_block> sky{}, below{}, hidden{};
+    std::vector<std::uint32_t> owner;  // (hit) facet of the block, rising
+    struct Seen {
+        FacetId facet;
+        float share;  // of a ray
+        bool operator<(const Seen& other) const {
+            return facet != other.facet ? facet < other.facet : share < other.share;
+        }
+    };
+    std::vector<Seen> seen;  // (hit)
 
  private:
-    void escaped(std::uint32_t from, float up) { ++(up >= 0.0f ? sky : below)[from]; }
+    void escaped(std::uint32_t from, float up, double share = 1.0) {
+        (up >= 0.0f ? sky : below)[from] += share;
+    }
+    /// The k-th ray of the packet, through what lets light pass.
+    void follow(std::size_t k);
     void ask_whether(std::size_t count);
     void ask_which(std::size_t count);
 
     const RayScene& scene_;
-    bool nearest_;
+    bool nearest_, sunlight_;
     RayQueue doubtful_{}, blocked_{};
     RayPacket packet_{};
+    std::vector<RayScene::Met> met_{};
     std::array<std::uint32_t, 16> owners_{};
 };
 

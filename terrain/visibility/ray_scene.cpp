@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <utility>
 
 #include "terrain/visibility/embree_scene.hpp"
 
@@ -61,9 +63,20 @@ void nothing_hit(RTCHit16& hit) {
 /// Embree marks a blocked ray by a far end of minus infinity.
 bool is_blocked(const RTCRay16& packet, std::size_t lane) { return packet.tfar[lane] < 0.0f; }
 
+/// Puts a ray's begin behind what it has met.
+void step_past(const Hit& hit, Ray& ray) { ray.near = hit.range * (1.0f + 1e-6f) + 1e-3f; }
+
 }  // namespace
 
-RayScene::RayScene(const FacetSet& facets) : embree_(std::make_unique<EmbreeScene>(facets)) {}
+RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed)
+    : embree_(std::make_unique<EmbreeScene>(facets)), passed_(std::move(passed)) {
+    const auto plain = [](const PassedLight& p) { return p.beam.empty() && !p.sheet; };
+    if (std::all_of(passed_.begin(), passed_.end(), plain)) return;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        facets_.push_back(
+            {static_cast<std::uint16_t>(index(facets.material[f])), facets.normal[f]});
+    }
+}
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
@@ -98,6 +111,70 @@ void RayScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> block
         pack(some, packet, valid);
         rtcOccluded16(valid, embree_->scene, &context, &packet);
         for (std::size_t i = 0; i < some.size(); ++i) blocked[start + i] = is_blocked(packet, i);
+    }
+}
+
+std::uint32_t RayScene::next(Ray& ray) const {
+    Hit hit;
+    closest({&ray, 1}, {&hit, 1});
+    step_past(hit, ray);
+    return static_cast<std::uint32_t>(index(hit.facet));
+}
+
+void RayScene::beam(std::span<const Ray> rays, std::span<float> share) const {
+    constexpr float too_little = 1e-7f;
+    std::vector<std::uint8_t> blocked(rays.size());
+    occluded(rays, blocked);
+    for (std::size_t i = 0; i < rays.size(); ++i) share[i] = blocked[i] ? 0.0f : 1.0f;
+    if (facets_.empty()) return;
+    const auto through = [&](std::uint32_t facet, const Eigen::Vector3f& direction) {
+        const std::vector<float>& by_cosine = passed_[facets_[facet].material].beam;
+        if (by_cosine.empty()) return 0.0f;
+        const float cosine = std::min(1.0f, std::abs(facets_[facet].normal.dot(direction)));
+        const float u = cosine * float(by_cosine.size() - 1);
+        const auto k = std::min(static_cast<std::size_t>(u), by_cosine.size() - 2);
+        return std::lerp(by_cosine[k], by_cosine[k + 1], u - float(k));
+    };
+    std::vector<Ray> doubtful;
+    std::vector<std::size_t> place;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!blocked[i]) continue;
+        doubtful.push_back(rays[i]);
+        place.push_back(i);
+    }
+    std::vector<Hit> first(doubtful.size());
+    closest(doubtful, first);
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+        Ray& ray = doubtful[k];
+        auto facet = static_cast<std::uint32_t>(index(first[k].facet));
+        step_past(first[k], ray);
+        float left = 1.0f;
+        while (facet != index(no_facet) && left > too_little) {
+            left *= through(facet, ray.direction);
+            if (left > too_little) facet = next(ray);
+        }
+        share[place[k]] = left > too_little ? left : 0.0f;
+    }
+}
+
+void RayScene::along(const Ray& from, bool sunlight, std::vector<Met>& met) const {
+    constexpr float too_little = 1e-7f;
+    Ray ray = from;
+    float left = 1.0f;
+    met.clear();
+    while (left > too_little) {
+        const std::uint32_t facet = next(ray);
+        if (facet == index(no_facet)) {
+            met.push_back({.facet = no_facet, .share = left});
+            return;
+        }
+        const Side& side = facets_[facet];
+        const PassedLight& passed = passed_[side.material];
+        const float here = left * (1.0f - (sunlight ? passed.sunlight : passed.heat));
+        met.push_back({.facet = FacetId{facet},
+                       .back = passed.sheet && side.normal.dot(ray.direction) > 0.0f,
+                       .share = here});
+        left -= here;
     }
 }
 

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
+#include "materials/matter/passed_light.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray.hpp"
 
@@ -18,7 +20,8 @@ struct EmbreeScene;
 /// by FacetSet's makers.
 class RayScene {
  public:
-    explicit RayScene(const FacetSet& facets);
+    /// - passed: (material) what their facets let through; empty: nothing
+    explicit RayScene(const FacetSet& facets, std::vector<PassedLight> passed = {});
     ~RayScene();
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
@@ -34,10 +37,36 @@ class RayScene {
     void closest(const RayPacket& rays, int lanes, std::array<std::uint32_t, 16>& facet) const;
     void occluded(const RayPacket& rays, int lanes, std::array<std::uint8_t, 16>& blocked) const;
 
+    /// share[i] of the sun's beam that comes through from beyond everything: the product of what
+    /// the facets between let through at their angles.
+    void beam(std::span<const Ray> rays, std::span<float> share) const;
+
+    /// What stands along a ray, the nearest first, as long as light goes on behind it.
+    struct Met {
+        FacetId facet;      // no_facet, the last: nothing more, what is left escapes
+        bool back = false;  // of a sheet
+        float share;        // of diffuse heat, or sunlight, that ends here; they add up to one
+    };
+    void along(const Ray& ray, bool sunlight, std::vector<Met>& met) const;
+    /// Whether a ray that meets this facet is one for `along`: light goes on, or a back may be met.
+    bool to_follow(std::uint32_t facet) const {
+        return !facets_.empty() && (passed_[facets_[facet].material].sheet ||
+                                    !passed_[facets_[facet].material].beam.empty());
+    }
+
     const EmbreeScene& embree() const { return *embree_; }  // for ray_bundles.cpp
 
  private:
+    struct Side {
+        std::uint16_t material;
+        Eigen::Vector3f normal;
+    };
+    /// The nearest facet beyond ray.near; moves that there.
+    std::uint32_t next(Ray& ray) const;
+
     std::unique_ptr<EmbreeScene> embree_;
+    std::vector<PassedLight> passed_;  // (material)
+    std::vector<Side> facets_;         // (facet); empty where all are opaque and none a sheet
 };
 
 }  // namespace diurna

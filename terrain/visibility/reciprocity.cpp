@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
@@ -47,6 +48,10 @@ double rays_of(const FacetViews& views, std::size_t facet) {
     return views.rays.empty() ? 1.0 : views.rays[facet];
 }
 
+double hidden_from(const FacetViews& views, std::size_t facet) {
+    return views.hidden.empty() ? 0.0 : double{views.hidden[facet]};
+}
+
 /// A number in [0, 1) of a pair, whichever of the two asks.
 double drawn(std::size_t a, std::size_t b) {
     return unit_interval(hashed((std::uint64_t{std::min(a, b)} << 32) | std::max(a, b)));
@@ -54,7 +59,7 @@ double drawn(std::size_t a, std::size_t b) {
 
 /// Rays of either facet of a pair that met the other, for all pairs that have met. Of the pairs
 /// below the cut-off a few stand for all.
-Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_off,
+Rows hits_of_pairs(std::span<const double> area_of, const FacetViews& views, double cut_off,
                    ReciprocityReport& report) {
     const ViewFactors& seen = views.others;
     const Rows seen_by = transposed(seen);
@@ -62,11 +67,11 @@ Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_o
     pairs.first.push_back(0);
     pairs.partner.reserve(2 * seen.facet.size());
     pairs.value.reserve(2 * seen.facet.size());
-    for (std::size_t f = 0; f < facets.size(); ++f) {
+    for (std::size_t f = 0; f < area_of.size(); ++f) {
         auto a = seen.row[f];
         auto b = seen_by.first[f];
         while (a < seen.row[f + 1] || b < seen_by.first[f + 1]) {
-            const auto none = static_cast<std::uint32_t>(facets.size());
+            const auto none = static_cast<std::uint32_t>(area_of.size());
             const std::uint32_t from_a =
                 a < seen.row[f + 1] ? static_cast<std::uint32_t>(index(seen.facet[a])) : none;
             const std::uint32_t from_b = b < seen_by.first[f + 1] ? seen_by.partner[b] : none;
@@ -75,7 +80,7 @@ Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_o
             if (from_a == partner) hits += seen.factor[a++] * rays_of(views, f);
             if (from_b == partner) hits += seen_by.value[b++] * rays_of(views, partner);
             if (partner == f) continue;
-            const double mine = facets.area[f], theirs = facets.area[partner];
+            const double mine = area_of[f], theirs = area_of[partner];
             const double area =
                 hits / (rays_of(views, f) / mine + rays_of(views, partner) / theirs);
             if (const double least = cut_off * std::min(mine, theirs); area < least) {
@@ -97,17 +102,18 @@ Rows hits_of_pairs(const FacetSet& facets, const FacetViews& views, double cut_o
 /// Exchange areas of pairs, hits / (density + density), by densities of rays that close the rows.
 class ExchangeAreas {
  public:
-    ExchangeAreas(const FacetSet& facets, const FacetViews& views, const Rows& pairs)
-        : facets_(facets),
+    ExchangeAreas(std::span<const double> area, const FacetViews& views, const Rows& pairs)
+        : area_(area),
           pairs_(pairs),
-          wanted_(facets.size()),
-          density_(facets.size()),
-          least_(facets.size()),
-          sum_(facets.size()) {
-        for (std::size_t f = 0; f < facets.size(); ++f) {
-            const double rest = 1.0 - double{views.sky[f]} - views.below[f];
-            wanted_[f] = std::max(0.0, rest) * facets.area[f];
-            density_[f] = rays_of(views, f) / facets.area[f];
+          wanted_(area.size()),
+          density_(area.size()),
+          least_(area.size()),
+          sum_(area.size()) {
+        for (std::size_t f = 0; f < area.size(); ++f) {
+            const double rest =
+                1.0 - double{views.sky[f]} - double{views.below[f]} - hidden_from(views, f);
+            wanted_[f] = std::max(0.0, rest) * area[f];
+            density_[f] = rays_of(views, f) / area[f];
             least_[f] = density_[f] / widest;
         }
         add_up();
@@ -122,7 +128,7 @@ class ExchangeAreas {
         double worst = 0.0;
         for (std::size_t f = 0; f < sum_.size(); ++f) {
             if (pairs_.first[f] == pairs_.first[f + 1]) continue;
-            worst = std::max(worst, std::abs(sum_[f] - wanted_[f]) / facets_.area[f]);
+            worst = std::max(worst, std::abs(sum_[f] - wanted_[f]) / area_[f]);
         }
         return worst;
     }
@@ -143,11 +149,11 @@ class ExchangeAreas {
     std::vector<double> shrink_to_fit(std::vector<float>& sky) const {
         std::vector<double> shrink(sum_.size(), 1.0);
         for (std::size_t f = 0; f < sum_.size(); ++f) {
-            const double excess = (sum_[f] - wanted_[f]) / facets_.area[f];
+            const double excess = (sum_[f] - wanted_[f]) / area_[f];
             if (excess <= 0.0) continue;
             const double from_sky = std::min({excess, most_from_sky, double{sky[f]}});
             sky[f] -= static_cast<float>(from_sky);
-            shrink[f] = (wanted_[f] + from_sky * facets_.area[f]) / sum_[f];
+            shrink[f] = (wanted_[f] + from_sky * area_[f]) / sum_[f];
         }
         return shrink;
     }
@@ -161,7 +167,7 @@ class ExchangeAreas {
         });
     }
 
-    const FacetSet& facets_;
+    std::span<const double> area_;
     const Rows& pairs_;
     std::vector<double> wanted_;   // (facet) area that its row has to make up [m²]
     std::vector<double> density_;  // rays per area, as the rows' sums would have them
@@ -176,8 +182,14 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
     assert(views.others.row.size() == facets.size() + 1);
     ReciprocityReport report;
     const std::size_t n = facets.size();
-    const Rows pairs = hits_of_pairs(facets, views, options.cut_off, report);
-    ExchangeAreas areas(facets, views, pairs);
+    // Of a net, its strips: rays to it count for what it stops.
+    std::vector<double> area(facets.area.begin(), facets.area.end());
+    for (std::size_t f = 0; f < n && !options.passed.empty(); ++f) {
+        const PassedLight& passed = options.passed[index(facets.material[f])];
+        area[f] *= std::max(1e-3, 1.0 - double{options.sunlight ? passed.sunlight : passed.heat});
+    }
+    const Rows pairs = hits_of_pairs(area, views, options.cut_off, report);
+    ExchangeAreas areas(area, views, pairs);
     while (report.passes < options.passes && areas.worst_row() > options.closure) {
         areas.improve();
         ++report.passes;
@@ -194,17 +206,18 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
         double row = 0.0;
         for (auto k = pairs.first[f]; k < pairs.first[f + 1]; ++k) {
             const std::uint32_t partner = pairs.partner[k];
-            const double area = areas.of(f, k) * std::min(shrink[f], shrink[partner]);
+            const double shared = areas.of(f, k) * std::min(shrink[f], shrink[partner]);
             factors.facet[k] = FacetId{partner};
-            factors.factor[k] = static_cast<float>(area / facets.area[f]);
+            factors.factor[k] = static_cast<float>(shared / area[f]);
             row += factors.factor[k];
         }
         sum[f] = row;
     });
     for (std::size_t f = 0; f < n; ++f) {
-        const double whole = sum[f] + views.sky[f] + views.below[f];
-        report.worst_closure = std::max(report.worst_closure, std::abs(1.0 - whole));
-        views.below[f] = std::max(0.0f, static_cast<float>(1.0 - sum[f] - views.sky[f]));
+        const double known = sum[f] + views.sky[f] + hidden_from(views, f);
+        report.worst_closure =
+            std::max(report.worst_closure, std::abs(1.0 - known - double{views.below[f]}));
+        views.below[f] = std::max(0.0f, static_cast<float>(1.0 - known));
     }
     return report;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
+#include "materials/matter/passed_light.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility/view_factors.hpp"
 
@@ -14,6 +16,8 @@ struct ReciprocityOptions {
     double cut_off = 1e-3;
     double closure = 1e-5;  // rows are to sum to 1 − sky − below within this
     int passes = 30;
+    std::span<const PassedLight> passed{};  // (material) as RayScene has it; empty: all opaque
+    bool sunlight = false;                  // as in FacetViewOptions
 };
 
 struct ReciprocityReport {

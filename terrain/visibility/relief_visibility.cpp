@@ -193,6 +193,7 @@ FacetViews ReliefVisibility::facet_views(const FacetViewOptions& options) const 
             }
             const float scale = (1.0f - sky) / rest;
             views.below[f] *= scale;
+            if (!views.hidden.empty()) views.hidden[f] *= scale;
             for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
                 views.others.factor[k] *= scale;
             }

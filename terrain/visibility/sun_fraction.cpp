@@ -115,11 +115,9 @@ void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Ve
         for (std::size_t f = begin; f < end; ++f) {
             if (chosen[f]) sun.append(f);
         }
-        std::vector<std::uint8_t> blocked(sun.rays.size());
-        scene.occluded(sun.rays, blocked);
-        for (std::size_t i = 0; i < blocked.size(); ++i) {
-            fraction[sun.owner[i]] += blocked[i] ? 0 : 1;
-        }
+        std::vector<float> share(sun.rays.size());
+        scene.beam(sun.rays, share);
+        for (std::size_t i = 0; i < share.size(); ++i) fraction[sun.owner[i]] += share[i];
         for (std::size_t f = begin; f < end; ++f) {
             if (chosen[f]) fraction[f] /= static_cast<float>(options.samples);
         }

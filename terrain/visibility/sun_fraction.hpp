@@ -16,7 +16,8 @@ struct SunFractionOptions {
 
 /// The share of each facet (area × sun's disc) that the sun at `direction` (unit, towards the sun)
 /// reaches, 0 to 1, self-shading by the facet's own orientation included: zero where
-/// normal·direction ≤ 0. `fraction` has facets.size() entries. For a sun below the horizon all are
+/// normal·direction ≤ 0. What lets the beam through (RayScene) dims it and casts no shadow.
+/// `fraction` has facets.size() entries. For a sun below the horizon all are
 /// zero.
 void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
                   std::span<float> fraction, const SunFractionOptions& options = {});

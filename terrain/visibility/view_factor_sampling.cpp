@@ -23,14 +23,15 @@ struct FactorRows {
     std::vector<float> factor;
 
     /// Appends a row from the facets that were hit, one entry each, by rising number.
-    void append(std::span<FacetId> seen, double weight) {
+    void append(std::span<BlockRays::Seen> seen, double weight) {
         std::sort(seen.begin(), seen.end());
         const std::size_t before = facet.size();
         for (std::size_t i = 0; i < seen.size();) {
             std::size_t j = i;
-            while (j < seen.size() && seen[j] == seen[i]) ++j;
-            facet.push_back(seen[i]);
-            factor.push_back(static_cast<float>(weight * static_cast<double>(j - i)));
+            double rays = 0.0;
+            while (j < seen.size() && seen[j].facet == seen[i].facet) rays += seen[j++].share;
+            facet.push_back(seen[i].facet);
+            factor.push_back(static_cast<float>(weight * rays));
             i = j;
         }
         length.push_back(static_cast<std::uint32_t>(facet.size() - before));
@@ -72,11 +73,12 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
     }
     views.sky.resize(facets.size());
     views.below.resize(facets.size());
+    views.hidden.resize(facets.size());
     std::vector<FactorRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
-        BlockRays found(scene, options.others);
+        BlockRays found(scene, options.others, options.sunlight);
         SkyBound::Sines sines = SkyBound::unknown;
         for (std::size_t f = begin; f < end; ++f) {
             if ((f - begin) % facets_per_bound == 0) {
@@ -95,12 +97,16 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
             while (hit < found.owner.size() && found.owner[hit] == f - begin) ++hit;
             const double weight = 1.0 / views.rays[f];
             blocks[begin / facets_per_block].append(
-                std::span(found.facet).subspan(first, hit - first), weight);
+                std::span(found.seen).subspan(first, hit - first), weight);
             views.sky[f] = static_cast<float>(weight * found.sky[f - begin]);
             views.below[f] = static_cast<float>(weight * found.below[f - begin]);
+            views.hidden[f] = static_cast<float>(weight * found.hidden[f - begin]);
         }
     });
     views.others = joined(blocks, facets.size());
+    if (std::all_of(views.hidden.begin(), views.hidden.end(), [](float h) { return h == 0.0f; })) {
+        views.hidden.clear();
+    }
     return views;
 }
 

@@ -16,9 +16,13 @@ struct FacetViewOptions {
     std::size_t first_object = std::numeric_limits<std::size_t>::max();
     int object_rays = 256;
     std::uint64_t seed = 1;
-    bool others = true;  // or leave their rows empty
+    bool others = true;     // or leave their rows empty
+    bool sunlight = false;  // of what goes through facets, that of the sun's spectrum; else of heat
 };
 
+/// Rays go on through what lets light pass (RayScene), which counts for what it stops: a net is so
+/// much less of its strips.
+///
 /// Samples the rows of view factors: n rays leave points spread over a facet, spread themselves
 /// over its hemisphere by the cosine (hemisphere_rays.hpp), and each counts 1/n towards the facet
 /// it meets first, the sky, or what lies below the scene's edge. Rows are independent estimates of

@@ -18,11 +18,14 @@ struct ViewFactors {
 /// What each facet sees through its own hemisphere, cosine-weighted about its own normal.
 /// `sky` + Σ row of `others` + `below` = 1, where `below` is what leaves the scene's edge under
 /// the horizontal: far ground not modelled, to be taken as ground like the facet's own
-/// surroundings. Sampled by view_factor_sampling.hpp, made reciprocal by reciprocity.hpp.
+/// surroundings. Where backs of sheets are seen, `hidden` is in the sum too: it is as warm as the
+/// facet itself and sends no sunlight. Sampled by view_factor_sampling.hpp, made reciprocal by
+/// reciprocity.hpp.
 struct FacetViews {
     std::vector<float> sky;    // 0 to 1: the sky view factor
     std::vector<float> below;  // 0 to 1
     ViewFactors others;
+    std::vector<float> hidden = {};        // 0 to 1, by the backs of sheets; empty: none
     std::vector<std::uint16_t> rays = {};  // (facet) that this comes from; empty: as many of each
 };
 

@@ -103,7 +103,10 @@ FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& material
     optics.albedo.reserve(facets.size());
     optics.emissivity.reserve(facets.size());
     for (const MaterialId id : facets.material) {
-        optics.albedo.push_back(float(materials[id].thermal.albedo));
+        // Others see so much less of a pane, by what goes through, and that bright.
+        const ThermalSurface& surface = materials[id].thermal;
+        const double stops = materials[id].see_through ? 1.0 - surface.solar_transmittance : 1.0;
+        optics.albedo.push_back(float(stops > 0.0 ? surface.albedo / stops : 0.0));
         optics.emissivity.push_back(float(materials[id].thermal.emissivity));
     }
     return optics;
@@ -143,7 +146,7 @@ void arriving_longwave(const FacetViews& view, std::span<const float> leaving, s
             for (std::size_t i = 0; i < instants; ++i) excess[i] += factor * sent[i];
         }
     };
-    add(facet, view.below[facet], true);
+    add(facet, seen_as_itself(view, facet), true);
     for (auto k = view.others.row[facet]; k < view.others.row[facet + 1]; ++k) {
         add(index(view.others.facet[k]), view.others.factor[k], false);
     }

@@ -43,6 +43,12 @@ float greatest_sent_on(const FacetViews& views, std::span<const float> reflectan
 void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
                        std::span<float> incident);
 
+/// The share of its hemisphere where a facet sees its own like in longwave: beyond the scene's
+/// edge, and the backs of sheets.
+inline float seen_as_itself(const FacetViews& view, std::size_t facet) {
+    return view.below[facet] + (view.hidden.empty() ? 0.0f : view.hidden[facet]);
+}
+
 /// Longwave from other facets beyond what the sky they hide would send, D = L_in − L_sky [W m⁻²]:
 /// neighbours emit ε σ T⁴ and reflect the rest of what reaches them. Zero, whatever the
 /// emissivities, where ground and sky are equally warm. In two halves: what leaves a

@@ -25,10 +25,11 @@ FacetOptics optics_at(const SolveState& solve, std::size_t i) {
 
 void shine(SolveState& solve) {
     solve.sunlight.resize(solve.instant.size() * solve.facets);
+    const FacetViews* const own = solve.input.sunlight_views;
     const auto at = [&](const FacetOptics& optics, std::span<const SkyState> sky,
                         std::span<const float> fraction, std::span<float> sunlight) {
         incident_sunlight({.facets = solve.input.facets,
-                           .views = solve.input.views,
+                           .views = own ? *own : solve.input.views,
                            .optics = optics,
                            .exchange = solve.options.exchange},
                           {.sky = sky, .fraction = fraction}, sunlight);

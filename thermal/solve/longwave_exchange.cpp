@@ -43,10 +43,12 @@ float largest(std::span<const float> x) {
 bool send(const SolveState& solve, float least, int sweeps, Field& field) {
     constexpr std::size_t most_values = 16'000'000;  // at once
     const FacetViews& view = solve.input.views;
+    std::vector<float> itself(solve.facets);
+    for (std::size_t f = 0; f < solve.facets; ++f) itself[f] = seen_as_itself(view, f);
     const SeenRows<FacetId> rows{.row = view.others.row,
                                  .source = view.others.facet,
                                  .factor = view.others.factor,
-                                 .itself = view.below};
+                                 .itself = itself};
     const std::size_t room = std::max<std::size_t>(16, most_values / solve.facets);
     const std::size_t chunks = (field.used + room - 1) / room;
     const std::size_t lanes = (field.used + chunks - 1) / chunks;

@@ -71,6 +71,7 @@ struct SolveInput {
     /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
     /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.
     std::vector<double> measured_share{};
+    const FacetViews* sunlight_views = nullptr;  // where panes let other light pass than heat
     const HeatState* from = nullptr;  // at the start; null: periodic, or the span's mean balance
 };
 

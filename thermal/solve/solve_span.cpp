@@ -93,6 +93,7 @@ SolveResult solve_piece(const Piece& piece, Walk& walk) {
                                 .elevation = given.elevation,
                                 .clear_sky = given.clear_sky,
                                 .measured_share = given.measured_share,
+                                .sunlight_views = given.sunlight_views,
                                 .from = piece.begin},
                                options);
     add_report(result.report, walk.result.report);

@@ -9,7 +9,6 @@
 /// tables, rounded and thinned out.
 #include <fmt/format.h>
 
-#include <cstring>
 #include <map>
 #include <string>
 
@@ -74,13 +73,14 @@ struct Aerosol {
     }
 };
 
-}  // namespace
+using Aerosols = std::map<std::string, Aerosol>;
 
-int main(int argc, char** argv) {
+/// Shettle and Fenn's, at 70 % humidity.
+Aerosols all_aerosols() {
     const Index rural = mixed(mixed(soluble, 0.7, dust), 0.75, water);
     const Index salt = mixed(soluble, 0.25, water);
     const Index sooty = mixed(mixed(soluble, 0.7, dust), 0.7, water, 0.06);
-    const std::map<std::string, Aerosol> aerosols = {
+    return {
         {"rural", {{{0.999875, 0.02846, 0.35}, {0.000125, 0.4571, 0.40}}, {rural, rural}}},
         {"maritime", {{{0.99, 0.02846, 0.35}, {0.01, 0.2041, 0.40}}, {rural, salt}}},
         {"urban", {{{0.999875, 0.02911, 0.35}, {0.000125, 0.4777, 0.40}}, {sooty, sooty}}},
@@ -91,61 +91,79 @@ int main(int argc, char** argv) {
          {{{997.0, 0.001, 0.328}, {842.4, 0.0218, 0.505}, {7.1e-4, 6.24, 0.277}},
           {dust, dust, dust}}},
     };
-    const std::vector<double> grid = {
-        0.35, 0.4, 0.45, 0.5,  0.55, 0.633, 0.6943, 0.86, 1.06, 1.25, 1.536, 1.8,  2.0,  2.25, 2.5,
-        2.7,  3.0, 3.2,  3.39, 3.5,  3.75,  4.0,    4.5,  5.0,  5.5,  6.0,   6.2,  6.5,  7.2,  7.9,
-        8.2,  8.5, 8.7,  9.0,  9.2,  9.5,   10.0,   10.6, 11.0, 11.5, 12.5,  14.8, 17.2, 20.0};
-    if (argc == 2 && std::strcmp(argv[1], "desert") == 0) {
-        fmt::print(
-            "# extinction and absorption relative to extinction at 0.55 um: Mie means of "
-            "Shettle's background desert aerosol (bench/aerosol_tables_bench.cpp)\n"
-            "type,RH_percent,wavelength_um,ext,abs\n");
-        const Aerosol& desert = aerosols.at("desert");
-        const double unit = desert.at(0.55).extinction;
-        for (const double um : grid) {
-            const MieMean m = desert.at(um);
-            fmt::print("desert,1.0,{},{:.5f},{:.5f}\n", um, m.extinction / unit,
-                       (m.extinction - m.scattering) / unit);
-        }
-        return 0;
+}
+
+const std::vector<double> grid_um = {
+    0.35, 0.4, 0.45, 0.5,  0.55, 0.633, 0.6943, 0.86, 1.06, 1.25, 1.536, 1.8,  2.0,  2.25, 2.5,
+    2.7,  3.0, 3.2,  3.39, 3.5,  3.75,  4.0,    4.5,  5.0,  5.5,  6.0,   6.2,  6.5,  7.2,  7.9,
+    8.2,  8.5, 8.7,  9.0,  9.2,  9.5,   10.0,   10.6, 11.0, 11.5, 12.5,  14.8, 17.2, 20.0};
+
+void print_desert(const Aerosols& aerosols) {
+    fmt::print(
+        "# extinction and absorption relative to extinction at 0.55 um: Mie means of "
+        "Shettle's background desert aerosol (bench/aerosol_tables_bench.cpp)\n"
+        "type,RH_percent,wavelength_um,ext,abs\n");
+    const Aerosol& desert = aerosols.at("desert");
+    const double unit = desert.at(0.55).extinction;
+    for (const double um : grid_um) {
+        const MieMean m = desert.at(um);
+        fmt::print("desert,1.0,{},{:.5f},{:.5f}\n", um, m.extinction / unit,
+                   (m.extinction - m.scattering) / unit);
     }
-    if (argc == 2 && std::strcmp(argv[1], "phase") == 0) {
-        fmt::print(
-            "# phase functions (mean 1 over the sphere) at 70 % humidity: Mie means over "
-            "Shettle and Fenn's size distributions (bench/aerosol_tables_bench.cpp)\n"
-            "wavelength_um,angle_deg");
-        for (const auto& [name, aerosol] : aerosols) fmt::print(",{}", name);
-        fmt::print("\n");
-        const std::vector<double> angles = {0,   0.5, 1,   1.5, 2,   3,   4,   5,   6,   8,   10,
-                                            12,  16,  20,  25,  30,  40,  50,  60,  70,  80,  90,
-                                            100, 110, 120, 130, 140, 150, 160, 165, 170, 175, 180};
-        std::vector<double> cosine;
-        for (const double angle : angles) cosine.push_back(std::cos(radians(angle)));
-        for (const double um : {0.35, 0.55, 0.86, 1.25, 1.8, 2.5, 3.0, 3.75, 5.0}) {
-            std::map<std::string, std::vector<double>> phase;
-            for (const auto& [name, aerosol] : aerosols) {
-                std::vector<std::complex<double>> n;
-                for (const Index& each : aerosol.index) n.push_back(each.at(um));
-                phase[name] = mie_phase(aerosol.modes, n, um, cosine);
-            }
-            for (std::size_t k = 0; k < angles.size(); ++k) {
-                fmt::print("{},{}", um, angles[k]);
-                for (const auto& [name, values] : phase) fmt::print(",{:.4g}", values[k]);
-                fmt::print("\n");
-            }
+}
+
+void print_phase(const Aerosols& aerosols) {
+    fmt::print(
+        "# phase functions (mean 1 over the sphere) at 70 % humidity: Mie means over "
+        "Shettle and Fenn's size distributions (bench/aerosol_tables_bench.cpp)\n"
+        "wavelength_um,angle_deg");
+    for (const auto& [name, aerosol] : aerosols) fmt::print(",{}", name);
+    fmt::print("\n");
+    const std::vector<double> angles = {0,   0.5, 1,   1.5, 2,   3,   4,   5,   6,   8,   10,
+                                        12,  16,  20,  25,  30,  40,  50,  60,  70,  80,  90,
+                                        100, 110, 120, 130, 140, 150, 160, 165, 170, 175, 180};
+    std::vector<double> cosine;
+    for (const double angle : angles) cosine.push_back(std::cos(radians(angle)));
+    for (const double um : {0.35, 0.55, 0.86, 1.25, 1.8, 2.5, 3.0, 3.75, 5.0}) {
+        std::map<std::string, std::vector<double>> phase;
+        for (const auto& [name, aerosol] : aerosols) {
+            std::vector<std::complex<double>> n;
+            for (const Index& each : aerosol.index) n.push_back(each.at(um));
+            phase[name] = mie_phase(aerosol.modes, n, um, cosine);
         }
-        return 0;
+        for (std::size_t k = 0; k < angles.size(); ++k) {
+            fmt::print("{},{}", um, angles[k]);
+            for (const auto& [name, values] : phase) fmt::print(",{:.4g}", values[k]);
+            fmt::print("\n");
+        }
     }
+}
+
+void print_asymmetry(const Aerosols& aerosols) {
     fmt::print(
         "# mean cosine of scattering at 70 % humidity: Mie means over Shettle and Fenn's size "
         "distributions (bench/aerosol_tables_bench.cpp)\nwavelength_um");
     for (const auto& [name, aerosol] : aerosols) fmt::print(",{}", name);
     fmt::print("\n");
-    for (const double um : grid) {
+    for (const double um : grid_um) {
         fmt::print("{}", um);
         for (const auto& [name, aerosol] : aerosols)
             fmt::print(",{:.4f}", aerosol.at(um).asymmetry);
         fmt::print("\n");
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Aerosols aerosols = all_aerosols();
+    const std::string what = argc == 2 ? argv[1] : "";
+    if (what == "desert") {
+        print_desert(aerosols);
+    } else if (what == "phase") {
+        print_phase(aerosols);
+    } else {
+        print_asymmetry(aerosols);
     }
     return 0;
 }

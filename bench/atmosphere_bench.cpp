@@ -123,7 +123,7 @@ void print_times() {
     const SightLine level{{0.0}, {5.0}};
     const BinRange all{0, bin_count()};
     constexpr double no_end = std::numeric_limits<double>::infinity();
-    fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
+    fmt::print("case,method,setting,facets,threads,cpu_s,error,unit\n");
     const auto row = [&](const char* name, const std::string& setting, double us,
                          const std::string& error = ",") {
         fmt::print("{},band model,{},1,1,{:.3e},{}\n", name, setting, us * 1e-6, error);

@@ -133,10 +133,12 @@ struct Error {
     double rms() const { return std::sqrt(sum / double(count)); }
 };
 
-void print(const std::string& method, const std::string& setting, std::size_t facets, int passes,
+void print(const std::string& method, const std::string& setting, std::size_t facets,
            double seconds, const Error& error) {
-    fmt::print("column_day,{},{},{},{},{:.4f},{:.0f},{:.4f},{:.4f}\n", method, setting, facets,
-               passes, seconds, double(facets) / seconds, error.rms(), error.worst);
+    for (const bool worst : {false, true}) {
+        fmt::print("column_day,{},{},{},1,{:.4f},{:.4f},{}\n", method, setting, facets, seconds,
+                   worst ? error.worst : error.rms(), worst ? "K worst" : "K rms");
+    }
     std::fflush(stdout);
 }
 
@@ -178,6 +180,174 @@ FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& co
     return day;
 }
 
+/// The sample's day by layered columns in steps of 5 s on a grid four times as fine.
+TemperatureField exact_day(const Sample& sample) {
+    SolveOptions exact = sample.options();
+    exact.method = Method::layered;
+    exact.refinement = 120;
+    exact.tolerance = 1e-5;
+    exact.max_passes = 20;
+    exact.grid = {.first = 0.0125, .growth = 0.08};
+    return sample.run(exact).temperature;
+}
+
+/// The least time of five runs.
+Error solve_row(const Sample& sample, const TemperatureField& reference, const SolveOptions& o,
+                const std::string& setting) {
+    SolveResult result;
+    double seconds = 1e9;
+    for (int again = 0; again < 5; ++again) {
+        result = sample.run(o);
+        seconds = std::min(seconds, result.report.step_cpu_seconds);
+    }
+    Error error;
+    for (std::size_t i = 0; i < reference.kelvin.size(); ++i) {
+        error.add(double(result.temperature.kelvin[i]) - reference.kelvin[i]);
+    }
+    print(o.method == Method::modes ? "modes" : "layered",
+          fmt::format("{} passes {}", setting, result.report.passes), sample.facets.size(), seconds,
+          error);
+    return error;
+}
+
+/// Every method and setting. Returns errors by the modes' error, of whole steps.
+std::map<double, Error> solve_rows(const Sample& sample, const TemperatureField& reference) {
+    std::map<double, Error> coarse_error;
+    for (const Method method : {Method::layered, Method::modes}) {
+        for (const int refinement : {1, 2, 4}) {
+            for (const double mode_error : {0.03, 0.004}) {
+                for (const double tolerance : {1e-2, 1e-4}) {
+                    if (method == Method::layered && mode_error != 0.004) continue;
+                    SolveOptions o = sample.options();
+                    o.method = method;
+                    o.refinement = refinement;
+                    o.mode_error = mode_error;
+                    o.tolerance = tolerance;
+                    const Error error = solve_row(sample, reference, o,
+                                                  fmt::format("steps/{} modes {} tolerance {:.0e}",
+                                                              refinement, mode_error, tolerance));
+                    if (method == Method::modes && refinement == 1) {
+                        coarse_error[mode_error] = error;
+                    }
+                }
+            }
+        }
+    }
+    return coarse_error;
+}
+
+/// Facets of each material in turn as the peers take them; not plates with air behind, which they
+/// do not know.
+struct Peers {
+    std::map<std::size_t, MaterialColumn> column, thirty;
+    std::map<std::size_t, std::vector<StageForcing>> air;
+    std::vector<std::size_t> asked;
+    std::vector<FacetDay> day, day_of_thirty;
+    std::vector<std::vector<double>> start;
+
+    explicit Peers(const Sample& sample) {
+        take_materials(sample);
+        take_days(sample);
+    }
+    void take_materials(const Sample& sample) {
+        const Prepared& prepared = sample.prepared;
+        const SolveOptions plain = sample.options();
+        for (std::size_t f = 0; f < sample.facets.size(); f += 43) {
+            if (!prepared.scene.materials[sample.facets.material[f]].thermal.back)
+                asked.push_back(f);
+        }
+        for (const std::size_t f : asked) {
+            const MaterialId id = sample.facets.material[f];
+            const ThermalSurface& surface = prepared.scene.materials[id].thermal;
+            const StepSetup setup{.step = plain.step,
+                                  .wind_height = prepared.weather.wind_height,
+                                  .air_height = prepared.weather.air_height,
+                                  .reference = 295.0,
+                                  .grid = {}};
+            if (column.contains(index(id))) continue;
+            column.emplace(index(id), material_column(surface, setup));
+            StepSetup coarse = setup;
+            coarse.grid = {.first = 0.04, .growth = 0.14};
+            thirty.emplace(index(id), material_column(surface, coarse));
+            std::vector<StageForcing>& minutes = air[index(id)];
+            for (int m = 0; m <= 1440; ++m) {
+                const Instant when = later(plain.start, 60.0 * m);
+                const Forcing forcing = prepared.weather.at(when);
+                minutes.push_back(
+                    {air_film(surface, column.at(index(id)).louis, forcing.air, forcing.wind_speed),
+                     sky_state(prepared.world.site, prepared.world.sea_level_height, when, forcing)
+                         .longwave_down});
+            }
+        }
+    }
+    void take_days(const Sample& sample) {
+        for (const std::size_t f : asked) {
+            const std::size_t id = index(sample.facets.material[f]);
+            day.push_back(facet_day(sample, f, column.at(id), air.at(id)));
+            day_of_thirty.push_back(facet_day(sample, f, thirty.at(id), air.at(id)));
+            start.push_back(periodic_start(day.back()));
+        }
+    }
+};
+
+template <class Day>
+void peer_row(const Peers& peers, const TemperatureField& reference, std::size_t n,
+              const std::string& method, const std::string& setting, const Day& solve_day) {
+    Error error;
+    double seconds = 0.0;
+    for (std::size_t k = 0; k < peers.asked.size(); ++k) {
+        const double since = cpu_seconds();
+        const std::vector<double> surface = solve_day(k);
+        seconds += cpu_seconds() - since;
+        for (std::size_t i = 0; i < surface.size(); ++i) {
+            error.add(surface[i] - reference.kelvin[i * n + peers.asked[k]]);
+        }
+    }
+    print(method, setting, peers.asked.size(), seconds, error);
+}
+
+void peer_rows(const Sample& sample, const TemperatureField& reference) {
+    const Peers peers(sample);
+    const auto peer = [&](const std::string& method, const std::string& setting, auto&& day) {
+        peer_row(peers, reference, sample.facets.size(), method, setting, day);
+    };
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
+        peer("cvode", fmt::format("rtol {:.0e} start given", tolerance), [&](std::size_t k) {
+            std::vector<double> state = peers.start[k];
+            return cvode_day(peers.day[k], state, tolerance);
+        });
+    }
+    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
+        peer("cvode", fmt::format("rtol {:.0e} 20 days", tolerance), [&](std::size_t k) {
+            std::vector<double> state(peers.start[k].size(), 295.0);
+            for (int d = 0; d < 20; ++d) cvode_day(peers.day[k], state, tolerance);
+            return cvode_day(peers.day[k], state, tolerance);
+        });
+    }
+    peer("backward_euler", "30 nodes 600 s 20 days",
+         [&](std::size_t k) { return euler_days(peers.day_of_thirty[k], 20); });
+}
+
+/// A scene's size: 262 144 facets, 8 192 of the scene 32 times.
+void large_rows(const Prepared& prepared, const FacetViews& whole,
+                const std::map<double, Error>& coarse_error) {
+    Sample large(prepared, whole, 8192);
+    large.repeat(32);
+    for (const double mode_error : {0.03, 0.004}) {
+        for (const double tolerance : {1e-2, 1e-4}) {
+            SolveOptions o = large.options();
+            o.mode_error = mode_error;
+            o.tolerance = tolerance;
+            o.keep_every = 3600.0;
+            const SolveResult result = large.run(o);
+            print("modes",
+                  fmt::format("whole scene modes {} tolerance {:.0e} passes {}", mode_error,
+                              tolerance, result.report.passes),
+                  large.facets.size(), result.report.step_cpu_seconds, coarse_error.at(mode_error));
+        }
+    }
+}
+
 }  // namespace
 
 int main() {
@@ -186,135 +356,10 @@ int main() {
     const FacetViews whole = facet_views(prepared.world.facets, prepared.rays, {.rays = 16});
     const Sample sample(prepared, whole, 1024);
     set_thread_count(1);
-    const SolveOptions plain = sample.options();
-    SolveOptions exact = plain;
-    exact.method = Method::layered;
-    exact.refinement = 120;
-    exact.tolerance = 1e-5;
-    exact.max_passes = 20;
-    exact.grid = {.first = 0.0125, .growth = 0.08};
-    const TemperatureField reference = sample.run(exact).temperature;
-    const std::size_t n = sample.facets.size();
-
-    fmt::print("case,method,setting,facets,passes,cpu_s,facet_days_per_s,rms_K,max_K\n");
-    const auto take = [&](const SolveOptions& o, const std::string& setting) {
-        SolveResult result;
-        double seconds = 1e9;
-        for (int again = 0; again < 5; ++again) {
-            result = sample.run(o);
-            seconds = std::min(seconds, result.report.step_cpu_seconds);
-        }
-        Error error;
-        for (std::size_t i = 0; i < reference.kelvin.size(); ++i) {
-            error.add(double(result.temperature.kelvin[i]) - reference.kelvin[i]);
-        }
-        print(o.method == Method::modes ? "modes" : "layered", setting, n, result.report.passes,
-              seconds, error);
-        return error;
-    };
-    std::map<double, Error> coarse_error;  // by the modes' error, of whole steps
-    for (const Method method : {Method::layered, Method::modes}) {
-        for (const int refinement : {1, 2, 4}) {
-            for (const double mode_error : {0.03, 0.004}) {
-                for (const double tolerance : {1e-2, 1e-4}) {
-                    if (method == Method::layered && mode_error != 0.004) continue;
-                    SolveOptions o = plain;
-                    o.method = method;
-                    o.refinement = refinement;
-                    o.mode_error = mode_error;
-                    o.tolerance = tolerance;
-                    const Error error = take(o, fmt::format("steps/{} modes {} tolerance {:.0e}",
-                                                            refinement, mode_error, tolerance));
-                    if (method == Method::modes && refinement == 1) {
-                        coarse_error[mode_error] = error;
-                    }
-                }
-            }
-        }
-    }
-
-    // Peers, on facets of each material in turn; plates with air behind they do not know.
-    std::map<std::size_t, MaterialColumn> column, thirty;
-    std::map<std::size_t, std::vector<StageForcing>> air;
-    std::vector<std::size_t> asked;
-    for (std::size_t f = 0; f < n; f += 43) {
-        if (!prepared.scene.materials[sample.facets.material[f]].thermal.back) asked.push_back(f);
-    }
-    for (const std::size_t f : asked) {
-        const MaterialId id = sample.facets.material[f];
-        const ThermalSurface& surface = prepared.scene.materials[id].thermal;
-        const StepSetup setup{.step = plain.step,
-                              .wind_height = prepared.weather.wind_height,
-                              .air_height = prepared.weather.air_height,
-                              .reference = 295.0,
-                              .grid = {}};
-        if (column.contains(index(id))) continue;
-        column.emplace(index(id), material_column(surface, setup));
-        StepSetup coarse = setup;
-        coarse.grid = {.first = 0.04, .growth = 0.14};
-        thirty.emplace(index(id), material_column(surface, coarse));
-        std::vector<StageForcing>& minutes = air[index(id)];
-        for (int m = 0; m <= 1440; ++m) {
-            const Instant when = later(plain.start, 60.0 * m);
-            const Forcing forcing = prepared.weather.at(when);
-            minutes.push_back(
-                {air_film(surface, column.at(index(id)).louis, forcing.air, forcing.wind_speed),
-                 sky_state(prepared.world.site, prepared.world.sea_level_height, when, forcing)
-                     .longwave_down});
-        }
-    }
-    std::vector<FacetDay> day, day_of_thirty;
-    std::vector<std::vector<double>> start;
-    for (const std::size_t f : asked) {
-        const std::size_t id = index(sample.facets.material[f]);
-        day.push_back(facet_day(sample, f, column.at(id), air.at(id)));
-        day_of_thirty.push_back(facet_day(sample, f, thirty.at(id), air.at(id)));
-        start.push_back(periodic_start(day.back()));
-    }
-    const auto peer = [&](const std::string& method, const std::string& setting, auto&& solve_day) {
-        Error error;
-        double seconds = 0.0;
-        for (std::size_t k = 0; k < asked.size(); ++k) {
-            const double since = cpu_seconds();
-            const std::vector<double> surface = solve_day(k);
-            seconds += cpu_seconds() - since;
-            for (std::size_t i = 0; i < surface.size(); ++i) {
-                error.add(surface[i] - reference.kelvin[i * n + asked[k]]);
-            }
-        }
-        print(method, setting, asked.size(), 1, seconds, error);
-    };
-    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8}) {
-        peer("cvode", fmt::format("rtol {:.0e} start given", tolerance), [&](std::size_t k) {
-            std::vector<double> state = start[k];
-            return cvode_day(day[k], state, tolerance);
-        });
-    }
-    for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6}) {
-        peer("cvode", fmt::format("rtol {:.0e} 20 days", tolerance), [&](std::size_t k) {
-            std::vector<double> state(start[k].size(), 295.0);
-            for (int d = 0; d < 20; ++d) cvode_day(day[k], state, tolerance);
-            return cvode_day(day[k], state, tolerance);
-        });
-    }
-    peer("backward_euler", "30 nodes 600 s 20 days",
-         [&](std::size_t k) { return euler_days(day_of_thirty[k], 20); });
-
-    // A scene's size: 262 144 facets, 8 192 of the scene 32 times.
-    Sample large(prepared, whole, 8192);
-    large.repeat(32);
-    for (const double mode_error : {0.03, 0.004}) {
-        for (const double tolerance : {1e-2, 1e-4}) {
-            SolveOptions o = plain;
-            o.mode_error = mode_error;
-            o.tolerance = tolerance;
-            o.keep_every = 3600.0;
-            const SolveResult result = large.run(o);
-            print("modes",
-                  fmt::format("whole scene modes {} tolerance {:.0e}", mode_error, tolerance),
-                  large.facets.size(), result.report.passes, result.report.step_cpu_seconds,
-                  coarse_error[mode_error]);
-        }
-    }
+    const TemperatureField reference = exact_day(sample);
+    fmt::print("case,method,setting,facets,threads,cpu_s,error,unit\n");
+    const std::map<double, Error> coarse_error = solve_rows(sample, reference);
+    peer_rows(sample, reference);
+    large_rows(prepared, whole, coarse_error);
     return 0;
 }

@@ -132,17 +132,10 @@ void row(const std::string& method, const std::string& setting, double cpu, doub
                unit);
 }
 
-}  // namespace
-
-int main() {
-    set_thread_count(1);
-    const std::vector<float> up = fractal(side, 1200.0);
-    const HeightField field = even_field(side, side, up, step);
-    const RayScene rays(facets_of(field));
+/// Horizons against bisection with rays at 250 posts of each azimuth.
+void horizon_rows(const HeightField& field, const RayScene& rays) {
     const std::vector<double> azimuths{7.3, 33.1, 71.9, 122.4, 158.6, 203.7, 251.2, 301.8};
     std::vector<float> tangent(field.size());
-
-    fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
     double cpu = 0.0, sum = 0.0, worst = 0.0;
     int count = 0;
     std::mt19937 random(1);
@@ -163,7 +156,10 @@ int main() {
     row("horizon", fmt::format("{} azimuths", azimuths.size()), cpu, std::sqrt(sum / count), "deg");
     fmt::print(stderr, "{:.1f} M posts azimuths/s, worst {:.5f} deg\n",
                1e-6 * double(azimuths.size() * field.size()) / cpu, worst);
+}
 
+/// Sky views against one of 256 azimuths.
+void sky_view_rows(const HeightField& field) {
     std::vector<float> fine(field.size()), view(field.size());
     sky_view(field, 256, fine);
     for (const int n : {8, 16, 32, 64}) {
@@ -176,20 +172,13 @@ int main() {
             std::sqrt(squares / double(view.size())), "1");
         fmt::print(stderr, "{:.2f} us a post\n", 1e6 * time / double(field.size()));
     }
+}
 
-    // A summer day at 46.5 N: sunlit instants every six minutes.
-    const Site site{46.5, 8.0, 0.0};
-    std::vector<float> fraction(field.size());
-    int instants = 0;
+/// Posts in the sun or not, every third of them, against a ray each.
+struct Wrong {
     std::size_t wrong = 0, tried = 0;
-    double time = 0.0;
-    const Instant midnight = parse_instant("2026-06-20T00:00:00+01:00");
-    for (int i = 0; i < 240; ++i) {
-        const Eigen::Vector3d sun = sun_direction(sun_position(site, later(midnight, 360.0 * i)));
-        if (sun.z() <= 0.0 || instants == 153) continue;
-        ++instants;
-        time += seconds([&] { sun_fraction(field, sun, fraction, lift); });
-        if (instants % 10 != 0) continue;
+    void count(const HeightField& field, const RayScene& rays, const Eigen::Vector3d& sun,
+               const std::vector<float>& fraction) {
         std::vector<Ray> ray;
         std::vector<std::size_t> owner;
         for (std::size_t k = 0; k < field.size(); k += 3) {
@@ -207,6 +196,36 @@ int main() {
         }
         tried += ray.size();
     }
-    row("sun_fraction", fmt::format("{} instants", instants), time, double(wrong) / double(tried),
-        "share wrong");
+};
+
+/// A summer day at 46.5 N: sunlit instants every six minutes.
+void sun_fraction_row(const HeightField& field, const RayScene& rays) {
+    const Site site{46.5, 8.0, 0.0};
+    std::vector<float> fraction(field.size());
+    int instants = 0;
+    Wrong posts;
+    double time = 0.0;
+    const Instant midnight = parse_instant("2026-06-20T00:00:00+01:00");
+    for (int i = 0; i < 240; ++i) {
+        const Eigen::Vector3d sun = sun_direction(sun_position(site, later(midnight, 360.0 * i)));
+        if (sun.z() <= 0.0 || instants == 153) continue;
+        ++instants;
+        time += seconds([&] { sun_fraction(field, sun, fraction, lift); });
+        if (instants % 10 == 0) posts.count(field, rays, sun, fraction);
+    }
+    row("sun_fraction", fmt::format("{} instants", instants), time,
+        double(posts.wrong) / double(posts.tried), "share wrong");
+}
+
+}  // namespace
+
+int main() {
+    set_thread_count(1);
+    const std::vector<float> up = fractal(side, 1200.0);
+    const HeightField field = even_field(side, side, up, step);
+    const RayScene rays(facets_of(field));
+    fmt::print("case,method,setting,facets,threads,cpu_s,error,unit\n");
+    horizon_rows(field, rays);
+    sky_view_rows(field);
+    sun_fraction_row(field, rays);
 }

@@ -1,6 +1,6 @@
 // Pictures of rough ground of 2 million triangles, seen obliquely: what casting costs against bare
 // Embree, what shading adds, what a frame costs once the view is cast, and how the error falls with
-// the number of samples.
+// the number of samples. The time of rows on one thread is the processor's.
 //
 //   render_bench [posts = 1001] [size = 1024]
 
@@ -196,185 +196,213 @@ double rms(const Frame& a, const Frame& b, const std::string& plane) {
     return std::sqrt(sum / double(x.size()));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-    const int posts = argc > 1 ? std::atoi(argv[1]) : 1001;
-    const int size = argc > 2 ? std::atoi(argv[2]) : 1024;
-    const MaterialLibrary materials = default_material_library();
-    std::vector<MaterialId> used;
-    for (const char* name : {"grass", "forest", "bare_soil", "rock"}) {
-        used.push_back(materials.find(name));
-    }
-    const FacetSet facets = rough_ground(posts, 10e3, used);
-    double start = now();
-    const RayScene scene(facets);
-    const double build = now() - start;
-    start = now();
-    const FacetViews sky = facet_views(facets, scene, {.rays = 32});
-    fmt::print(stderr,
-               "{} facets, scene {:.2f} s, sky view {:.1f} s, {:.1f} exchange entries each\n",
-               facets.size(), build, now() - start,
-               double(sky.others.facet.size()) / double(facets.size()));
-
-    const Eigen::Vector3d to_sun = direction(110.0, 35.0);
-    std::vector<float> sun(facets.size());
-    sun_fraction(facets, scene, to_sun, sun);
-    std::vector<float> temperature(facets.size());
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-        temperature[f] =
-            288.0f - 0.0065f * facets.centroid[f].z() +
-            18.0f * sun[f] * std::max(0.0f, facets.normal[f].dot(to_sun.cast<float>()));
-    }
-    const Atmosphere air =
+/// The scene of all rows: rough ground at one instant, and who looks at it.
+struct Stage {
+    int size;  // of the picture [pixel]
+    MaterialLibrary materials = default_material_library();
+    FacetSet facets;
+    RayScene rays;
+    FacetViews sky;
+    Eigen::Vector3d to_sun = direction(110.0, 35.0);
+    std::vector<float> sun, temperature;  // (facet)
+    Atmosphere air =
         BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
-    const auto input = [&](std::span<const float> temperatures) {
-        return RadianceInput{.facets = facets,
-                             .views = sky,
-                             .materials = materials,
-                             .atmosphere = air,
-                             .temperature = temperatures,
-                             .sun_fraction = sun,
-                             .to_sun = to_sun,
-                             .sun_zenith_deg = 55.0,
-                             .ground_height_km = 0.8};
-    };
-    Observer aerial;
-    aerial.name = "aerial";
-    aerial.position = {-6000.0, -6000.0, 3000.0};
-    aerial = looking_at(aerial, {0.0, 0.0, -300.0});
-    aerial.horizontal_fov_deg = 50.0;
-    aerial.width = aerial.height = size;
-    const std::vector<Band> lw = {flat_band("8-12", 8.0, 12.0, bin_edges_um())};
-    const std::vector<Band> both = {flat_band("3-5", 3.0, 5.0, bin_edges_um()), lw[0]};
+    Observer aerial{};
+    std::vector<Band> lw{flat_band("8-12", 8.0, 12.0, bin_edges_um())};
+    std::vector<Band> both{flat_band("3-5", 3.0, 5.0, bin_edges_um()), lw[0]};
 
-    fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
-    const auto row = [&](const char* name, const char* method, const std::string& setting,
-                         int threads, double seconds, double error, const char* unit) {
+    Stage(int posts, int size_)
+        : size(size_), facets(rough_ground(posts, 10e3, used())), rays(facets) {
+        const double start = now();
+        sky = facet_views(facets, rays, {.rays = 32});
+        fmt::print(stderr, "{} facets, sky view {:.1f} s, {:.1f} exchange entries each\n",
+                   facets.size(), now() - start,
+                   double(sky.others.facet.size()) / double(facets.size()));
+        sun.resize(facets.size());
+        sun_fraction(facets, rays, to_sun, sun);
+        temperature.resize(facets.size());
+        for (std::size_t f = 0; f < facets.size(); ++f) {
+            temperature[f] =
+                288.0f - 0.0065f * facets.centroid[f].z() +
+                18.0f * sun[f] * std::max(0.0f, facets.normal[f].dot(to_sun.cast<float>()));
+        }
+        aerial.name = "aerial";
+        aerial.position = {-6000.0, -6000.0, 3000.0};
+        aerial = looking_at(aerial, {0.0, 0.0, -300.0});
+        aerial.horizontal_fov_deg = 50.0;
+        aerial.width = aerial.height = size;
+    }
+    std::vector<MaterialId> used() const {
+        std::vector<MaterialId> ids;
+        for (const char* name : {"grass", "forest", "bare_soil", "rock"}) {
+            ids.push_back(materials.find(name));
+        }
+        return ids;
+    }
+    RadianceInput input(std::span<const float> temperatures) const {
+        return {.facets = facets,
+                .views = sky,
+                .materials = materials,
+                .atmosphere = air,
+                .temperature = temperatures,
+                .sun_fraction = sun,
+                .to_sun = to_sun,
+                .sun_zenith_deg = 55.0,
+                .ground_height_km = 0.8};
+    }
+    std::string setting() const { return fmt::format("{}x{}x16", size, size); }
+    void row(const char* name, const char* method, const std::string& setting, int threads,
+             double seconds, double error, const char* unit) const {
         fmt::print("{},{},{},{},{},{:.4f},{:.4g},{}\n", name, method, setting, facets.size(),
                    threads, seconds, error, unit);
         std::fflush(stdout);
-    };
-    const std::string setting = fmt::format("{}x{}x16", size, size);
-    const double rays = 17.0 * size * size;  // with the one through the pixel's centre
+    }
+};
 
+/// Casting a view and rendering from it, on one thread and two. Returns the seconds of casting on
+/// one.
+double frame_rows(const Stage& s) {
+    const double rays = 17.0 * s.size * s.size;  // with the one through the pixel's centre
     View view;
     double cast[3] = {}, frame[3] = {}, two_bands[3] = {};
     for (const int threads : {1, 2}) {
         set_thread_count(threads);
         cast[threads] =
-            median_time(threads, 3, [&] { view = cast_view(scene, facets, aerial, {}); });
-        row("cast", "cast_view", setting, threads, cast[threads], 1e-6 * rays / cast[threads],
-            "Mray/s");
-        const LitFacets lit = lit_facets(input(temperature), view.facet, lw);
-        const LitFacets lit_both = lit_facets(input(temperature), view.facet, both);
+            median_time(threads, 3, [&] { view = cast_view(s.rays, s.facets, s.aerial, {}); });
+        s.row("cast", "cast_view", s.setting(), threads, cast[threads], 1e-6 * rays / cast[threads],
+              "Mray/s");
+        const LitFacets lit = lit_facets(s.input(s.temperature), view.facet, s.lw);
+        const LitFacets lit_both = lit_facets(s.input(s.temperature), view.facet, s.both);
         Frame picture;
         frame[threads] = median_time(threads, 7, [&] {
-            picture = render(view, aerial, lw, input(temperature), {.truth = false, .lit = &lit});
-        });
-        row("frame", "from_view", setting + " 8-12", threads, frame[threads],
-            cast[threads] / frame[threads], "x cheaper than casting");
-        two_bands[threads] = median_time(threads, 5, [&] {
             picture =
-                render(view, aerial, both, input(temperature), {.truth = false, .lit = &lit_both});
+                render(view, s.aerial, s.lw, s.input(s.temperature), {.truth = false, .lit = &lit});
         });
-        row("frame", "from_view", setting + " 3-5 8-12", threads, two_bands[threads], 0.0, "");
+        s.row("frame", "from_view", s.setting() + " 8-12", threads, frame[threads],
+              cast[threads] / frame[threads], "x cheaper than casting");
+        two_bands[threads] = median_time(threads, 5, [&] {
+            picture = render(view, s.aerial, s.both, s.input(s.temperature),
+                             {.truth = false, .lit = &lit_both});
+        });
+        s.row("frame", "from_view", s.setting() + " 3-5 8-12", threads, two_bands[threads], 0.0,
+              "");
     }
     fmt::print(stderr, "{} targets, {:.2f} sightings a pixel\n", view.facet.size(),
                double(view.sighting.size()) / double(view.pixels()));
-    row("ratio", "cast_to_cast_and_shade", setting, 1, 0.0, cast[1] / (cast[1] + frame[1]),
-        "must 0.80");
-    row("ratio", "frame_to_rendering_again", setting, 1, 0.0, frame[1] / (cast[1] + frame[1]),
-        "must 0.083");
-    row("ratio", "two_threads_cast", setting, 2, 0.0, cast[1] / cast[2], "must 1.85");
-    row("ratio", "two_threads_frame", setting, 2, 0.0, frame[1] / frame[2], "must 1.85");
+    s.row("ratio", "cast_to_cast_and_shade", s.setting(), 1, 0.0, cast[1] / (cast[1] + frame[1]),
+          "must 0.80");
+    s.row("ratio", "frame_to_rendering_again", s.setting(), 1, 0.0, frame[1] / (cast[1] + frame[1]),
+          "must 0.083");
+    s.row("ratio", "two_threads_cast", s.setting(), 2, 0.0, cast[1] / cast[2], "must 1.85");
+    s.row("ratio", "two_threads_frame", s.setting(), 2, 0.0, frame[1] / frame[2], "must 1.85");
+    return cast[1];
+}
 
-    // A day of pictures, written.
+/// A day of pictures, written.
+void day_rows(const Stage& s) {
     set_thread_count(0);
-    Observer camera = aerial;
+    Observer camera = s.aerial;
     camera.width = 640;
     camera.height = 512;
     const auto folder = std::filesystem::temp_directory_path() /
                         fmt::format("diurna-render-bench-{}", std::uint64_t(1e6 * now()));
     std::filesystem::create_directories(folder);
-    start = now();
+    double start = now();
     const double cpu_start = cpu_now();
-    const View still = cast_view(scene, facets, camera, {});
+    const View still = cast_view(s.rays, s.facets, camera, {});
     const double still_cast = now() - start;
-    const LitFacets lit = lit_facets(input(temperature), still.facet, both);
+    const LitFacets lit = lit_facets(s.input(s.temperature), still.facet, s.both);
     for_each_index(
         24,
         [&](std::size_t hour) {
-            std::vector<float> warm(temperature.size());
+            std::vector<float> warm(s.temperature.size());
             for (std::size_t f = 0; f < warm.size(); ++f) {
-                warm[f] = temperature[f] + 0.2f * float(hour);
+                warm[f] = s.temperature[f] + 0.2f * float(hour);
             }
-            RadianceInput state = input(warm);
+            RadianceInput state = s.input(warm);
             state.instant = later(state.instant, 3600.0 * double(hour));
-            const Frame picture = render(still, camera, both, state, {.lit = &lit});
-            for (const Band& band : both) {
+            const Frame picture = render(still, camera, s.both, state, {.lit = &lit});
+            for (const Band& band : s.both) {
                 write_exr(folder / (frame_name(picture, band.name) + ".exr"),
                           band_frame(picture, band.name));
             }
         },
         1);
     const double day = now() - start, day_cpu = cpu_now() - cpu_start;
-    row("day", "24_frames_2_bands_exr", "640x512x16", 2, day, still_cast, "s of it casting");
+    s.row("day", "24_frames_2_bands_exr", "640x512x16", 2, day, still_cast, "s of it casting");
     // Half of it is the wall time of two processors that nobody else uses.
-    row("day", "processor_time", "640x512x16", 2, day_cpu, day_cpu / day, "processors had");
+    s.row("day", "processor_time", "640x512x16", 2, day_cpu, day_cpu / day, "processors had");
     std::filesystem::remove_all(folder);
+}
 
-    // Error against samples, alike in all pixels and where they are needed; processor time of
-    // casting. What facets look like is known as it is in a job: their temperatures and materials.
-    const auto samples_rows = [&](const Observer& eye) {
-        const View finest = cast_view(scene, facets, eye, {.samples = 1024});
-        const Frame truth = render(finest, eye, lw, input(temperature), {.truth = false});
-        const auto samples_row = [&](const char* method, const auto& cast_it) {
-            const double begin = cpu_now();
-            const View some = cast_it();
-            const double seconds = cpu_now() - begin;
-            const Frame picture = render(some, eye, lw, input(temperature), {.truth = false});
-            row("samples", method,
-                fmt::format("{} {}x{}x{:.1f}", eye.name, eye.width, eye.height,
-                            double(some.rays) / double(some.pixels()) - 1.0),
-                1, seconds, rms(picture, truth, "apparent_temperature.8-12"), "K rms");
-        };
-        for (const int samples : {1, 2, 4, 8, 16, 32, 64, 128, 256}) {
-            samples_row("uniform", [&] {
-                return cast_view(scene, facets, eye, {.samples = samples, .seed = 7});
-            });
-        }
-        const Appearance appearance{
-            .facet = thermal_appearance(facets, sky, materials, temperature, lw[0]), .sky = 250.0f};
-        for (const double tolerance : {0.4, 0.2, 0.1, 0.05, 0.025}) {
-            samples_row("adaptive", [&] {
-                return cast_adaptive_view(scene, facets, eye, {&appearance, 1},
-                                          {.from = 16, .to = 1024, .tolerance = tolerance},
-                                          {.seed = 7});
-            });
-        }
+/// Error against samples, alike in all pixels and where they are needed; processor time of casting.
+/// What facets look like is known as it is in a job: their temperatures and materials.
+void samples_rows(const Stage& s, const Observer& eye) {
+    const View finest = cast_view(s.rays, s.facets, eye, {.samples = 1024});
+    const Frame truth = render(finest, eye, s.lw, s.input(s.temperature), {.truth = false});
+    const auto samples_row = [&](const char* method, const auto& cast_it) {
+        const double begin = cpu_now();
+        const View some = cast_it();
+        const double seconds = cpu_now() - begin;
+        const Frame picture = render(some, eye, s.lw, s.input(s.temperature), {.truth = false});
+        s.row("samples", method,
+              fmt::format("{} {}x{}x{:.1f}", eye.name, eye.width, eye.height,
+                          double(some.rays) / double(some.pixels()) - 1.0),
+              1, seconds, rms(picture, truth, "apparent_temperature.8-12"), "K rms");
     };
-    Observer part = aerial;  // the middle of that picture
-    part.width = part.height = size / 4;
+    for (const int samples : {1, 2, 4, 8, 16, 32, 64, 128, 256}) {
+        samples_row("uniform", [&] {
+            return cast_view(s.rays, s.facets, eye, {.samples = samples, .seed = 7});
+        });
+    }
+    const Appearance appearance{
+        .facet = thermal_appearance(s.facets, s.sky, s.materials, s.temperature, s.lw[0]),
+        .sky = 250.0f};
+    for (const double tolerance : {0.4, 0.2, 0.1, 0.05, 0.025}) {
+        samples_row("adaptive", [&] {
+            return cast_adaptive_view(s.rays, s.facets, eye, {&appearance, 1},
+                                      {.from = 16, .to = 1024, .tolerance = tolerance},
+                                      {.seed = 7});
+        });
+    }
+}
+
+/// The middle of the aerial picture; and near slopes, ridges and sky.
+std::array<Observer, 2> sampled_observers(const Stage& s) {
+    Observer part = s.aerial;
+    part.width = part.height = s.size / 4;
     part.horizontal_fov_deg =
-        2.0 * degrees(std::atan(0.25 * std::tan(0.5 * radians(aerial.horizontal_fov_deg))));
-    samples_rows(part);
-    Observer ground = part;  // near slopes, ridges, sky
+        2.0 * degrees(std::atan(0.25 * std::tan(0.5 * radians(s.aerial.horizontal_fov_deg))));
+    Observer ground = part;
     ground.name = "ground";
     ground.position = {-3000.0, -3000.0, relief(-3000.0, -3000.0) + 30.0};
     ground = looking_at(ground, {0.0, 0.0, ground.position.z() - 50.0});
     ground.horizontal_fov_deg = 50.0;
-    samples_rows(ground);
+    return {part, ground};
+}
 
-    // Last: a second device made while threads are limited keeps the first to one for good.
+/// - cast: seconds that cast_view took on one thread
+void bare_rows(const Stage& s, double cast) {
     set_thread_count(1);
-    const auto [bare_samples, bare_middles] = bare_seconds(facets, scene, aerial);
-    row("cast", "embree_alone_samples", setting, 1, bare_samples,
-        1e-6 * 16.0 * size * size / bare_samples, "Mray/s");
-    row("cast", "embree_alone_middles", setting, 1, bare_middles, 1e-6 * size * size / bare_middles,
-        "Mray/s");
-    row("ratio", "cast_view_to_embree_same_rays", setting, 1, 0.0,
-        (bare_samples + bare_middles) / cast[1], "must 0.90");
-    row("ratio", "cast_view_to_embree_samples_only", setting, 1, 0.0, bare_samples / cast[1],
-        "middles counted as ours");
+    const auto [bare_samples, bare_middles] = bare_seconds(s.facets, s.rays, s.aerial);
+    s.row("cast", "embree_alone_samples", s.setting(), 1, bare_samples,
+          1e-6 * 16.0 * double(s.size) * s.size / bare_samples, "Mray/s");
+    s.row("cast", "embree_alone_middles", s.setting(), 1, bare_middles,
+          1e-6 * double(s.size) * s.size / bare_middles, "Mray/s");
+    s.row("ratio", "cast_view_to_embree_same_rays", s.setting(), 1, 0.0,
+          (bare_samples + bare_middles) / cast, "must 0.90");
+    s.row("ratio", "cast_view_to_embree_samples_only", s.setting(), 1, 0.0, bare_samples / cast,
+          "middles counted as ours");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const Stage stage(argc > 1 ? std::atoi(argv[1]) : 1001, argc > 2 ? std::atoi(argv[2]) : 1024);
+    fmt::print("case,method,setting,facets,threads,wall_s,error,unit\n");
+    const double cast = frame_rows(stage);
+    day_rows(stage);
+    for (const Observer& eye : sampled_observers(stage)) samples_rows(stage, eye);
+    // Last: a second device made while threads are limited keeps the first to one for good.
+    bare_rows(stage, cast);
 }

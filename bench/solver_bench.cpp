@@ -31,11 +31,33 @@ double peak_memory() {
     return double(usage.ru_maxrss) / 1024.0;
 }
 
-struct Row {
+struct Run {
     std::string setting;
     SolveResult result;
     double cpu = 0.0, memory = 0.0;
 };
+
+/// What a run took, beside how far it is from `exact`, whether it has closed, and its memory.
+void print_run(const Run& run, const TemperatureField& exact) {
+    const SolveReport& r = run.result.report;
+    double worst = 0.0, sum = 0.0;
+    for (std::size_t k = 0; k < exact.kelvin.size(); ++k) {
+        const double error = double(run.result.temperature.kelvin[k]) - exact.kelvin[k];
+        worst = std::max(worst, std::abs(error));
+        sum += error * error;
+    }
+    const auto row = [&](const char* method, double seconds, double error, const char* unit) {
+        fmt::print("scene_day,{},{} passes {},{},1,{:.2f},{:.2g},{}\n", method, run.setting,
+                   r.passes, r.facets, seconds, error, unit);
+    };
+    row("modes", run.cpu, std::sqrt(sum / double(exact.kelvin.size())), "K rms");
+    row("modes", run.cpu, worst, "K worst");
+    row("modes", run.cpu, r.periodic_residual, "K period left open");
+    row("modes", run.cpu, r.estimated_error, "K estimated");
+    row("modes", run.cpu, run.memory, "MB");
+    row("exchange_of_it", r.exchange_seconds, r.exchange_change, "W m-2 last change");
+    std::fflush(stdout);
+}
 
 }  // namespace
 
@@ -59,25 +81,23 @@ int main() {
                                     .site = prepared.world.site,
                                     .elevation = prepared.world.sea_level_height},
                                    options);
-        return Row{setting, std::move(result), cpu_seconds() - since, peak_memory() - before};
+        return Run{setting, std::move(result), cpu_seconds() - since, peak_memory() - before};
     };
     set_thread_count(1);
-    fmt::print(
-        "case,method,setting,facets,passes,periodic_K,estimated_K,cpu_s,facet_days_per_s,"
-        "exchange_wall_s,rms_K,max_K,peak_MB\n");
+    fmt::print("case,method,setting,facets,threads,cpu_s,error,unit\n");
     for (const bool exchange : {true, false}) {
         SolveOptions o = plain;
         o.exchange = exchange;
-        std::vector<Row> rows;
+        std::vector<Run> runs;
         const std::string with = exchange ? "with exchange" : "without exchange";
-        rows.push_back(run(o, with));
+        runs.push_back(run(o, with));
         o.mode_error = 0.03;
         o.tolerance = 1e-2;
-        rows.push_back(run(o, with + " modes 0.03 tolerance 1e-2"));
+        runs.push_back(run(o, with + " modes 0.03 tolerance 1e-2"));
         o = plain;
         o.exchange = exchange;
         o.refinement = 2;
-        rows.push_back(run(o, with + " half steps"));
+        runs.push_back(run(o, with + " half steps"));
         set_thread_count(0);
         o.refinement = 12;
         o.mode_error = 0.001;
@@ -85,22 +105,7 @@ int main() {
         o.max_passes = 20;
         const TemperatureField exact = run(o, "").result.temperature;
         set_thread_count(1);
-        for (const Row& row : rows) {
-            const SolveReport& r = row.result.report;
-            double worst = 0.0, sum = 0.0;
-            for (std::size_t k = 0; k < exact.kelvin.size(); ++k) {
-                const double error = double(row.result.temperature.kelvin[k]) - exact.kelvin[k];
-                worst = std::max(worst, std::abs(error));
-                sum += error * error;
-            }
-            fmt::print(
-                "scene_day,modes,{},{},{},{:.1e},{:.1e},{:.2f},{:.0f},{:.2f},{:.4f},{:.4f},{:.0f}"
-                "\n",
-                row.setting, r.facets, r.passes, r.periodic_residual, r.estimated_error, row.cpu,
-                double(r.facets) / row.cpu, r.exchange_seconds,
-                std::sqrt(sum / double(exact.kelvin.size())), worst, row.memory);
-        }
-        std::fflush(stdout);
+        for (const Run& each : runs) print_run(each, exact);
     }
     return 0;
 }

@@ -25,14 +25,14 @@ double cpu_seconds() {
 int main(int argc, char** argv) {
     std::vector<std::filesystem::path> files(argv + 1, argv + argc);
     if (files.empty()) files.emplace_back(DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif");
-    fmt::print("case,method,setting,facets,cpu_s,error,unit\n");
+    fmt::print("case,method,setting,facets,threads,cpu_s,error,unit\n");
     for (const auto& file : files) {
         const Dem dem = read_dem(file, {.voids = VoidPolicy::leave});
         for (const double tolerance : {10.0, 5.0, 2.0, 1.0, 0.5, 0.0}) {
             const double start = cpu_seconds();
             const Tin tin = triangulate(dem, tolerance);
             const double seconds = cpu_seconds() - start;
-            fmt::print("{},greedy_tin,tolerance {} m,{},{:.3f},{:.3g},m\n", file.stem().string(),
+            fmt::print("{},greedy_tin,tolerance {} m,{},1,{:.3f},{:.3g},m\n", file.stem().string(),
                        tolerance, tin.triangle.size(), seconds, check_tin(dem, tin).worst_error);
         }
     }

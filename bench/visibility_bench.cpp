@@ -109,10 +109,10 @@ int main(int argc, char** argv) {
     const FacetSet facets = facets_of(file, 2.0);
     const RayScene scene(facets);
     const auto row = [&](const char* method, const std::string& setting, double cpu, double error) {
-        fmt::print("{},{},{},{},{:.4f},{:.2g},1\n", file.stem().string(), method, setting,
-                   facets.size(), cpu, error);
+        fmt::print("{},{},{},{},{},{:.4f},{:.2g},1\n", file.stem().string(), method, setting,
+                   facets.size(), thread_count(), cpu, error);
     };
-    fmt::print("case,method,setting,facets,cpu_s,error,unit\n");
+    fmt::print("case,method,setting,facets,threads,cpu_s,error,unit\n");
     const double fixed = bare_occlusion(facets, scene), drawn = drawn_occlusion(facets, scene);
     row("occluded16", "16 fixed rays", fixed, 0.0);
     row("occluded16", "16 rays of the sky view", drawn, 0.0);
@@ -139,8 +139,9 @@ int main(int argc, char** argv) {
         view = facet_views(some, some_scene, {.rays = 64});
         make_reciprocal(some, view);
         const double bytes = double(view.others.facet.size() * 8 + view.others.row.size() * 4);
-        fmt::print("{},exchange_memory,64 rays at {} m,{},,{:.4g},bytes a facet\n",
-                   file.stem().string(), tolerance, some.size(), bytes / double(some.size()));
+        fmt::print("{},exchange_memory,64 rays at {} m,{},{},0,{:.4g},bytes a facet\n",
+                   file.stem().string(), tolerance, some.size(), thread_count(),
+                   bytes / double(some.size()));
     }
     for (const double elevation_deg : {5.0, 20.0, 45.0}) {
         const Eigen::Vector3d sun = direction(110.0, elevation_deg);

@@ -60,17 +60,17 @@ Prepared prepare(Scene scene) {
         plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
     }
     std::vector<std::string> notes = dem.notes;
-    if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
-    if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
-        notes.push_back(std::move(note));
-    }
     Plan plan = make_plan(scene, world);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {
         notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
                                     dem.voids, dem.height.size(), world.filled_facets,
                                     world.ground_facets));
+    }
+    if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
+    if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
+        notes.push_back(std::move(note));
     }
     return {std::move(scene),     std::move(world), std::move(rays),   std::move(weather),
             std::move(observers), std::move(plan),  std::move(plumes), std::move(notes)};

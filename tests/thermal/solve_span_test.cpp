@@ -38,6 +38,11 @@ SpanResult walk(const World& world, double from_h, double to_h, SpanStart begin)
                        {.start = instants.front(),
                         .duration = seconds_between(instants.front(), instants.back())});
     };
+    SpanOptions options;
+    options.start = later(june, hour * from_h);
+    options.end = later(june, hour * to_h);
+    options.begin = begin;
+    options.wanted = every_half_hour(from_h, to_h);
     return solve_span({.facets = world.facets,
                        .views = world.view,
                        .sun = none,
@@ -45,12 +50,7 @@ SpanResult walk(const World& world, double from_h, double to_h, SpanStart begin)
                        .weather = world.weather,
                        .site = tennessee,
                        .elevation = 400.0},
-                      exposure,
-                      {.day = {},
-                       .start = later(june, hour * from_h),
-                       .end = later(june, hour * to_h),
-                       .begin = begin,
-                       .wanted = every_half_hour(from_h, to_h)});
+                      exposure, options);
 }
 
 /// [K] the largest difference between a day and another span at the same hours, from one hour of

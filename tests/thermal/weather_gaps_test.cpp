@@ -6,6 +6,7 @@
 
 #include "materials/base/error.hpp"
 #include "tests/support/small_scene.hpp"
+#include "thermal/weather/sky_series.hpp"
 #include "thermal/weather/sky_state.hpp"
 #include "thermal/weather_file/read_weather.hpp"
 
@@ -129,13 +130,12 @@ TEST_CASE("missing rows: three hours are filled, more are refused, filled or lef
               "longwave_down_W_m2 by clear sky's formulas"));
     // What the formulas then give is the clear sky's of that air, though clouds went before.
     const Site site{.latitude_deg = 40.0, .longitude_deg = 0.0};
-    const Weather cloudy = with_cloud(clear, site, 0.0, {});
+    const SkySeries series(clear, site, 0.0, {}, at_hour(0), at_hour(24));
     // Dilley & O'Brien 1998 of 291 K and half of its vapour pressure (WMO-No. 8: 20.44 hPa).
     const double water = 46.5 * 0.5 * 20.44 / 291.0;  // [kg m⁻²]
     const double expected =
         59.38 + 113.7 * std::pow(291.0 / 273.16, 6) + 96.96 * std::sqrt(water / 2.5);
-    CHECK(sky_state(site, 0.0, at_hour(11), cloudy.at(at_hour(11))).longwave_down ==
-          Approx(expected).epsilon(1e-3));
+    CHECK(series.dark(at_hour(11)).longwave_down == Approx(expected).epsilon(1e-3));
 }
 
 TEST_CASE("gaps of single quantities are found among rows that are there",

@@ -2,11 +2,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/tracer.hpp"
 #include "render/view/cast_view.hpp"
 #include "tests/support/canyon.hpp"
 #include "thermal/solve/facet_exchange.hpp"
+#include "thermal/solve/solver.hpp"
 
 using namespace diurna;
 
@@ -124,4 +126,56 @@ TEST_CASE("a picture of a canyon shows all bounces", "[whole][canyon]") {
     }
     CAPTURE(c.floor, c.wall, c.shape, frame.notes.at("bounces.8-12"));
     CHECK(seen == Approx(expected).epsilon(0.01));
+}
+
+// Bright walls of 330 K, ε = 0.1, over a black floor which a constant film and a room behind it let
+// tell what longwave arrives: L = σ T⁴ + (h + U) (T − T_air). Against strips that send ε σ T⁴, the
+// floor's own σ T⁴ among them.
+TEST_CASE("longwave in a canyon of bright walls is that of all bounces", "[whole][canyon]") {
+    const double shape = GENERATE(1.0, 3.0);
+    const double width = 10.0, height = shape * width, air = 285.0, wall = 330.0, shine = 0.1;
+    const testing::LongCanyon canyon(height, width, 512, {MaterialId{0}, MaterialId{1}});
+    std::vector<Material> all(2);
+    all[0].name = "floor";
+    all[0].thermal.convection = ConstantFilm{5.0};
+    all[0].thermal.layers = {{0.1, 1.0, 2000.0, 900.0}};
+    all[0].thermal.bottom = Interior{.air_temperature = air, .film = 10.0};
+    all[1].name = "wall";
+    all[1].thermal.emissivity = shine;
+    all[1].thermal.convection = ConstantFilm{5.0};
+    all[1].thermal.layers = {{0.001, 400.0, 2000.0, 900.0}};
+    all[1].thermal.bottom = FixedTemperature{wall};
+    const MaterialLibrary materials(std::move(all));
+    const double sky = stefan_boltzmann * power4(air);
+    Weather weather;
+    const SolveOptions options{.start = parse_instant("2026-12-21T00:00:00Z"), .step = 3600.0};
+    for (const double hour : {0.0, 24.0}) {
+        Forcing forcing;
+        forcing.air.temperature = air;
+        forcing.air.vapour_pressure = 700.0;
+        forcing.shortwave_down = 0.0;
+        forcing.longwave_down = sky;
+        weather.instant.push_back(later(options.start, 3600.0 * hour));
+        weather.sample.push_back(forcing);
+    }
+    const SunExposure shade{.instant = step_instants(options),
+                            .fraction = std::vector<float>(25 * canyon.facets.size(), 0.0f)};
+    const SolveResult result = solve({.facets = canyon.facets,
+                                      .views = canyon.views,
+                                      .sun = shade,
+                                      .materials = materials,
+                                      .weather = weather,
+                                      .site = {.latitude_deg = 85.0, .longitude_deg = 7.0}},
+                                     options);
+    const auto kelvin = [&](std::size_t f) { return double(result.temperature.kelvin[f]); };
+    const auto sent = [&](std::size_t f) { return stefan_boltzmann * power4(kelvin(f)); };
+    const double floor = canyon.mean(0, -1.0, 1.0, sent);
+    const testing::CanyonLight exact = testing::endless_canyon(
+        height, width, [&](int, double open) { return sky * open; },
+        [&](int side) { return side == 0 ? 0.0 : 1.0 - shine; },
+        [&](int side) { return side == 0 ? floor : shine * stefan_boltzmann * power4(wall); });
+    const double arrives = floor + 10.0 * (canyon.mean(0, -1.0, 1.0, kelvin) - air);
+    CAPTURE(shape, result.report.passes);
+    CHECK(result.report.converged);
+    CHECK(arrives - sky == Approx(exact.mean(0, -1.0, 1.0) - sky).epsilon(0.01));
 }

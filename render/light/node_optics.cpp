@@ -22,7 +22,6 @@ std::vector<NodeOptics> node_optics(const Band& band, const MaterialLibrary& mat
         const Material& material = materials[MaterialId{static_cast<std::uint16_t>(m)}];
         NodeOptics& optics = all[m];
         optics.transparent = !material.transmittance.empty();
-        optics.passed = passed_heat(material);
         for (const double um : band.node_um) {
             const SurfaceOptics at = optics_at(material, um);
             optics.emissivity.push_back(at.emissivity);
@@ -35,6 +34,7 @@ std::vector<NodeOptics> node_optics(const Band& band, const MaterialLibrary& mat
                 optics.room.push_back(optics.transmittance[n] * planck(band.node_um[n], behind));
             }
         }
+        if (optics.room.empty()) optics.passed = passed_heat(material);
     }
     return all;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <variant>
 
 #include "materials/matter/passed_light.hpp"
 #include "materials/radiation/planck.hpp"
@@ -76,7 +77,9 @@ std::vector<double> arriving(LightMemo& memo, FacetId facet, int bounces) {
         sum.resize(memo.node_um.size(), 0.0);
         // Of a net its strips alone, which the factor is for: what is behind has its own.
         const RadianceInput& input = memo.input;
-        const double passed = passed_heat(input.materials[input.facets.material[index(other)]]);
+        const Material& material = input.materials[input.facets.material[index(other)]];
+        const bool room = std::holds_alternative<Interior>(material.thermal.bottom);
+        const double passed = room ? 0.0 : passed_heat(material);
         const double share = passed < 1.0 ? factor / (1.0 - passed) : factor;
         const double temperature = input.temperature[index(other)];
         for (const auto& term : terms_of(memo, other, bounces - 1)) {

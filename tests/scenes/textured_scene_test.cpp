@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -242,5 +243,7 @@ TEST_CASE("textures lie on ground, polygons, objects' parts and materials", "[sc
     }
     CHECK(bare == 0);
     CHECK(yard == Approx(200.0 * 100.0).epsilon(2e-3));
-    CHECK(p.notes.back().find("texture \"rust\"") == 0);
+    CHECK(std::count_if(p.notes.begin(), p.notes.end(), [](const std::string& note) {
+              return note.find("texture \"rust\"") == 0;
+          }) == 1);
 }

@@ -24,9 +24,10 @@ struct DeclaredColumn {
 DeclaredColumn declared_column(const std::string& name, const std::string& says,
                                const std::string& where);
 
-/// A CSV file with the program's own columns (scenes/README.md) and those declared besides. Where
-/// columns are declared, others are passed over and named in a note, and cells "M", "NA", "null"
-/// and "nan" are missing as empty ones are; where none are, unknown columns are mistakes.
+/// A CSV file with the program's own columns (thermal/weather_file/README.md) and those declared
+/// besides. Where columns are declared, others are passed over and named in a note, and cells "M",
+/// "NA", "null" and "nan" are missing as empty ones are; where none are, unknown columns are
+/// mistakes.
 WeatherTable read_own_csv(const std::filesystem::path& file,
                           const std::vector<DeclaredColumn>& declared);
 

@@ -21,7 +21,7 @@ std::vector<DeclaredColumn> read_columns(const Section& columns) {
             name,
             "what the file's column of this name holds, and its unit: \"time UTC\", "
             "\"air_temperature degC\", \"wind_speed kn\"; quantities and units stand in "
-            "scenes/README.md");
+            "thermal/weather_file/README.md");
         try {
             declared.push_back(declared_column(name, says, columns.where(name)));
         } catch (const InputError& error) {

@@ -11,6 +11,7 @@
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
 #include "thermal/solve/heat_state.hpp"
+#include "thermal/temperature_field.hpp"
 #include "thermal/weather/sky_state.hpp"
 #include "thermal/weather/weather.hpp"
 
@@ -73,6 +74,9 @@ struct SolveInput {
     std::vector<double> measured_share{};
     const FacetViews* sunlight_views = nullptr;  // where panes let other light pass than heat
     const HeatState* from = nullptr;  // at the start; null: periodic, or the span's mean balance
+    /// With `from`: temperatures at as many instants to guess those of the span by, such as the day
+    /// before's; null: those of the start throughout.
+    const TemperatureField* guess = nullptr;
 };
 
 /// SolveInput::measured_share of a material.

@@ -12,7 +12,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = seconds_of_day;
+constexpr double day = seconds_of_day;  // [s]
 
 /// A span on its way, day by day.
 struct Walk {
@@ -21,6 +21,7 @@ struct Walk {
     const SpanOptions& options;
     SpanResult result;
     HeatState state;
+    TemperatureField day_before{};  // every step of the last piece
     int days = 0, all_days = 1;
 };
 
@@ -66,12 +67,12 @@ void keep(const TemperatureField& steps, bool last, Walk& walk) {
 
 struct Piece {
     Instant from, to;
-    bool periodic = false, goes_on = true;
+    bool periodic = false, goes_on = true, keeping = true;
     const Weather* weather = nullptr;  // null: the input's
-    const HeatState* begin = nullptr;
 };
 
-SolveResult solve_piece(const Piece& piece, Walk& walk) {
+/// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.
+void solve_piece(const Piece& piece, Walk& walk) {
     SolveOptions options = walk.options.day;
     options.start = piece.from;
     options.duration = seconds_between(piece.from, piece.to);
@@ -84,6 +85,7 @@ SolveResult solve_piece(const Piece& piece, Walk& walk) {
     }
     const SolveInput& given = walk.input;
     const SunExposure sun = walk.exposure(step_instants(options));
+    const bool begun = !piece.periodic && !walk.state.block.empty();
     SolveResult result = solve({.facets = given.facets,
                                 .views = given.views,
                                 .sun = sun,
@@ -94,32 +96,32 @@ SolveResult solve_piece(const Piece& piece, Walk& walk) {
                                 .clear_sky = given.clear_sky,
                                 .measured_share = given.measured_share,
                                 .sunlight_views = given.sunlight_views,
-                                .from = piece.begin},
+                                .from = begun ? &walk.state : nullptr,
+                                .guess = begun ? &walk.day_before : nullptr},
                                options);
     add_report(result.report, walk.result.report);
-    return result;
+    if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);
+    walk.state = std::move(result.end);
+    walk.day_before = std::move(result.temperature);
 }
 
-/// The state that a day without its trend, again and again, leads to.
+/// To the state that a day without its trend, again and again, leads to.
 void repeat_day(Instant from, Walk& walk) {
     const Weather weather = without_trend(walk.input.weather, from);
-    walk.state =
-        solve_piece({.from = from, .to = later(from, day), .periodic = true, .weather = &weather},
-                    walk)
-            .end;
+    solve_piece({.from = from,
+                 .to = later(from, day),
+                 .periodic = true,
+                 .keeping = false,
+                 .weather = &weather},
+                walk);
 }
 
-/// From one instant to another in days, from the walk's state if it has one; what is wanted of them
-/// is kept.
+/// From one instant to another in days.
 void go_on(Instant from, Instant to, bool keeping, Walk& walk) {
     for (Instant begin = from; begin < to;) {
         Instant end = std::min(to, later(begin, day));
         if (seconds_between(end, to) < walk.options.day.step) end = to;  // no crumbs
-        const bool begun = !walk.state.block.empty();
-        SolveResult one =
-            solve_piece({.from = begin, .to = end, .begin = begun ? &walk.state : nullptr}, walk);
-        if (keeping) keep(one.temperature, end == to, walk);
-        walk.state = std::move(one.end);
+        solve_piece({.from = begin, .to = end, .keeping = keeping}, walk);
         begin = end;
     }
 }
@@ -127,10 +129,7 @@ void go_on(Instant from, Instant to, bool keeping, Walk& walk) {
 /// The span from or within a day that repeats from `first` on: that day, and what follows it.
 void go_round(Instant first, Walk& walk) {
     const Instant end = walk.options.end, next = later(first, day);
-    SolveResult one =
-        solve_piece({.from = first, .to = next, .periodic = true, .goes_on = next < end}, walk);
-    keep(one.temperature, next >= end, walk);
-    walk.state = std::move(one.end);
+    solve_piece({.from = first, .to = next, .periodic = true, .goes_on = next < end}, walk);
     go_on(next, end, true, walk);
 }
 

@@ -197,8 +197,11 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
 /// Sets out from what another solve has left, in place of the first guess.
 void set_out_from(const HeatState& from, SolveState& solve) {
     for (std::size_t b = 0; b < solve.block.size(); ++b) solve.block[b].start = from.block[b];
+    const TemperatureField* const guess = solve.input.guess;
+    const bool alike = guess && guess->kelvin.size() == solve.kelvin.size();
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-        std::copy(from.kelvin.begin(), from.kelvin.end(), solve.row(solve.kelvin, i).begin());
+        const std::span<const float> row = alike ? guess->at(i) : std::span(from.kelvin);
+        std::copy(row.begin(), row.end(), solve.row(solve.kelvin, i).begin());
     }
 }
 

@@ -20,6 +20,7 @@
 #include "terrain/place/sun.hpp"
 #include "terrain/raster/read_dem.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
+#include "tests/support/reflected_sun.hpp"
 #include "thermal/point/point_job.hpp"
 
 using namespace diurna;
@@ -68,6 +69,17 @@ std::string path(const std::string& band_um, double modtran) {
     const PathSpectrum found = path_at_nodes(air, sight_line(0.0, 90.0, 5.0), band.node_um);
     return fmt::format("{:+.1f} %",
                        100.0 * (band_mean_nodes(band, found.transmittance) / modtran - 1));
+}
+
+/// Mean error of 0.4-0.7, 0.7-1.0 and 1.5-1.8 µm; of one path both ways, or of their product.
+std::string reflected_sun(bool product) {
+    std::string text;
+    for (std::size_t b = 0; b < 3; ++b) {
+        const auto errors = lowtran::compare_reflected_sun(lowtran::ranges[b].band(), b);
+        const double mean = product ? errors.product.mean() : errors.joined.mean();
+        text += fmt::format("{}{:.2f}", b == 0 ? "" : ", ", mean);
+    }
+    return text + " %";
 }
 
 std::string mesh(double tolerance) {
@@ -128,6 +140,9 @@ int main() {
         [] { return path("3-5", 0.2772); });
     row("transmittance 8–12 µm, same path", "MODTRAN 5: 0.1535", "LOWTRAN7 +1.6 %",
         [] { return path("8-12", 0.1535); });
+    row("sun down to the ground and up to an eye, 0.4–0.7, 0.7–1.0, 1.5–1.8 µm",
+        "LOWTRAN7, 20 paths", reflected_sun(true) + " the product of both ways",
+        [] { return reflected_sun(false); });
     for (const thermal_rows::Case& c : thermal_rows::cases()) {
         row(c.claim, c.reference, c.peers, c.measure);
     }

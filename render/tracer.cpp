@@ -148,8 +148,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         const SceneLight light(input, lit, bands, options.bounces, options.tolerance);
 
         // See them, and what is behind them, through the air.
-        const PathTable path(input.atmosphere, path_extent(view, input.ground_height_km),
-                             light.band, options.tolerance);
+        const PathTable path(input, path_extent(view, input.ground_height_km), light.band,
+                             options.tolerance);
         const EyeTables eye(path, light,
                             {.by_term = options.terms, .tolerance = 0.5 * options.tolerance});
         Planes planes = see(view, observer, eye, light);
@@ -157,8 +157,10 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.
         if (options.hops && !options.hops->empty()) {
-            const HopLight of_hops(*options.hops, options.plumes, bands, input, options.bounces,
-                                   options.tolerance);
+            const HopLight of_hops(*options.hops, options.plumes, bands, input,
+                                   {.bounces = options.bounces,
+                                    .tolerance = options.tolerance,
+                                    .by_term = options.terms});
             of_hops.add(planes);
         }
 

@@ -79,6 +79,24 @@ SightLine SightLine::first(std::size_t end) const {
             edge_km.empty() ? std::vector<double>{} : cut(edge_km, end + 1)};
 }
 
+SightLine joined(const SightLine& near, const SightLine& far) {
+    if (near.size() == 0) return far;
+    if (far.size() == 0) return near;
+    SightLine line = near;
+    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
+        to.insert(to.end(), from.begin(), from.end());
+    };
+    append(line.height_km, far.height_km);
+    append(line.length_km, far.length_km);
+    if (near.edge_km.empty() || far.edge_km.empty()) {
+        line.edge_km.clear();
+    } else {
+        line.edge_km.pop_back();
+        append(line.edge_km, far.edge_km);
+    }
+    return line;
+}
+
 bool meets_ground(double height_km, double zenith_deg) {
     const Ray ray{earth_radius_km + height_km, cosine(zenith_deg)};
     return !std::isnan(to_ground(ray, height_km, 0.0));

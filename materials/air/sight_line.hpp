@@ -63,6 +63,10 @@ SightLine sight_line(double height_km, double zenith_deg,
 SightLine chord(double from_height_km, double to_height_km, double range_km, int segments = 0);
 int chord_segments(double height_change_km);
 
+/// One path made of two, `far` beginning where `near` ends: light that comes down one and goes on
+/// along the other meets the air of both. Either may be empty; ends are known where both know them.
+SightLine joined(const SightLine& near, const SightLine& far);
+
 /// Whether a line of infinite range ends on the ground.
 bool meets_ground(double height_km, double zenith_deg);
 

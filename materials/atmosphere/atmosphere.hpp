@@ -39,20 +39,25 @@ PathSpectrum path_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
 /// the background behind. Below the horizon the background is a black ground at the temperature of
 /// the profile's lowest level. No scattered sunlight. In a vacuum: Planck's law at
 /// `space_temperature` in every direction.
+///
+/// onward  leads from an eye to that height: what of the sky arrives at the eye then, the light of
+///         the way itself left out. The band model takes both for one path, a table multiplies.
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
-                                 std::span<const double> node_um);
+                                 std::span<const double> node_um, const SightLine& onward = {});
 
 /// The same averaged over the hemisphere above by the cosine of the zenith angle: what a level
 /// surface receives, over π. ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by Gauss and Legendre's rule with so
 /// many zenith angles.
 std::vector<double> mean_sky_at_nodes(const Atmosphere& atmosphere, double height_km,
-                                      std::span<const double> node_um, int zenith_angles);
+                                      std::span<const double> node_um, int zenith_angles,
+                                      const SightLine& onward = {});
 
 /// Direct solar irradiance on a plane facing the sun at `height_km`, (node) [W m⁻² µm⁻¹], for the
 /// sun at `zenith_deg` (zero where the earth is in between) and `distance_au`. Constant per bin.
 /// Direct beam only: what the air scatters out of it is lost. Clouds take their share of it.
+/// With `onward`, as for the sky, that share of it which would arrive at the eye.
 std::vector<double> solar_at_nodes(const Atmosphere& atmosphere, double height_km,
                                    double zenith_deg, double distance_au,
-                                   std::span<const double> node_um);
+                                   std::span<const double> node_um, const SightLine& onward = {});
 
 }  // namespace diurna

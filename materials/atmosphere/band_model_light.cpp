@@ -68,12 +68,24 @@ void add_emission(const SegmentEnd& near, const SegmentEnd& far, std::span<doubl
     }
 }
 
+/// A path beyond a first part of it: its transmittance as a whole, and what of the light of the
+/// rest arrives at its beginning.
+PathSpectrum beyond(const BandModel& model, const SightLine& first, const SightLine& rest,
+                    std::span<const double> node_um) {
+    PathSpectrum path = band_model_path(model, joined(first, rest), node_um);
+    if (first.size() > 0) {
+        const PathSpectrum near = band_model_path(model, first, node_um);
+        for (std::size_t i = 0; i < node_um.size(); ++i) path.radiance[i] -= near.radiance[i];
+    }
+    return path;
+}
+
 /// What a line of infinite range sees of a cloudless sky or of the ground.
 std::vector<double> clear_sky(const BandModel& model, double height_km, double zenith_deg,
-                              std::span<const double> node_um) {
+                              std::span<const double> node_um, const SightLine& onward) {
     const bool ground = ends_on_ground(model, height_km, zenith_deg);
     const double behind = ground ? model.profile.temperature.front() : model.space_temperature;
-    PathSpectrum path = band_model_path(model, line_of(model, height_km, zenith_deg), node_um);
+    PathSpectrum path = beyond(model, onward, line_of(model, height_km, zenith_deg), node_um);
     for (std::size_t i = 0; i < node_um.size(); ++i) {
         path.radiance[i] += path.transmittance[i] * planck(node_um[i], behind);
     }
@@ -91,7 +103,7 @@ double distance_to(double height_km, double zenith_deg, double top_km) {
 
 /// A line that does not know its ends has in each segment the temperature of its middle.
 PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
-                             std::span<const double> node_um) {
+                             std::span<const double> node_um, Amounts* met) {
     const Nodes nodes(node_um);
     const std::size_t count = nodes.size();
     const Medium medium(model, nodes.bins);
@@ -119,12 +131,13 @@ PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
         add_emission(near, far, radiance);
         std::swap(near, far);
     }
+    if (met != nullptr) *met = std::move(amounts);
     return {std::move(near.transmittance), std::move(radiance)};
 }
 
 std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,
-                                   std::span<const double> node_um) {
-    std::vector<double> sky = clear_sky(model, height_km, zenith_deg, node_um);
+                                   std::span<const double> node_um, const SightLine& onward) {
+    std::vector<double> sky = clear_sky(model, height_km, zenith_deg, node_um, onward);
     const CloudLayer& cloud = model.cloud;
     if (cloud.fraction <= 0.0 || height_km >= cloud.base_km ||
         ends_on_ground(model, height_km, zenith_deg)) {
@@ -135,7 +148,7 @@ std::vector<double> band_model_sky(const BandModel& model, double height_km, dou
                                    : air_at(model.profile, cloud.base_km).temperature;
     const double range = distance_to(height_km, zenith_deg, cloud.base_km);
     const PathSpectrum below =
-        band_model_path(model, line_of(model, height_km, zenith_deg, range), node_um);
+        beyond(model, onward, line_of(model, height_km, zenith_deg, range), node_um);
     for (std::size_t i = 0; i < sky.size(); ++i) {
         // What is behind the cloud, as seen from below it, shines through 1 − emissivity of it.
         const double black = below.transmittance[i] * planck(node_um[i], temperature);
@@ -148,12 +161,12 @@ std::vector<double> band_model_sky(const BandModel& model, double height_km, dou
 }
 
 std::vector<double> band_model_sun(const BandModel& model, double height_km, double zenith_deg,
-                                   std::span<const double> node_um) {
+                                   std::span<const double> node_um, const SightLine& onward) {
     std::vector<double> irradiance(node_um.size(), 0.0);
     if (node_um.empty() || ends_on_ground(model, height_km, zenith_deg)) return irradiance;
     const BinRange bins = bins_of(node_um);
     const std::vector<double> tau =
-        transmittance(model, line_of(model, height_km, zenith_deg), bins);
+        transmittance(model, joined(onward, line_of(model, height_km, zenith_deg)), bins);
     double clear = 1.0;
     if (height_km < model.cloud.base_km) {
         const double mu = std::max(0.02, std::cos(radians(zenith_deg)));

@@ -5,17 +5,20 @@
 
 #include "materials/air/sight_line.hpp"
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/atmosphere/medium.hpp"
 #include "materials/atmosphere/path_spectrum.hpp"
 
 namespace diurna {
 
 /// What atmosphere.hpp tells of any air, of the band model's: a path's transmittance and emission,
 /// the sky with its clouds, the direct sun; each at given wavelengths.
+///
+/// met  written: what the path has met in all, in the bins of the nodes; null: not asked for
 PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
-                             std::span<const double> node_um);
+                             std::span<const double> node_um, Amounts* met = nullptr);
 std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,
-                                   std::span<const double> node_um);
+                                   std::span<const double> node_um, const SightLine& onward = {});
 std::vector<double> band_model_sun(const BandModel& model, double height_km, double zenith_deg,
-                                   std::span<const double> node_um);
+                                   std::span<const double> node_um, const SightLine& onward = {});
 
 }  // namespace diurna

@@ -20,11 +20,11 @@ std::vector<double> SunField::path(const SightLine& line, double zenith_deg,
     return air_->per_node(light.towards(0, std::cos(radians(zenith_deg))));
 }
 
-SunField::ByTurn SunField::path_by_turn(const SightLine& line,
-                                        std::span<const double> angle_deg) const {
+SunField::ByTurn SunField::path_by_turn(const SightLine& line, std::span<const double> angle_deg,
+                                        const SightLine& onward) const {
     std::vector<double> turn;
     for (const double angle : angle_deg) turn.push_back(std::cos(radians(angle)));
-    const ScatteredLight light = scattered_light(*air_, line, turn);
+    const ScatteredLight light = scattered_light(*air_, line, turn, onward);
     ByTurn parts;
     for (const auto& at_turn : light.at_turn) parts.at_angle.push_back(air_->per_node(at_turn));
     parts.by_cosine = air_->per_node(light.by_cosine);
@@ -41,8 +41,9 @@ std::vector<double> SunField::sky(double height_km, double zenith_deg,
     return std::move(skies(height_km, zenith_deg, std::span(&azimuth_from_sun_deg, 1)).front());
 }
 
-std::vector<std::vector<double>> SunField::skies(
-    double height_km, double zenith_deg, std::span<const double> azimuth_from_sun_deg) const {
+std::vector<std::vector<double>> SunField::skies(double height_km, double zenith_deg,
+                                                 std::span<const double> azimuth_from_sun_deg,
+                                                 const SightLine& onward) const {
     const SunlitAir& s = *air_;
     const CloudLayer& cloud = s.model.cloud;
     const SightLine line = line_of(s.model, height_km, zenith_deg);
@@ -50,8 +51,8 @@ std::vector<std::vector<double>> SunField::skies(
     const double cosine = std::cos(radians(zenith_deg));
     const auto turn = turns(s.sun, zenith_deg, azimuth_from_sun_deg);
     const bool over_cloud = cloud.fraction > 0.0 && (height_km >= cloud.base_km || ground);
-    const ScatteredLight light =
-        over_cloud ? scattered_light(s, line, turn) : scattered_light(s, line, turn, false, ground);
+    const ScatteredLight light = over_cloud ? scattered_light(s, line, turn, onward)
+                                            : scattered_light(s, line, turn, false, ground, onward);
     std::vector<std::vector<double>> radiance;
     for (std::size_t a = 0; a < turn.size(); ++a) radiance.push_back(light.towards(a, cosine));
     if (cloud.fraction > 0.0 && !over_cloud) {
@@ -60,8 +61,8 @@ std::vector<std::vector<double>> SunField::skies(
             ++below_base;
         }
         const SightLine below = line.first(below_base);
-        const ScatteredLight covered = scattered_light(s, below, turn, true, true);
-        const std::vector<double> tau = transmittance(s.model, below, s.bins);
+        const ScatteredLight covered = scattered_light(s, below, turn, true, true, onward);
+        const std::vector<double> tau = transmittance(s.model, joined(onward, below), s.bins);
         const HermiteWeights w = s.at_height(cloud.base_km);
         for (std::size_t a = 0; a < turn.size(); ++a) {
             const std::vector<double> under = covered.towards(a, cosine);

@@ -45,16 +45,22 @@ class SunField {
         std::vector<std::vector<double>> at_angle;  // (angle)(node)
         std::vector<double> by_cosine;              // (node)
     };
-    ByTurn path_by_turn(const SightLine& line, std::span<const double> angle_deg) const;
+    /// With `onward`, which leads from an eye to a mirror at the line's start, what of it arrives
+    /// at the eye on top of path() of that way.
+    ByTurn path_by_turn(const SightLine& line, std::span<const double> angle_deg,
+                        const SightLine& onward = {}) const;
     /// That angle [deg].
     double angle_from_sun_deg(double zenith_deg, double azimuth_from_sun_deg) const;
 
     /// Scattered radiance of the sky (path to the top of the air, or to the cloud layer and what
     /// shines through it), or of the air above the ground it ends on.
     std::vector<double> sky(double height_km, double zenith_deg, double azimuth_from_sun_deg) const;
-    /// The same under several azimuths, (azimuth)(node): they cost little more than one.
+    /// The same under several azimuths, (azimuth)(node): they cost little more than one. With
+    /// `onward`, which leads from an eye to a mirror at that height, what of it arrives at the eye
+    /// on top of path() of that way.
     std::vector<std::vector<double>> skies(double height_km, double zenith_deg,
-                                           std::span<const double> azimuth_from_sun_deg) const;
+                                           std::span<const double> azimuth_from_sun_deg,
+                                           const SightLine& onward = {}) const;
 
     SunFlux flux(double height_km) const;
 

@@ -51,17 +51,18 @@ struct Stretch {
 /// Sunlight gathered along a line, stretch after stretch outward from the eye.
 class Gathering {
  public:
-    Gathering(const SunlitAir& air, bool under_cloud, std::span<const double> turn,
-              double start_km);
+    Gathering(const SunlitAir& air, bool under_cloud, std::span<const double> turn, double start_km,
+              const SightLine& onward);
 
     /// A stretch and the height of its far end.
     void add(double middle_km, double end_km, double length);
     /// Whoever multiplies what is behind by the whole transmittance leaves out what its forward
     /// peak brings: diffuse light of the end's own direction.
-    void add_peak_of_what_is_behind(double end_km);
+    void add_peak_of_what_is_behind(double end_km, double sign = 1.0);
     ScatteredLight light() const;
 
  private:
+    void follow(const SightLine& onward);
     /// Transmittance of both ways: from the sun to a height, and on along the line.
     void beam_at(double height_km, std::vector<double>& out) const;
     void scatter_once(const ScaledAerosol& aerosol, const Stretch& stretch);
@@ -87,7 +88,7 @@ class Gathering {
 };
 
 Gathering::Gathering(const SunlitAir& air, bool under_cloud, std::span<const double> turn,
-                     double start_km)
+                     double start_km, const SightLine& onward)
     : air_(air),
       under_cloud_(under_cloud),
       field_(under_cloud ? air.cloudy : air.clear),
@@ -108,7 +109,22 @@ Gathering::Gathering(const SunlitAir& air, bool under_cloud, std::span<const dou
         directions_.push_back(direction_of(medium_, cosine));
         any_peaked_ = any_peaked_ || directions_.back().peaked > 0.0;
     }
+    if (onward.size() > 0) follow(onward);
     beam_at(start_km, both_before_);
+}
+
+/// The way to an eye scatters light of its own, which is not asked for; but whoever has asked for
+/// it has been given what its forward peak brings of something behind, which is this very light.
+void Gathering::follow(const SightLine& onward) {
+    for (std::size_t i = 0; i < onward.size(); ++i) {
+        const ScaledAerosol aerosol = scaled_aerosol(medium_, onward.height_km[i]);
+        medium_.add(onward.height_km[i], onward.length_km[i], aerosol.extinction, seen_);
+        for (std::size_t b = 0; b < count_; ++b) {
+            peak_seen_[b] += onward.length_km[i] * aerosol.peak(b);
+        }
+    }
+    medium_.transmittances(seen_, tau_before_);
+    add_peak_of_what_is_behind(onward.height_within(onward.size() - 1, 1.0), -1.0);
 }
 
 void Gathering::beam_at(double height_km, std::vector<double>& out) const {
@@ -189,12 +205,12 @@ void Gathering::thin_peak(const ScaledAerosol& aerosol, const Stretch& stretch) 
     }
 }
 
-void Gathering::add_peak_of_what_is_behind(double end_km) {
+void Gathering::add_peak_of_what_is_behind(double end_km, double sign) {
     const HermiteWeights w = air_.at_height(end_km);
     for (std::size_t b = 0; b < count_; ++b) {
         const double up = field_.up.at(w, b), down = field_.down.at(w, b);
         const double share =
-            tau_before_[b] * -std::expm1(-peak_seen_[b]) * 0.5 * std::numbers::inv_pi;
+            sign * tau_before_[b] * -std::expm1(-peak_seen_[b]) * 0.5 * std::numbers::inv_pi;
         often_[b] += share * (up + down);
         by_cosine_[b] += share * (down - up);
     }
@@ -237,14 +253,22 @@ std::vector<double> ScatteredLight::towards(std::size_t turn, double cosine) con
     return sum;
 }
 
+void ScatteredLight::mix(double share, const ScatteredLight& other) {
+    const auto mix_in = [share](std::vector<double>& of, const std::vector<double>& with) {
+        for (std::size_t b = 0; b < of.size(); ++b) of[b] += share * (with[b] - of[b]);
+    };
+    for (std::size_t a = 0; a < at_turn.size(); ++a) mix_in(at_turn[a], other.at_turn[a]);
+    mix_in(by_cosine, other.by_cosine);
+}
+
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, bool under_cloud,
-                               bool something_behind) {
+                               bool something_behind, const SightLine& onward) {
     const std::vector<double> none(air.bins.size(), 0.0);
     if (line.size() == 0 || none.empty()) {
         return {std::vector<std::vector<double>>(turn.size(), none), none};
     }
-    Gathering gathering(air, under_cloud, turn, line.height_within(0, 0.0));
+    Gathering gathering(air, under_cloud, turn, line.height_within(0, 0.0), onward);
     // Few segments (level lines have one) are cut so that the product of both ways is followed.
     const int cuts = line.size() < 12 ? static_cast<int>(16 / line.size()) + 1 : 1;
     for (std::size_t segment = 0; segment < line.size(); ++segment) {
@@ -261,18 +285,11 @@ ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
 }
 
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
-                               std::span<const double> turn) {
-    ScatteredLight light = scattered_light(air, line, turn, false, true);
+                               std::span<const double> turn, const SightLine& onward) {
+    ScatteredLight light = scattered_light(air, line, turn, false, true, onward);
     const double covered = air.model.cloud.fraction;
     if (covered <= 0.0) return light;
-    const ScatteredLight under = scattered_light(air, line, turn, true, true);
-    const auto mix = [covered](std::vector<double>& clear_part, const std::vector<double>& other) {
-        for (std::size_t b = 0; b < clear_part.size(); ++b) {
-            clear_part[b] += covered * (other[b] - clear_part[b]);
-        }
-    };
-    for (std::size_t a = 0; a < turn.size(); ++a) mix(light.at_turn[a], under.at_turn[a]);
-    mix(light.by_cosine, under.by_cosine);
+    light.mix(covered, scattered_light(air, line, turn, true, true, onward));
     return light;
 }
 

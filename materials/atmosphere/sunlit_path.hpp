@@ -21,16 +21,21 @@ struct ScatteredLight {
     std::vector<double> by_cosine;             // (bin)
 
     std::vector<double> towards(std::size_t turn, double cosine) const;
+    /// Makes a share of it another light.
+    void mix(double share, const ScatteredLight& other);
 };
 
 /// Under a sky without cloud, or all under it.
 ///
 /// something_behind  whoever asks adds what is behind the line's end, times its transmittance
+/// onward            leads from an eye to a mirror at the line's start: what of the light arrives
+/// at
+///                   the eye, on top of what that way scatters with something behind
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, bool under_cloud,
-                               bool something_behind);
+                               bool something_behind, const SightLine& onward = {});
 /// Mean of the parts of the sky without and with cloud above the line, with something behind.
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
-                               std::span<const double> turn);
+                               std::span<const double> turn, const SightLine& onward = {});
 
 }  // namespace diurna

@@ -4,6 +4,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "render/eye/eye_row.hpp"
+#include "render/light/origin.hpp"
 
 namespace diurna {
 
@@ -20,56 +21,83 @@ std::array<float, 4> sums(const Lane& a, const Lane& b, const Lane& c, const Lan
     return out;
 }
 
-/// Adds to a row of channel_weights() what the numbers of an EyeRow stand for at a node.
-void add_node(const BandLight& band, const NodeOptics& optics, const TermSet& terms,
-              const EyeRow& layout, std::size_t n, Eigen::Ref<Eigen::RowVectorXd> row) {
-    const auto node = static_cast<Eigen::Index>(n);
-    const SpectralBasis& basis = band.basis;
-    const double w = band.band.weight[n], root = basis.root_weight[node];
-    const double reflectance = optics.reflectance[n];
-    double own = has(terms, Term::emitted) ? optics.emissivity[n] : 0.0;
-    if (has(terms, Term::behind) && optics.transparent) {
-        if (optics.room.empty()) {
-            own += optics.transmittance[n];
-        } else {
-            row[static_cast<Eigen::Index>(layout.one())] += w * optics.room[n];
-        }
-    }
-    for (std::size_t k = 0; k < basis.thermal; ++k) {
-        const auto mode = static_cast<Eigen::Index>(k);
-        row[mode] += root * own * basis.mode(node, mode);
-    }
-    if (has(terms, Term::surroundings)) {
-        for (std::size_t k = 0; k < basis.size(); ++k) {
-            const auto mode = static_cast<Eigen::Index>(k);
-            row[static_cast<Eigen::Index>(layout.thermal) + mode] +=
-                root * reflectance * basis.mode(node, mode);
-        }
-    }
-    for (std::size_t h = 0; h < 3; ++h) {
-        const IncidentLight& light = band.incident[h];
-        if (has(terms, Term::sky)) {
-            row[static_cast<Eigen::Index>(layout.sky() + h)] += w * reflectance * light.sky[n];
-        }
-        if (has(terms, Term::sun)) {
-            row[static_cast<Eigen::Index>(layout.sun() + h)] += w * reflectance * light.sun[n];
-        }
-    }
-}
+/// What the numbers of an EyeRow stand for, before the air, in one material.
+struct RowWorth {
+    const BandLight& band;
+    const NodeOptics& optics;
+    const TermSet& terms;
+    EyeRow layout;
+    using Row = Eigen::Ref<Eigen::RowVectorXd>;
 
-/// Sums over the nodes of each channel of weight × what a number of an EyeRow stands for: (channel,
-/// number).
-Eigen::MatrixXd channel_weights(const BandLight& band, const NodeOptics& optics,
-                                const TermSet& terms, const EyeRow& layout) {
+    static Eigen::Index at(std::size_t number) { return static_cast<Eigen::Index>(number); }
+
+    /// Adds what a surface sends of itself at a node.
+    void add_own(std::size_t n, Row row) const {
+        const SpectralBasis& basis = band.basis;
+        double own = has(terms, Term::emitted) ? optics.emissivity[n] : 0.0;
+        if (has(terms, Term::behind) && optics.transparent) {
+            if (optics.room.empty()) {
+                own += optics.transmittance[n];
+            } else {
+                row[at(layout.one())] += band.band.weight[n] * optics.room[n];
+            }
+        }
+        const double root = basis.root_weight[at(n)];
+        for (std::size_t k = 0; k < basis.thermal; ++k) {
+            row[at(k)] += root * own * basis.mode(at(n), at(k));
+        }
+    }
+
+    /// Adds what it reflects of light of an origin, that of other surfaces, of the sky and the sun.
+    void add_reflected(Origin origin, std::size_t n, Row row) const {
+        const double reflectance = optics.reflectance[n], w = band.band.weight[n];
+        if (has(terms, Term::surroundings)) {
+            const double root = band.basis.root_weight[at(n)];
+            for (std::size_t k = 0; k < band.basis.size(); ++k) {
+                const auto light = band.basis.by_origin(band.basis.mode.col(at(k)), n);
+                row[at(layout.thermal + k)] +=
+                    root * reflectance * light[static_cast<std::size_t>(origin)];
+            }
+        }
+        for (std::size_t h = 0; h < band.incident.size(); ++h) {
+            const IncidentLight& light = band.incident[h];
+            if (has(terms, Term::sky)) {
+                row[at(layout.sky() + h)] += w * reflectance * light.sky_from(origin, n);
+            }
+            if (has(terms, Term::sun) && origin == Origin::sunlight) {
+                row[at(layout.sun() + h)] += w * reflectance * light.sun[n];
+            }
+        }
+    }
+};
+
+/// Sums over the nodes of each channel of weight × what the numbers of an EyeRow stand for of an
+/// origin's light: (channel, number).
+Eigen::MatrixXd channel_weights(const RowWorth& worth, Origin origin) {
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Channels& channels = band.channels;
-    Rows sums = Rows::Zero(Eigen::Index(channels.size()), Eigen::Index(layout.width()));
+    const Channels& channels = worth.band.channels;
+    Rows sums = Rows::Zero(Eigen::Index(channels.size()), Eigen::Index(worth.layout.width()));
     for (std::size_t c = 0; c < channels.size(); ++c) {
+        auto row = sums.row(static_cast<Eigen::Index>(c));
         for (std::size_t n = channels.first[c]; n < channels.first[c + 1]; ++n) {
-            add_node(band, optics, terms, layout, n, sums.row(static_cast<Eigen::Index>(c)));
+            if (origin == Origin::surface) worth.add_own(n, row);
+            worth.add_reflected(origin, n, row);
         }
     }
     return sums;
+}
+
+/// Transmittance of an origin's light at the nodes of a path: (node, channel).
+Eigen::MatrixXd transmittances(const PathTable& path, std::size_t band, std::size_t channels,
+                               Origin origin) {
+    Eigen::MatrixXd transmittance(path.nodes(), channels);
+    for (std::size_t k = 0; k < path.nodes(); ++k) {
+        const float* t = path.transmittance(band, k, origin);
+        for (std::size_t c = 0; c < channels; ++c) {
+            transmittance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c)) = t[c];
+        }
+    }
+    return transmittance;
 }
 
 }  // namespace
@@ -79,20 +107,24 @@ EyeTable::EyeTable(const PathTable& path, std::size_t band_index, const BandLigh
     : ranges_(path.grid().ranges), heights_(path.grid().heights), table_(band.optics.size()) {
     const EyeRow layout(band.basis);
     width_ = layout.width();
-    const std::size_t nodes = path.nodes(), channels = band.channels.size();
-    Eigen::MatrixXd transmittance(nodes, channels);
-    for (std::size_t k = 0; k < nodes; ++k) {
-        const float* t = path.transmittance(band_index, k);
-        for (std::size_t c = 0; c < channels; ++c) {
-            transmittance(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(c)) = t[c];
-        }
+    const std::size_t nodes = path.nodes();
+    std::array<Eigen::MatrixXd, origin_count> transmittance;
+    for (const Origin origin : all_origins) {
+        transmittance[static_cast<std::size_t>(origin)] =
+            transmittances(path, band_index, band.channels.size(), origin);
     }
     for_each_index(
         table_.size(),
         [&](std::size_t m) {
             const NodeOptics& optics = band.optics[m];
             if (optics.reflectance.empty()) return;
-            Eigen::MatrixXd at_eye = transmittance * channel_weights(band, optics, terms, layout);
+            const RowWorth worth{band, optics, terms, layout};
+            Eigen::MatrixXd at_eye =
+                Eigen::MatrixXd::Zero(Eigen::Index(nodes), Eigen::Index(width_));
+            for (const Origin origin : all_origins) {
+                at_eye += transmittance[static_cast<std::size_t>(origin)] *
+                          channel_weights(worth, origin);
+            }
             if (has(terms, Term::path)) {
                 for (std::size_t k = 0; k < nodes; ++k) {
                     at_eye(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(layout.one())) +=

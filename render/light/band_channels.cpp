@@ -18,6 +18,12 @@ Channels channels_of(const Band& band) {
     return channels;
 }
 
+std::vector<double> channel_um(const Band& band, const Channels& channels) {
+    std::vector<double> um;
+    for (std::size_t c = 0; c < channels.size(); ++c) um.push_back(band.node_um[channels.first[c]]);
+    return um;
+}
+
 std::vector<float> channel_sums(const Band& band, const Channels& channels,
                                 std::span<const double> spectrum) {
     std::vector<float> sums(channels.padded(), 0.0f);

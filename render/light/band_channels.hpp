@@ -21,6 +21,9 @@ struct Channels {
 };
 Channels channels_of(const Band& band);
 
+/// One wavelength in each channel [µm].
+std::vector<double> channel_um(const Band& band, const Channels& channels);
+
 /// Σ weight · spectrum over the nodes of each channel, padded.
 std::vector<float> channel_sums(const Band& band, const Channels& channels,
                                 std::span<const double> spectrum);

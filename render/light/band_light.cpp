@@ -1,7 +1,6 @@
 #include "render/light/band_light.hpp"
 
 #include "materials/base/parallel.hpp"
-#include "render/light/scene_basis.hpp"
 
 namespace diurna {
 

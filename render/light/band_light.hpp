@@ -10,6 +10,7 @@
 #include "render/light/incident_light.hpp"
 #include "render/light/lit_facets.hpp"
 #include "render/light/node_optics.hpp"
+#include "render/light/scene_basis.hpp"
 #include "render/light/spectral_basis.hpp"
 
 namespace diurna {
@@ -21,7 +22,7 @@ struct BandLight {
     std::optional<SunField> scattered = {};      // sunlight scattered by the air
     std::array<IncidentLight, 3> incident = {};  // at the heights of LitFacets
     std::vector<NodeOptics> optics = {};         // (material)
-    std::vector<std::vector<float>> probe = {};  // (probe)(channel) probes()
+    std::vector<Probe> probe = {};               // probes()
     SpectralBasis basis = {};
 
     const SunField* sun_field() const { return scattered ? &*scattered : nullptr; }

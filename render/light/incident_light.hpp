@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/atmosphere/sun_field.hpp"
+#include "render/light/origin.hpp"
 #include "render/light/radiance_input.hpp"
 
 namespace diurna {
@@ -15,6 +16,17 @@ namespace diurna {
 struct IncidentLight {
     std::vector<double> sun;  // (node) irradiance on a plane facing the sun [W m⁻² µm⁻¹]
     std::vector<double> sky;  // (node) cosine-weighted mean radiance [W m⁻² sr⁻¹ µm⁻¹]
+    std::vector<double> scattered;  // (node) sunlight in `sky`; empty: none
+
+    /// Radiance of `sky` from an origin at a node.
+    double sky_from(Origin origin, std::size_t node) const {
+        const double sunlit = scattered.empty() ? 0.0 : scattered[node];
+        return origin == Origin::sunlight   ? sunlit
+               : origin == Origin::sky_heat ? std::max(0.0, sky[node] - sunlit)
+                                            : 0.0;
+    }
+    LightByOrigin sky_by_origin() const;
+    LightByOrigin sun_by_origin() const;
 };
 /// The mean is ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by eight points of Gauss and Legendre.
 ///

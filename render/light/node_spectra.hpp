@@ -7,6 +7,7 @@
 
 #include "materials/radiation/band.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/origin.hpp"
 
 namespace diurna {
 
@@ -23,6 +24,13 @@ inline std::vector<double> black_body(const Band& band, double temperature) {
 inline std::vector<double> times(std::span<const double> a, std::span<const double> b) {
     std::vector<double> out(a.size());
     std::transform(a.begin(), a.end(), b.begin(), out.begin(), std::multiplies<>());
+    return out;
+}
+inline LightByOrigin times(std::span<const double> a, const LightByOrigin& light) {
+    LightByOrigin out;
+    for (std::size_t origin = 0; origin < origin_count; ++origin) {
+        if (!light[origin].empty()) out[origin] = times(a, light[origin]);
+    }
     return out;
 }
 

@@ -35,58 +35,79 @@ struct LightMemo {
             light.sun[n] += t * (high.sun[n] - low.sun[n]);
             light.sky[n] += t * (high.sky[n] - low.sky[n]);
         }
+        for (std::size_t n = 0; n < light.scattered.size(); ++n) {
+            light.scattered[n] += t * (high.scattered[n] - low.scattered[n]);
+        }
         return light;
     }
 };
 
-/// Light that arrives from the facets around, (node) [W m⁻² sr⁻¹ µm⁻¹]; empty if there are none.
-std::vector<double> arriving(LightMemo& memo, FacetId facet, int bounces);
+/// Adds factor × light, node by node.
+void add(LightByOrigin& sum, std::span<const double> factor, const LightByOrigin& light) {
+    for (std::size_t origin = 0; origin < origin_count; ++origin) {
+        if (light[origin].empty()) continue;
+        sum[origin].resize(factor.size(), 0.0);
+        for (std::size_t n = 0; n < factor.size(); ++n) {
+            sum[origin][n] += factor[n] * light[origin][n];
+        }
+    }
+}
 
-NodeTerms terms_of(LightMemo& memo, FacetId facet, int bounces) {
+/// Light that arrives from the facets around [W m⁻² sr⁻¹ µm⁻¹]; empty if there are none.
+LightByOrigin arriving(LightMemo& memo, FacetId facet, int bounces);
+
+TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
     const RadianceInput& input = memo.input;
     const std::span<const double> node_um = memo.node_um;
-    const std::size_t f = index(facet);
+    const std::size_t f = index(facet), nodes = node_um.size();
     const Material& material = input.materials[input.facets.material[f]];
     const double temperature = input.temperature[f];
     const double behind = temperature_behind(material, temperature);
     const double sky_view = input.views.sky[f], sunlight = sunlight_on(input, facet);
-    const std::vector<double> around =
-        bounces > 0 ? arriving(memo, facet, bounces) : std::vector<double>{};
     const IncidentLight light = memo.at(input.height_km(facet));
-    NodeTerms terms;
-    for (auto& term : terms) term.assign(node_um.size(), 0.0);
-    const auto of = [&](Term term) -> std::vector<double>& {
-        return terms[static_cast<std::size_t>(term)];
-    };
-    for (std::size_t n = 0; n < node_um.size(); ++n) {
-        const auto [emissivity, reflectance, transmittance] = optics_at(material, node_um[n]);
-        const double black = planck(node_um[n], temperature);
-        of(Term::emitted)[n] = emissivity * black;
-        of(Term::sun)[n] = reflectance * sunlight * light.sun[n];
-        of(Term::sky)[n] = reflectance * sky_view * light.sky[n];
-        of(Term::surroundings)[n] =
-            reflectance * (around.empty() ? (1.0 - sky_view) * black : around[n]);
-        of(Term::behind)[n] = transmittance * planck(node_um[n], behind);
+    std::vector<double> emitted(nodes), shone_through(nodes), reflectance(nodes), of_sky(nodes),
+        of_sun(nodes), black(nodes);
+    for (std::size_t n = 0; n < nodes; ++n) {
+        const SurfaceOptics optics = optics_at(material, node_um[n]);
+        reflectance[n] = optics.reflectance;
+        of_sky[n] = optics.reflectance * sky_view;
+        of_sun[n] = optics.reflectance * sunlight;
+        black[n] = (1.0 - sky_view) * planck(node_um[n], temperature);
+        emitted[n] = optics.emissivity * planck(node_um[n], temperature);
+        shone_through[n] = optics.transmittance * planck(node_um[n], behind);
     }
+    LightByOrigin around =
+        bounces > 0 ? arriving(memo, facet, bounces) : from_surface(std::move(black));
+    if (around == LightByOrigin{}) around = from_surface(std::move(black));
+    TermsByOrigin terms;
+    const auto term = [&](Term t) -> LightByOrigin& { return terms[static_cast<std::size_t>(t)]; };
+    term(Term::emitted) = from_surface(std::move(emitted));
+    term(Term::behind) = from_surface(std::move(shone_through));
+    add(term(Term::sun), of_sun, light.sun_by_origin());
+    add(term(Term::sky), of_sky, light.sky_by_origin());
+    add(term(Term::surroundings), reflectance, around);
     return terms;
 }
 
-std::vector<double> arriving(LightMemo& memo, FacetId facet, int bounces) {
-    std::vector<double> sum;
+LightByOrigin arriving(LightMemo& memo, FacetId facet, int bounces) {
+    LightByOrigin sum;
     each_seen_facet(memo.input.views, facet, [&](FacetId other, double factor) {
-        sum.resize(memo.node_um.size(), 0.0);
         // Of a net its strips alone, which the factor is for: what is behind has its own.
         const RadianceInput& input = memo.input;
         const Material& material = input.materials[input.facets.material[index(other)]];
         const bool room = std::holds_alternative<Interior>(material.thermal.bottom);
         const double passed = room ? 0.0 : passed_heat(material);
-        const double share = passed < 1.0 ? factor / (1.0 - passed) : factor;
-        const double temperature = input.temperature[index(other)];
-        for (const auto& term : terms_of(memo, other, bounces - 1)) {
-            for (std::size_t n = 0; n < sum.size(); ++n) sum[n] += share * term[n];
+        const double of_strips = passed < 1.0 ? factor / (1.0 - passed) : factor;
+        const std::vector<double> share(memo.node_um.size(), of_strips);
+        for (const LightByOrigin& term : terms_of(memo, other, bounces - 1)) {
+            add(sum, share, term);
         }
-        for (std::size_t n = 0; n < sum.size() && passed > 0.0; ++n) {
-            sum[n] -= share * passed * planck(memo.node_um[n], temperature);
+        if (passed == 0.0) return;
+        std::vector<double>& of_surface = from(sum, Origin::surface);
+        const double temperature = input.temperature[index(other)];
+        for (std::size_t n = 0; n < of_surface.size(); ++n) {
+            of_surface[n] -= of_strips * passed * planck(memo.node_um[n], temperature);
+        }
         }
     });
     return sum;
@@ -101,8 +122,9 @@ double sunlight_on(const RadianceInput& input, FacetId facet) {
                        input.facets.normal[f].cast<double>().dot(input.to_sun));
 }
 
-NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
-                          std::span<const double> node_um, int bounces, const SunField* scattered) {
+TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
+                                  std::span<const double> node_um, int bounces,
+                                  const SunField* scattered) {
     std::optional<SunField> own;
     if (scattered == nullptr) own = scattered_sun(input, node_um);
     LightMemo memo{
@@ -110,20 +132,63 @@ NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
     return terms_of(memo, facet, bounces);
 }
 
+NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
+                          std::span<const double> node_um, int bounces, const SunField* scattered) {
+    NodeTerms sums;
+    const TermsByOrigin terms = radiosity_by_origin(input, facet, node_um, bounces, scattered);
+    for (std::size_t t = 0; t < term_count; ++t) {
+        sums[t].assign(node_um.size(), 0.0);
+        for (const std::vector<double>& light : terms[t]) {
+            for (std::size_t n = 0; n < light.size(); ++n) sums[t][n] += light[n];
+        }
+    }
+    return sums;
+}
+
+LightByOrigin onward_shares(const RadianceInput& input, const SightLine& line, double height_km,
+                            std::span<const double> node_um) {
+    LightByOrigin shares =
+        from_surface(path_at_nodes(input.atmosphere, line, node_um).transmittance);
+    const auto sun = [&](const SightLine& onward) {
+        return solar_at_nodes(input.atmosphere, height_km, input.sun_zenith_deg, 1.0, node_um,
+                              onward);
+    };
+    const auto sky = [&](const SightLine& onward) {
+        return mean_sky_at_nodes(input.atmosphere, height_km, node_um, 8, onward);
+    };
+    const std::vector<double> sun_here = sun({}), sky_here = sky({});
+    from(shares, Origin::sunlight) = sun(line);
+    from(shares, Origin::sky_heat) = sky(line);
+    for (std::size_t n = 0; n < node_um.size(); ++n) {
+        const double of_surface = from(shares, Origin::surface)[n];
+        double& of_sun = from(shares, Origin::sunlight)[n];
+        double& of_sky = from(shares, Origin::sky_heat)[n];
+        of_sun = sun_here[n] > 1e-300 ? of_sun / sun_here[n] : of_surface;
+        of_sky = sky_here[n] > 1e-300 ? of_sky / sky_here[n] : of_surface;
+    }
+    return shares;
+}
+
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                const FacetSight& sight, int segments,
                                                const SunField* scattered) {
-    const SightLine line = chord(input.above_sea_km(sight.observer_height),
-                                 input.above_sea_km(sight.height), 1e-3 * sight.range, segments);
+    const double height_km = input.above_sea_km(sight.height);
+    const SightLine line =
+        chord(input.above_sea_km(sight.observer_height), height_km, 1e-3 * sight.range, segments);
     const PathSpectrum path = path_at_nodes(input.atmosphere, line, band.node_um);
-    const NodeTerms leaving = radiosity_terms(input, sight.facet, band.node_um, 2, scattered);
+    const LightByOrigin shares = onward_shares(input, line, height_km, band.node_um);
+    const TermsByOrigin leaving =
+        radiosity_by_origin(input, sight.facet, band.node_um, 2, scattered);
     std::array<double, term_count> sum{};
-    for (std::size_t n = 0; n < band.node_um.size(); ++n) {
-        for (std::size_t t = 0; t + 1 < term_count; ++t) {
-            sum[t] += band.weight[n] * path.transmittance[n] * leaving[t][n];
+    for (std::size_t t = 0; t + 1 < term_count; ++t) {
+        for (std::size_t origin = 0; origin < origin_count; ++origin) {
+            const std::vector<double>& light = leaving[t][origin];
+            for (std::size_t n = 0; n < light.size(); ++n) {
+                sum[t] += band.weight[n] * shares[origin][n] * light[n];
+            }
         }
-        sum[term_count - 1] += band.weight[n] * path.radiance[n];
     }
+    sum.back() = band_sum_nodes(band, path.radiance);
     return sum;
 }
 

@@ -7,6 +7,7 @@
 #include "materials/air/sight_line.hpp"
 #include "materials/radiation/band.hpp"
 #include "render/light/incident_light.hpp"
+#include "render/light/origin.hpp"
 #include "render/light/radiance_input.hpp"
 #include "render/light/radiance_terms.hpp"
 
@@ -37,14 +38,31 @@ NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
                           std::span<const double> node_um, int bounces = 2,
                           const SunField* scattered = nullptr);
 
+/// The same taken apart by where the light was before: (term)(origin)(node).
+using TermsByOrigin = std::array<LightByOrigin, term_count>;
+TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
+                                  std::span<const double> node_um, int bounces = 2,
+                                  const SunField* scattered = nullptr);
+
+/// Share of the light of each origin at a place that arrives at the eye, (origin)(node), both of
+/// its ways taken for one path:
+///
+///     surface   transmittance of the way to the eye
+///     sunlight  the direct sun's, of both ways over that of the first
+///     sky_heat  of the mean sky
+///
+/// - line: from the eye to the place
+LightByOrigin onward_shares(const RadianceInput& input, const SightLine& line, double height_km,
+                            std::span<const double> node_um);
+
 /// A facet as an observer sees it [m]; heights above the origin's level surface.
 struct FacetSight {
     double observer_height;
     FacetId facet;
     double range, height;
 };
-/// Band radiance [W m⁻² sr⁻¹] at the eye, term by term: J through the air of the way, and what
-/// that air sends itself.
+/// Band radiance [W m⁻² sr⁻¹] at the eye, term by term: J through the air of the way, each origin's
+/// share of it, and what that air sends itself.
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                const FacetSight& sight, int segments = 0,
                                                const SunField* scattered = nullptr);

@@ -29,8 +29,8 @@ Eigen::MatrixXd black_cubics(const Band& band, const SpectralBasis& basis,
                 db[n] = planck_derivative(band.node_um[n], temperature) * grid.step;
             }
             const std::vector<double> b = black_body(band, temperature);
-            value.row(static_cast<Eigen::Index>(k)) = project(basis, b).transpose();
-            slope.row(static_cast<Eigen::Index>(k)) = project(basis, db).transpose();
+            value.row(static_cast<Eigen::Index>(k)) = project(basis, from_surface(b)).transpose();
+            slope.row(static_cast<Eigen::Index>(k)) = project(basis, from_surface(db)).transpose();
         },
         4);
     const auto unused = static_cast<Eigen::Index>(basis.size() - basis.thermal);
@@ -114,14 +114,17 @@ void fill(const BandLight& band, const NodeOptics& optics, const Eigen::MatrixXd
     const Eigen::MatrixXd reflect = product(basis, reflectance);
     Eigen::MatrixXd emitted = black * product(basis, own).transpose();
     if (!optics.room.empty()) {
-        emitted.topRows(emitted.rows() / 4).rowwise() += project(basis, optics.room).transpose();
+        emitted.topRows(emitted.rows() / 4).rowwise() +=
+            project(basis, from_surface(optics.room)).transpose();
     }
     lay_out(emitted, first, tables.lanes, material.emitted);
     lay_out(black * reflect.transpose(), first, tables.lanes, material.reflected);
     for (std::size_t h = 0; h < 3; ++h) {
         const IncidentLight& light = band.incident[h];
-        lay_out(project(basis, times(reflectance, light.sky)), first, material.sky[h]);
-        lay_out(project(basis, times(reflectance, light.sun)), first, material.sun[h]);
+        const LightByOrigin sky = times(reflectance, light.sky_by_origin());
+        const LightByOrigin sun = times(reflectance, light.sun_by_origin());
+        lay_out(project(basis, sky), first, material.sky[h]);
+        lay_out(project(basis, sun), first, material.sun[h]);
     }
     material.reflection[b].assign(basis.size() * width, 0.0f);
     for (std::size_t in = 0; in < basis.size(); ++in) {

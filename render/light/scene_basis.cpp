@@ -28,12 +28,12 @@ Spectra black_bodies(const Band& band, const TemperatureExtent& extent) {
 }
 
 /// Light of sky and sun reflected once by a material, at the least and the greatest height.
-Spectra reflected_once(const NodeOptics& optics, const ThreeHeights& incident) {
-    Spectra once;
+std::vector<LightByOrigin> reflected_once(const NodeOptics& optics, const ThreeHeights& incident) {
+    std::vector<LightByOrigin> once;
     for (const std::size_t h : {std::size_t{0}, std::size_t{2}}) {
-        once.push_back(times(optics.reflectance, incident[h].sky));
-        once.push_back(times(optics.reflectance, incident[h].sun));
-        for (double& x : once.back()) x /= std::numbers::pi;
+        once.push_back(times(optics.reflectance, incident[h].sky_by_origin()));
+        once.push_back(times(optics.reflectance, incident[h].sun_by_origin()));
+        for (double& x : from(once.back(), Origin::sunlight)) x /= std::numbers::pi;
     }
     return once;
 }
@@ -44,33 +44,33 @@ double greatest_sunlit(const Band& band, std::span<const NodeOptics> optics,
     double sunlit = 0.0;
     for (const NodeOptics& a : optics) {
         if (a.reflectance.empty()) continue;
-        const Spectra once = reflected_once(a, incident);
+        const auto once = reflected_once(a, incident);
         for (std::size_t k = 1; k < once.size(); k += 2) {
-            sunlit = std::max(sunlit, band_sum_nodes(band, once[k]));
+            sunlit = std::max(sunlit, band_sum_nodes(band, from(once[k], Origin::sunlight)));
         }
     }
     return sunlit;
 }
 
-/// Spectra that radiosities are sums of: emitted, reflected once, reflected twice.
+/// Light that radiosities are sums of: emitted, reflected once, reflected twice.
 ///
 /// - black: black_bodies()
-Spectra radiosity_samples(std::span<const NodeOptics> optics, const ThreeHeights& incident,
-                          const Spectra& black) {
-    Spectra samples;
+std::vector<LightByOrigin> radiosity_samples(std::span<const NodeOptics> optics,
+                                             const ThreeHeights& incident, const Spectra& black) {
+    std::vector<LightByOrigin> samples;
     const std::array<const std::vector<double>*, 3> heat = {&black[1], &black[0], &black.back()};
     for (const NodeOptics& a : optics) {
         if (a.reflectance.empty()) continue;
         for (const auto* b : heat) {
-            samples.push_back(times(a.emissivity, *b));
-            samples.push_back(times(a.reflectance, *b));
+            samples.push_back(from_surface(times(a.emissivity, *b)));
+            samples.push_back(from_surface(times(a.reflectance, *b)));
         }
-        if (!a.room.empty()) samples.push_back(a.room);
-        const Spectra once = reflected_once(a, incident);
+        if (!a.room.empty()) samples.push_back(from_surface(a.room));
+        const auto once = reflected_once(a, incident);
         for (const NodeOptics& b : optics) {
             if (b.reflectance.empty()) continue;
-            for (const auto& spectrum : once) samples.push_back(times(b.reflectance, spectrum));
-            samples.push_back(times(b.reflectance, times(a.reflectance, black[0])));
+            for (const LightByOrigin& light : once) samples.push_back(times(b.reflectance, light));
+            samples.push_back(from_surface(times(b.reflectance, times(a.reflectance, black[0]))));
         }
         samples.insert(samples.end(), once.begin(), once.end());
     }
@@ -101,7 +101,7 @@ SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> optics,
                           const ThreeHeights& incident, float surrounded,
                           const TemperatureExtent& extent) {
     const Spectra black = black_bodies(band, extent);
-    const Spectra samples = radiosity_samples(optics, incident, black);
+    const auto samples = radiosity_samples(optics, incident, black);
     const Spectra receivers = receivers_of(optics, incident[1], black[0], double{surrounded});
     const double sunlit = greatest_sunlit(band, optics, incident);
     // Σ w f g ≤ √(Σ w f²) √(Σ w g²): a rest of norm r is worth at most r √width.
@@ -112,22 +112,19 @@ SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> optics,
                           std::max(2e-4 * kelvin, 1e-7 * sunlit));
 }
 
-std::vector<std::vector<float>> probes(const Band& band, const Channels& channels,
-                                       const RadianceInput& input, const IncidentLight& light,
-                                       const TemperatureExtent& extent) {
-    std::vector<std::vector<float>> all = {
-        channel_sums(band, channels, black_body(band, extent.coldest)),
-        channel_sums(band, channels, black_body(band, extent.hottest))};
+std::vector<Probe> probes(const Band& band, const Channels& channels, const RadianceInput& input,
+                          const IncidentLight& light, const TemperatureExtent& extent) {
+    std::vector<Probe> all = {{channel_sums(band, channels, black_body(band, extent.coldest)), {}},
+                              {channel_sums(band, channels, black_body(band, extent.hottest)), {}}};
     all.push_back(all.front());
-    for (float& x : all.back()) x *= 0.2f;
+    for (float& x : all.back().heat) x *= 0.2f;
     if (input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0) return all;
     // Where sunlight outshines heat, an error is worth more kelvins.
     std::vector<double> sunlit(band.node_um.size());
     for (std::size_t n = 0; n < sunlit.size(); ++n) {
         sunlit[n] = 0.1 * (light.sun[n] / std::numbers::pi + light.sky[n]);
     }
-    all.push_back(channel_sums(band, channels, sunlit));
-    for (std::size_t c = 0; c < all.back().size(); ++c) all.back()[c] += all.front()[c];
+    all.push_back({all.front().heat, channel_sums(band, channels, sunlit)});
     return all;
 }
 

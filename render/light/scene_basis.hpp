@@ -22,10 +22,14 @@ SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> optics,
                           const std::array<IncidentLight, 3>& incident, float surrounded,
                           const TemperatureExtent& extent);
 
-/// Radiance per channel that stands for a scene's surfaces: black bodies as cold and as hot as it,
-/// a mirror of a cold sky, and by day a white surface in the sun.
-std::vector<std::vector<float>> probes(const Band& band, const Channels& channels,
-                                       const RadianceInput& input, const IncidentLight& light,
-                                       const TemperatureExtent& extent);
+/// Radiance per channel that stands for a surface of the scene.
+struct Probe {
+    std::vector<float> heat;      // (channel) its own
+    std::vector<float> sunlight;  // (channel) that it reflects; empty: none
+};
+/// Black bodies as cold and as hot as the scene, a mirror of a cold sky, and by day a white surface
+/// in the sun.
+std::vector<Probe> probes(const Band& band, const Channels& channels, const RadianceInput& input,
+                          const IncidentLight& light, const TemperatureExtent& extent);
 
 }  // namespace diurna

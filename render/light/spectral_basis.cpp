@@ -23,6 +23,20 @@ Samples weighted(const Eigen::VectorXd& root_weight, std::span<const std::vector
     return samples;
 }
 
+/// √weight × light as a column of SpectralBasis::mode.
+Eigen::VectorXd weighted(const Eigen::VectorXd& root_weight, const LightByOrigin& light) {
+    const Eigen::Index nodes = root_weight.size();
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(nodes * Eigen::Index(origin_count));
+    for (std::size_t origin = 0; origin < origin_count; ++origin) {
+        if (light[origin].empty()) continue;
+        const Eigen::Map<const Eigen::VectorXd> spectrum(light[origin].data(), nodes);
+        const Eigen::VectorXd part = root_weight.cwiseProduct(spectrum);
+        column.head(nodes) += part;
+        if (origin > 0) column.segment(Eigen::Index(origin) * nodes, nodes) = part;
+    }
+    return column;
+}
+
 /// Adds the rest of a sample as a mode.
 void add_mode(Samples& rest, Eigen::Index sample, Eigen::MatrixXd& mode) {
     Eigen::VectorXd next = rest.col(sample);
@@ -41,10 +55,27 @@ double rounding(const Samples& samples) {
     return samples.cols() > 0 ? 1e-12 * samples.colwise().norm().maxCoeff() : 0.0;
 }
 
+/// Below the modes of whole spectra, and beside them, a mode for each origin that there is light
+/// of.
+///
+/// - columns: (row of SpectralBasis::mode, sample)
+void add_origins(const Samples& columns, Eigen::MatrixXd& mode) {
+    const Eigen::Index nodes = mode.rows();
+    mode.conservativeResize(columns.rows(), Eigen::NoChange);
+    mode.bottomRows(columns.rows() - nodes).setZero();
+    for (Eigen::Index first = nodes; first < columns.rows(); first += nodes) {
+        const Eigen::VectorXd mean = columns.middleRows(first, nodes).rowwise().sum();
+        if (!(mean.norm() > 0.0)) continue;
+        mode.conservativeResize(Eigen::NoChange, mode.cols() + 1);
+        mode.rightCols(1).setZero();
+        mode.col(mode.cols() - 1).segment(first, nodes) = mean.normalized();
+    }
+}
+
 }  // namespace
 
 SpectralBasis spectral_basis(const Band& band, std::span<const std::vector<double>> black,
-                             double fine, std::span<const std::vector<double>> light,
+                             double fine, std::span<const LightByOrigin> light,
                              std::span<const std::vector<double>> receivers, double coarse) {
     SpectralBasis basis;
     const auto nodes = static_cast<Eigen::Index>(band.node_um.size());
@@ -62,7 +93,11 @@ SpectralBasis spectral_basis(const Band& band, std::span<const std::vector<doubl
     basis.thermal = basis.size();
 
     const Samples received = weighted(basis.root_weight, receivers, 0.0);
-    rest = weighted(basis.root_weight, light, 0.0);
+    Samples columns(nodes * Eigen::Index(origin_count), static_cast<Eigen::Index>(light.size()));
+    for (std::size_t k = 0; k < light.size(); ++k) {
+        columns.col(static_cast<Eigen::Index>(k)) = weighted(basis.root_weight, light[k]);
+    }
+    rest = columns.topRows(nodes);
     const double light_floor = rounding(rest);
     rest -= basis.mode * (basis.mode.transpose() * rest).eval();
     while (rest.cols() > 0) {
@@ -73,17 +108,18 @@ SpectralBasis spectral_basis(const Band& band, std::span<const std::vector<doubl
         add_mode(rest, worst, basis.mode);
     }
     if (basis.size() == 0) basis.mode.setZero(nodes, 1);  // nothing shines
+    add_origins(columns, basis.mode);
     return basis;
 }
 
-Eigen::VectorXd project(const SpectralBasis& basis, std::span<const double> spectrum) {
-    const Eigen::Map<const Eigen::VectorXd> s(spectrum.data(), basis.root_weight.size());
-    return basis.mode.transpose() * basis.root_weight.cwiseProduct(s);
+Eigen::VectorXd project(const SpectralBasis& basis, const LightByOrigin& light) {
+    return basis.mode.transpose() * weighted(basis.root_weight, light);
 }
 
 Eigen::MatrixXd product(const SpectralBasis& basis, std::span<const double> factor) {
     const Eigen::Map<const Eigen::VectorXd> f(factor.data(), basis.root_weight.size());
-    return basis.mode.transpose() * f.asDiagonal() * basis.mode;
+    return basis.mode.transpose() * f.replicate(Eigen::Index(origin_count), 1).asDiagonal() *
+           basis.mode;
 }
 
 }  // namespace diurna

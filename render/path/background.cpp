@@ -30,14 +30,17 @@ double range_to_plain(const RadianceInput& input, double height_km, double zenit
 }  // namespace
 
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
-                                  std::span<const double> node_um) {
+                                  std::span<const double> node_um, const SightLine& onward) {
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
-        return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um);
+        return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um, onward);
     }
-    PathSpectrum path = path_at_nodes(
-        input.atmosphere,
-        chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
-        node_um);
+    const SightLine to_plain =
+        chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg));
+    PathSpectrum path = path_at_nodes(input.atmosphere, joined(onward, to_plain), node_um);
+    if (onward.size() > 0) {
+        const PathSpectrum before = path_at_nodes(input.atmosphere, onward, node_um);
+        for (std::size_t n = 0; n < node_um.size(); ++n) path.radiance[n] -= before.radiance[n];
+    }
     const double temperature = air_temperature_at(input.atmosphere, input.ground_height_km);
     for (std::size_t n = 0; n < node_um.size(); ++n) {
         path.radiance[n] += path.transmittance[n] * planck(node_um[n], temperature);
@@ -47,9 +50,9 @@ std::vector<double> background_at(const RadianceInput& input, double height_km, 
 
 std::vector<std::vector<double>> scattered_backgrounds_at(
     const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
-    std::span<const double> azimuth_from_sun_deg) {
+    std::span<const double> azimuth_from_sun_deg, const SightLine& onward) {
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
-        return scattered.skies(height_km, zenith_deg, azimuth_from_sun_deg);
+        return scattered.skies(height_km, zenith_deg, azimuth_from_sun_deg, onward);
     }
     std::vector<double> angle_deg;
     for (const double azimuth : azimuth_from_sun_deg) {
@@ -57,7 +60,7 @@ std::vector<std::vector<double>> scattered_backgrounds_at(
     }
     SunField::ByTurn light = scattered.path_by_turn(
         chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
-        angle_deg);
+        angle_deg, onward);
     const double cosine = std::cos(radians(zenith_deg));
     for (std::vector<double>& radiance : light.at_angle) {
         for (std::size_t n = 0; n < radiance.size(); ++n) {

@@ -15,12 +15,14 @@ namespace diurna {
 double horizon_zenith_deg(const RadianceInput& input, double height_km);
 
 /// Thermal radiance of the background in a direction, per node [W m⁻² sr⁻¹ µm⁻¹].
+///
+/// - onward: leads from an eye to that height, where a mirror is: what of it arrives at the eye
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
-                                  std::span<const double> node_um);
+                                  std::span<const double> node_um, const SightLine& onward = {});
 /// Sunlight that comes from there, under several azimuths, (azimuth)(node): of the sky, or of the
 /// air before the plain. Several cost little more than one.
 std::vector<std::vector<double>> scattered_backgrounds_at(
     const RadianceInput& input, const SunField& scattered, double height_km, double zenith_deg,
-    std::span<const double> azimuth_from_sun_deg);
+    std::span<const double> azimuth_from_sun_deg, const SightLine& onward = {});
 
 }  // namespace diurna

@@ -121,7 +121,8 @@ void BackgroundChannels::Extent::include(const Eigen::Vector3d& direction,
 }
 
 BackgroundChannels::BackgroundChannels(const RadianceInput& input, const BandLight& band,
-                                       double height_km, const Extent& extent)
+                                       double height_km, const Extent& extent,
+                                       const SightLine& onward)
     : padded_(band.channels.padded()),
       horizon_{horizon_zenith_deg(input, height_km)},
       to_sun_(input.to_sun) {
@@ -136,12 +137,12 @@ BackgroundChannels::BackgroundChannels(const RadianceInput& input, const BandLig
             horizon_.nodes(side, extent.least_zenith_deg, extent.most_zenith_deg, sunlit_nodes);
         if (!nodes) continue;
         part_[side].nodes = *nodes;
-        fill(side, input, band, height_km);
+        fill(side, input, band, height_km, onward);
     }
 }
 
 void BackgroundChannels::fill(HorizonScale::Side side, const RadianceInput& input,
-                              const BandLight& band, double height_km) {
+                              const BandLight& band, double height_km, const SightLine& onward) {
     Part& of = part_[side];
     const auto put = [&](const std::vector<double>& spectrum, float* to) {
         const std::vector<float> sums = channel_sums(band.band, band.channels, spectrum);
@@ -157,11 +158,11 @@ void BackgroundChannels::fill(HorizonScale::Side side, const RadianceInput& inpu
         sunlit_nodes,
         [&](std::size_t z) {
             const double zenith_deg = horizon_.zenith_deg(side, of.nodes.at(z));
-            put(background_at(input, height_km, zenith_deg, band.band.node_um),
+            put(background_at(input, height_km, zenith_deg, band.band.node_um, onward),
                 &of.heat[z * padded_]);
             if (!band.scattered) return;
             const auto rows = scattered_backgrounds_at(input, *band.scattered, height_km,
-                                                       zenith_deg, azimuth_deg);
+                                                       zenith_deg, azimuth_deg, onward);
             for (std::size_t a = 0; a < azimuths_; ++a) {
                 put(rows[a], &of.sunlight[(a * sunlit_nodes + z) * padded_]);
             }

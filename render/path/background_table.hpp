@@ -76,8 +76,9 @@ class BackgroundChannels {
         bool any() const { return least_zenith_deg <= most_zenith_deg; }
         void include(const Eigen::Vector3d& direction, const Eigen::Vector3d& to_sun);
     };
+    /// - onward: leads from an eye to that height, where mirrors are: what arrives at the eye
     BackgroundChannels(const RadianceInput& input, const BandLight& band, double height_km,
-                       const Extent& extent);
+                       const Extent& extent, const SightLine& onward = {});
 
     /// Where in the table a unit vector lies: the same for every band of one height and extent.
     struct Place {
@@ -95,7 +96,7 @@ class BackgroundChannels {
         std::vector<float> sunlight;  // (azimuth, zenith, channel)
     };
     void fill(HorizonScale::Side side, const RadianceInput& input, const BandLight& band,
-              double height_km);
+              double height_km, const SightLine& onward);
 
     std::size_t padded_ = 0;
     std::size_t azimuths_ = 4, first_azimuth_ = 0;  // of those every 6° from the sun's

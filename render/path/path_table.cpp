@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
@@ -19,9 +20,19 @@ double radiance_per_kelvin(const Band& band, double radiance) {
 
 }  // namespace
 
-PathTable::PathTable(const Atmosphere& atmosphere, const PathExtent& extent,
+PathTable::PathTable(const RadianceInput& input, const PathExtent& extent,
                      std::span<const BandLight> bands, double tolerance)
-    : atmosphere_(atmosphere), bands_(bands), grid_(extent), error_(bands.size(), 0.0) {
+    : input_(input), bands_(bands), grid_(extent), error_(bands.size(), 0.0) {
+    std::vector<std::optional<OnwardLight>> onward(bands.size() * most_few);
+    for_each_index(
+        onward.size(),
+        [&](std::size_t k) {
+            const BandLight& of = bands[k / most_few];
+            onward[k].emplace(input.atmosphere, grid_.height_at(k % most_few, most_few),
+                              input.sun_zenith_deg, of.band.node_um);
+        },
+        1);
+    for (auto& one : onward) onward_.push_back(std::move(*one));
     // At three ranges and five heights: are two, or three, of the heights enough for all five?
     constexpr std::size_t places = 3;
     std::vector<Node> some(places * most_few);
@@ -51,16 +62,28 @@ PathTable::PathTable(const Atmosphere& atmosphere, const PathExtent& extent,
         });
 }
 
+/// The heights of nodes are always some of the five.
+const OnwardLight& PathTable::onward(std::size_t band, double height_km) const {
+    const double place = (height_km - grid_.height_at(0, most_few)) /
+                         (grid_.height_at(1, most_few) - grid_.height_at(0, most_few));
+    return onward_[band * most_few + static_cast<std::size_t>(std::lround(place))];
+}
+
 PathTable::Node PathTable::make_node(double root, double height_km) const {
     const SightLine line = grid_.line(root, height_km);
     Node node;
-    for (const BandLight& of : bands_) {
-        const PathSpectrum path = path_at_nodes(atmosphere_, line, of.band.node_um);
-        std::vector<float> transmittance(of.channels.padded(), 0.0f);
-        for (std::size_t c = 0; c < of.channels.size(); ++c) {
-            transmittance[c] = static_cast<float>(path.transmittance[of.channels.first[c]]);
+    for (std::size_t b = 0; b < bands_.size(); ++b) {
+        const BandLight& of = bands_[b];
+        const std::size_t channels = of.channels.size();
+        const auto [path, sunlight, sky_heat] = onward(b, height_km).way(line);
+        auto& transmittance = node.transmittance.emplace_back();
+        transmittance.fill(std::vector<float>(of.channels.padded(), 0.0f));
+        for (std::size_t c = 0; c < channels; ++c) {
+            const std::size_t n = of.channels.first[c];
+            transmittance[0][c] = static_cast<float>(path.transmittance[n]);
+            transmittance[1][c] = static_cast<float>(sunlight[n]);
+            transmittance[2][c] = static_cast<float>(sky_heat[n]);
         }
-        node.transmittance.push_back(std::move(transmittance));
         node.radiance.push_back(static_cast<float>(band_sum_nodes(of.band, path.radiance)));
         node.channel_radiance.push_back(channel_sums(of.band, of.channels, path.radiance));
     }
@@ -70,9 +93,13 @@ PathTable::Node PathTable::make_node(double root, double height_km) const {
 /// Radiance of a probe behind the air before a node.
 double PathTable::probe_value(std::size_t band, const Node& node, std::size_t probe) const {
     double sum = node.radiance[band];
-    for (std::size_t c = 0; c < bands_[band].channels.size(); ++c) {
-        sum += double(node.transmittance[band][c]) * double(bands_[band].probe[probe][c]);
-    }
+    const auto& transmittance = node.transmittance[band];
+    const auto add = [&](Origin origin, const std::vector<float>& light) {
+        const auto& tau = transmittance[static_cast<std::size_t>(origin)];
+        for (std::size_t c = 0; c < light.size(); ++c) sum += double{tau[c]} * double{light[c]};
+    };
+    add(Origin::surface, bands_[band].probe[probe].heat);
+    add(Origin::sunlight, bands_[band].probe[probe].sunlight);
     return sum;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
+#include "materials/atmosphere/onward_light.hpp"
 #include "render/light/band_light.hpp"
 #include "render/path/sight_grid.hpp"
 
@@ -14,6 +16,9 @@ namespace diurna {
 ///
 /// Products with what leaves a surface are to be formed at the nodes, in channels, and those
 /// interpolated: the eye's radiance is smooth over the grid, and exact at its nodes.
+///
+/// Transmittance is that of light of an origin: sunlight and the sky's heat have met air before
+/// (materials/atmosphere/onward_light.hpp), on the way to a place of the node's height.
 class PathTable {
  public:
     /// Halves the spacing until interpolation of the radiance of every probe, carried through the
@@ -21,15 +26,16 @@ class PathTable {
     /// can be told from the nodes that the last halving added.
     ///
     /// - bands: their channels and probes; to outlive the table
-    PathTable(const Atmosphere& atmosphere, const PathExtent& extent,
+    PathTable(const RadianceInput& input, const PathExtent& extent,
               std::span<const BandLight> bands, double tolerance);
 
     const SightGrid& grid() const { return grid_; }
     std::size_t nodes() const { return grid_.ranges * grid_.heights; }
 
     /// Transmittance to a node (range, height) in the channels of a band (padded).
-    const float* transmittance(std::size_t band, std::size_t node) const {
-        return node_[node].transmittance[band].data();
+    const float* transmittance(std::size_t band, std::size_t node,
+                               Origin origin = Origin::surface) const {
+        return node_[node].transmittance[band][static_cast<std::size_t>(origin)].data();
     }
     /// Radiance of the air before it in these channels.
     const float* channel_radiance(std::size_t band, std::size_t node) const {
@@ -42,20 +48,23 @@ class PathTable {
 
  private:
     struct Node {
-        std::vector<std::vector<float>> transmittance;     // (band)(channel)
-        std::vector<float> radiance;                       // (band)
-        std::vector<std::vector<float>> channel_radiance;  // (band)(channel)
+        std::vector<std::array<std::vector<float>, origin_count>> transmittance;  // (band)
+        std::vector<float> radiance;                                              // (band)
+        std::vector<std::vector<float>> channel_radiance;                         // (band)(channel)
     };
     Node make_node(double root, double height_km) const;
     double probe_value(std::size_t band, const Node& node, std::size_t probe) const;
     double error_of_fewer(std::size_t band, std::span<const Node> nodes, std::size_t count) const;
     double error_between(std::size_t band, std::span<const Node> nodes, std::size_t ranges) const;
 
-    const Atmosphere& atmosphere_;
+    const OnwardLight& onward(std::size_t band, double height_km) const;
+
+    const RadianceInput& input_;
     std::span<const BandLight> bands_;
     SightGrid grid_;
-    std::vector<Node> node_;     // (range, height)
-    std::vector<double> error_;  // (band)
+    std::vector<OnwardLight> onward_;  // (band, height of five)
+    std::vector<Node> node_;           // (range, height)
+    std::vector<double> error_;        // (band)
 };
 
 }  // namespace diurna

@@ -13,16 +13,17 @@ namespace diurna {
 class AirLanes {
  public:
     /// - bands: to outlive it
-    AirLanes(const Atmosphere& atmosphere, const PathExtent& extent,
-             std::span<const BandLight> bands, const ChannelLanes& lanes, double tolerance);
+    AirLanes(const RadianceInput& input, const PathExtent& extent, std::span<const BandLight> bands,
+             const ChannelLanes& lanes, double tolerance);
 
-    /// Transmittance and radiance of the air to a range [m] and a height above the sea, (lane).
+    /// Transmittance, (origin, lane), and radiance, (lane), of the air to a range [m] and a height
+    /// above the sea.
     void to(float range, float height_km, float* transmittance, float* radiance) const;
 
  private:
     SightGrid grid_;
     std::size_t lanes_ = 0;
-    std::vector<float> air_;  // (range, height, transmittance or radiance, lane)
+    std::vector<float> air_;  // (range, height, transmittance by origin, then radiance, lane)
 };
 
 }  // namespace diurna

@@ -9,24 +9,34 @@ namespace diurna {
 
 namespace {
 
-float* row(Term term, std::size_t lanes, float* out) {
-    return out + static_cast<std::size_t>(term) * lanes;
+constexpr std::size_t row_of(Term term, Origin origin) {
+    std::size_t k = 0;
+    while (sent_rows[k].term != term || sent_rows[k].origin != origin) ++k;
+    return k;
+}
+
+float* row(Term term, Origin origin, std::size_t lanes, float* out) {
+    return out + row_of(term, origin) * lanes;
 }
 
 /// Its heat, and what it reflects of sky and surroundings.
 void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint32_t target,
                  float* out) {
     const std::size_t n = tables.lanes.size();
-    const auto part = [&](FacetPart p) { return tables.facet_lanes.part(target, p); };
-    const float* black = part(FacetPart::black);
-    const float* of_sky = part(FacetPart::arriving_sky);
-    const float* of_surroundings = part(FacetPart::arriving_surroundings);
-    float *emitted = row(Term::emitted, n, out), *sky = row(Term::sky, n, out),
-          *surroundings = row(Term::surroundings, n, out);
+    const float* black = tables.facet_lanes.black(target);
+    float* emitted = row(Term::emitted, Origin::surface, n, out);
     for (std::size_t c = 0; c < n; ++c) {
         emitted[c] = (1.0f - at.mirrored(c) - at.diffuse(c) - at.transmittance(c)) * black[c];
-        sky[c] = at.diffuse(c) * of_sky[c];
-        surroundings[c] = at.diffuse(c) * of_surroundings[c];
+    }
+    const auto reflect = [&](Term term, Origin origin, const float* arriving) {
+        float* reflected = row(term, origin, n, out);
+        for (std::size_t c = 0; c < n; ++c) reflected[c] = at.diffuse(c) * arriving[c];
+    };
+    for (const Origin origin : {Origin::sunlight, Origin::sky_heat}) {
+        reflect(Term::sky, origin, tables.facet_lanes.from_sky(target, origin));
+    }
+    for (const Origin origin : all_origins) {
+        reflect(Term::surroundings, origin, tables.facet_lanes.from_surroundings(target, origin));
     }
 }
 
@@ -34,7 +44,7 @@ void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint
 void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
              const AngleTable::Place& at, std::uint32_t target, float* out) {
     const std::size_t n = tables.lanes.size(), i = tables.lit.target[target];
-    float* light = row(Term::sun, n, out);
+    float* light = row(Term::sun, Origin::sunlight, n, out);
     std::fill_n(light, n, 0.0f);
     const float sunlight = tables.light.state.sunlight[i];
     if (!(sunlight > 0.0f)) return;
@@ -64,10 +74,10 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
 void add_behind(const HopTables& tables, const Hop& hop, const AngleTable& table,
                 const AngleTable::Place& at, std::uint32_t target, float* out) {
     const std::size_t n = tables.lanes.size();
-    float* behind = row(Term::behind, n, out);
+    float* behind = row(Term::behind, Origin::surface, n, out);
     std::fill_n(behind, n, 0.0f);
     if (tables.material(hop).see_through) return;
-    const float* black = tables.facet_lanes.part(target, FacetPart::black);
+    const float* black = tables.facet_lanes.black(target);
     const std::vector<float>& of_room = tables.room[index(tables.input.facets.material[hop.what])];
     const AngleTable::Place upright = table.at(laboratory_cosine);
     for (std::size_t c = 0; c < n; ++c) {

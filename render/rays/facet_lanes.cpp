@@ -1,5 +1,6 @@
 #include "render/rays/facet_lanes.hpp"
 
+#include <Eigen/Core>
 #include <array>
 #include <span>
 
@@ -10,13 +11,16 @@ namespace diurna {
 
 namespace {
 
-/// What the parts of a facet come to in one band.
-class BandParts {
+constexpr std::size_t arriving_rows = 3 * origin_count;
+constexpr std::size_t all_rows = arriving_rows + sent_rows.size();
+
+/// What the rows of a facet come to in one band.
+class BandRows {
  public:
     /// - i: index of a lit facet
     /// - arriving: from the facets around, in the modes of the band
-    BandParts(const SceneLight& light, const BandLight& band, std::size_t i,
-              std::span<const float> arriving)
+    BandRows(const SceneLight& light, const BandLight& band, std::size_t i,
+             std::span<const float> arriving)
         : band_(band), optics_(band.optics[index(light.lit.material[i])]) {
         const LitFacets& lit = light.lit;
         const Material& material = light.input.materials[lit.material[i]];
@@ -32,53 +36,62 @@ class BandParts {
         arriving_ = band.basis.mode * modes;
     }
 
-    /// In a channel.
-    std::array<double, facet_parts> sum(std::size_t channel) const {
-        std::array<double, facet_parts> sum{};
-        const auto part = [&](FacetPart p) -> double& { return sum[static_cast<std::size_t>(p)]; };
+    /// In a channel, in the order of FacetLanes.
+    std::array<double, all_rows> sum(std::size_t channel) const {
+        std::array<double, all_rows> sum{};
         const auto& first = band_.channels.first;
-        for (std::size_t k = first[channel]; k < first[channel + 1]; ++k) {
-            const auto at = static_cast<Eigen::Index>(k);
-            const double w = band_.band.weight[k];
-            const double heat = w * planck(band_.band.node_um[k], temperature_);
-            const double near = band_.basis.root_weight[at] * arriving_[at];
-            double of_sky = 0.0, of_sun = 0.0;
-            for (std::size_t h = 0; h < 3; ++h) {
-                of_sky += w * open_ * double{up_[h]} * band_.incident[h].sky[k];
-                of_sun += w * sunlight_ * double{up_[h]} * band_.incident[h].sun[k];
-            }
-            part(FacetPart::black) += heat;
-            part(FacetPart::arriving_sky) += of_sky;
-            part(FacetPart::arriving_surroundings) += near;
-            part(FacetPart::emitted) += optics_.emissivity[k] * heat;
-            part(FacetPart::sun) += optics_.reflectance[k] * of_sun;
-            part(FacetPart::sky) += optics_.reflectance[k] * of_sky;
-            part(FacetPart::surroundings) += optics_.reflectance[k] * near;
-            part(FacetPart::behind) +=
-                room_behind_ ? w * optics_.room[k] : optics_.transmittance[k] * heat;
-        }
-        part(FacetPart::radiosity) = part(FacetPart::emitted) + part(FacetPart::sun) +
-                                     part(FacetPart::sky) + part(FacetPart::surroundings) +
-                                     part(FacetPart::behind);
+        for (std::size_t k = first[channel]; k < first[channel + 1]; ++k) add_node(k, sum);
         return sum;
     }
 
  private:
+    void add_node(std::size_t k, std::array<double, all_rows>& sum) const {
+        const double w = band_.band.weight[k];
+        const double heat = w * planck(band_.band.node_um[k], temperature_);
+        std::array<double, origin_count> around = band_.basis.by_origin(arriving_, k), sky{};
+        for (double& x : around) x *= band_.basis.root_weight[static_cast<Eigen::Index>(k)];
+        double of_sun = 0.0;
+        for (std::size_t h = 0; h < 3; ++h) {
+            const double up = w * double{up_[h]};
+            of_sun += up * sunlight_ * band_.incident[h].sun[k];
+            for (std::size_t o = 0; o < origin_count; ++o) {
+                sky[o] += up * open_ * band_.incident[h].sky_from(static_cast<Origin>(o), k);
+            }
+        }
+        sum[0] += heat;
+        for (std::size_t o = 0; o < origin_count; ++o) sum[1 + o] += around[o];
+        for (std::size_t o = 1; o < origin_count; ++o) sum[origin_count + o] += sky[o];
+        for (std::size_t r = 0; r < sent_rows.size(); ++r) {
+            const auto [term, origin] = sent_rows[r];
+            const auto o = static_cast<std::size_t>(origin);
+            const double sent =
+                term == Term::emitted ? optics_.emissivity[k] * heat
+                : term == Term::behind
+                    ? room_behind_ ? w * optics_.room[k] : optics_.transmittance[k] * heat
+                    : optics_.reflectance[k] * (term == Term::sun   ? of_sun
+                                                : term == Term::sky ? sky[o]
+                                                                    : around[o]);
+            sum[2 * origin_count + o] += sent;
+            sum[arriving_rows + r] += sent;
+        }
+    }
+
     const BandLight& band_;
     const NodeOptics& optics_;
     bool room_behind_ = false;
     std::array<float, 3> up_{};
     float temperature_ = 0.0f;
     double open_ = 0.0, sunlight_ = 0.0;
-    Eigen::VectorXd arriving_;  // (node) √weight × radiance
+    Eigen::VectorXd arriving_;  // a sum of modes
 };
 
 }  // namespace
 
-FacetLanes::FacetLanes(const SceneLight& light, const ChannelLanes& lanes) : lanes_(lanes.size()) {
+FacetLanes::FacetLanes(const SceneLight& light, const ChannelLanes& lanes, bool by_term)
+    : lanes_(lanes.size()), rows_of_facet_(by_term ? all_rows : arriving_rows) {
     const RadiosityTables& tables = light.tables;
     const std::size_t targets = light.lit.target.size();
-    parts_.assign(targets * facet_parts * lanes_, 0.0f);
+    rows_.assign(targets * rows_of_facet_ * lanes_, 0.0f);
     for_each_block(targets, 16, [&](std::size_t begin, std::size_t end) {
         std::vector<float> black(tables.lanes), arriving(tables.lanes);
         for (std::size_t t = begin; t < end; ++t) {
@@ -87,14 +100,14 @@ FacetLanes::FacetLanes(const SceneLight& light, const ChannelLanes& lanes) : lan
             light.radiosity.arriving(i, black.data(), arriving.data());
             for (std::size_t b = 0; b < light.band.size(); ++b) {
                 const BandLight& band = light.band[b];
-                const BandParts parts(
+                const BandRows rows(
                     light, band, i,
                     std::span(arriving).subspan(tables.first[b], band.basis.size()));
                 for (std::size_t c = 0; c < band.channels.size(); ++c) {
-                    const auto sum = parts.sum(c);
-                    for (std::size_t p = 0; p < facet_parts; ++p) {
-                        parts_[(t * facet_parts + p) * lanes_ + lanes.first[b] + c] =
-                            static_cast<float>(sum[p]);
+                    const auto sum = rows.sum(c);
+                    for (std::size_t r = 0; r < rows_of_facet_; ++r) {
+                        rows_[(t * rows_of_facet_ + r) * lanes_ + lanes.first[b] + c] =
+                            static_cast<float>(sum[r]);
                     }
                 }
             }

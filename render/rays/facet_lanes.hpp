@@ -1,42 +1,69 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "render/light/origin.hpp"
+#include "render/light/radiance_terms.hpp"
 #include "render/light/scene_light.hpp"
 #include "render/rays/channel_lanes.hpp"
 
 namespace diurna {
 
-/// What arrives at a facet and leaves it, each a row of lanes: black body at its temperature, light
-/// of sky and of surroundings that arrives, radiosity as a diffuse surface and the terms it is the
-/// sum of.
-enum class FacetPart {
-    black,
-    arriving_sky,
-    arriving_surroundings,
-    radiosity,
-    emitted,
-    sun,
-    sky,
-    surroundings,
-    behind
+/// The terms a surface sends by itself, all but the path's, each apart for every origin of light
+/// that it can have.
+struct SentRow {
+    Term term;
+    Origin origin;
 };
-inline constexpr std::size_t facet_parts = 9;
+inline constexpr std::array<SentRow, 8> sent_rows = {{
+    {Term::emitted, Origin::surface},
+    {Term::behind, Origin::surface},
+    {Term::sun, Origin::sunlight},
+    {Term::sky, Origin::sunlight},
+    {Term::sky, Origin::sky_heat},
+    {Term::surroundings, Origin::surface},
+    {Term::surroundings, Origin::sunlight},
+    {Term::surroundings, Origin::sky_heat},
+}};
 
-/// The parts of the facets that rays meet, in the channels of all bands side by side.
+/// What arrives at the facets that rays meet and leaves them, in the channels of all bands side by
+/// side: rows of lanes.
 class FacetLanes {
  public:
     /// Of the facets handed to lit_facets().
-    FacetLanes(const SceneLight& light, const ChannelLanes& lanes);
+    ///
+    /// - by_term: sent() is asked for
+    FacetLanes(const SceneLight& light, const ChannelLanes& lanes, bool by_term);
 
+    /// Black body at a facet's temperature.
+    ///
     /// - target: which of these
-    const float* part(std::uint32_t target, FacetPart p) const {
-        return &parts_[(target * facet_parts + static_cast<std::size_t>(p)) * lanes_];
+    const float* black(std::uint32_t target) const { return row(target, 0); }
+    /// Light that arrives from the facets around, by where it was before.
+    const float* from_surroundings(std::uint32_t target, Origin origin) const {
+        return row(target, 1 + static_cast<std::size_t>(origin));
+    }
+    /// Light of the sky that arrives: heat or scattered sunlight.
+    const float* from_sky(std::uint32_t target, Origin origin) const {
+        return row(target, origin_count + static_cast<std::size_t>(origin));
+    }
+    /// Radiosity as a diffuse surface.
+    const float* radiosity(std::uint32_t target, Origin origin) const {
+        return row(target, 2 * origin_count + static_cast<std::size_t>(origin));
+    }
+    /// The same taken apart.
+    const float* sent(std::uint32_t target, std::size_t sent_row) const {
+        return row(target, 3 * origin_count + sent_row);
     }
 
  private:
-    std::size_t lanes_;
-    std::vector<float> parts_;  // (target, part, lane)
+    const float* row(std::uint32_t target, std::size_t k) const {
+        return &rows_[(target * rows_of_facet_ + k) * lanes_];
+    }
+
+    std::size_t lanes_, rows_of_facet_;
+    std::vector<float> rows_;  // (target, row, lane)
 };
 
 }  // namespace diurna

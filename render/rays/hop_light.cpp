@@ -1,7 +1,7 @@
 #include "render/rays/hop_light.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cassert>
 #include <cmath>
 
 #include "materials/base/fast_exp.hpp"
@@ -14,9 +14,6 @@ namespace diurna {
 
 namespace {
 
-constexpr std::array<FacetPart, own_terms> diffuse_part = {
-    FacetPart::emitted, FacetPart::sun, FacetPart::sky, FacetPart::surroundings, FacetPart::behind};
-
 /// Sums the light of one pixel after another; its memory, rows of lanes, is kept between them.
 class PixelSum {
  public:
@@ -25,15 +22,15 @@ class PixelSum {
           lanes_(tables.lanes.size()),
           bands_(tables.band.size()),
           by_term_(by_term),
-          filter_(lanes_),
-          own_(own_terms * lanes_) {}
+          filter_(origin_count * lanes_),
+          own_(sent_rows.size() * lanes_) {}
 
     /// Adds the k-th pixel of the hops to its place in the planes.
     void add(std::size_t k, std::span<std::vector<float>> planes) {
         list_ = tables_.hops.of(k);
         first_ = tables_.hops.row[k];
         passed_.resize(list_.size() * lanes_);
-        transmittance_.resize(list_.size() * lanes_);
+        transmittance_.resize(list_.size() * origin_count * lanes_);
         radiance_.resize(list_.size() * lanes_);
         scattered_.assign(list_.size() * bands_, 0.0f);
         as_.assign(list_.size(), Term::path);
@@ -55,6 +52,9 @@ class PixelSum {
     float height_km(const Hop& hop) const {
         return static_cast<float>(tables_.input.above_sea_km(double{hop.height}));
     }
+    const float* transmittance_to(std::size_t i, Origin origin) const {
+        return &transmittance_[(i * origin_count + static_cast<std::size_t>(origin)) * lanes_];
+    }
     /// Where light of a hop that is a term of its own is summed.
     double* row(std::size_t i, Term own) {
         const Term t = as_[i] == Term::path ? own : as_[i];
@@ -70,9 +70,13 @@ class PixelSum {
         }
         add_air(i);
         if (hop.kind == Hop::Kind::sky) return;
-        const float *passed = &passed_[i * lanes_], *transmittance = &transmittance_[i * lanes_];
-        for (std::size_t c = 0; c < lanes_; ++c) {
-            filter_[c] = hop.weight * passed[c] * transmittance[c];
+        const float* passed = &passed_[i * lanes_];
+        for (std::size_t o = 0; o < origin_count; ++o) {
+            const float* transmittance = transmittance_to(i, static_cast<Origin>(o));
+            float* filter = &filter_[o * lanes_];
+            for (std::size_t c = 0; c < lanes_; ++c) {
+                filter[c] = hop.weight * passed[c] * transmittance[c];
+            }
         }
         if (hop.kind == Hop::Kind::plume) {
             add_plume(i);
@@ -143,15 +147,17 @@ class PixelSum {
         const std::size_t n = lanes_;
         float* radiance = &radiance_[i * n];
         const float* nearer = starts(hop) ? nullptr : &radiance_[before(hop) * n];
-        if (hop.kind == Hop::Kind::sky) {
-            tables_.background_towards(hop.direction.cast<double>(), hop.straight, {radiance, n});
-            if (!hop.straight) {
-                const float* dimmed = &transmittance_[before(hop) * n];
-                for (std::size_t c = 0; c < n; ++c) radiance[c] *= dimmed[c];
-                nearer = nullptr;
-            }
+        if (hop.kind != Hop::Kind::sky) {
+            tables_.air.to(hop.range, height_km(hop), &transmittance_[i * origin_count * n],
+                           radiance);
+        } else if (hop.straight) {
+            tables_.background_towards(hop.direction.cast<double>(), {radiance, n});
         } else {
-            tables_.air.to(hop.range, height_km(hop), &transmittance_[i * n], radiance);
+            tables_.mirrored_background(hop.direction.cast<double>(), list_[before(hop)].range,
+                                        {radiance, n});
+            const float* dimmed = transmittance_to(before(hop), Origin::surface);
+            for (std::size_t c = 0; c < n; ++c) radiance[c] *= dimmed[c];
+            nearer = nullptr;
         }
         const float* passed = &passed_[i * n];
         double* path = row(i, Term::path);
@@ -162,9 +168,9 @@ class PixelSum {
     }
 
     /// Light of a hop itself, (lane), through what is before it.
-    void add_own(std::size_t i, Term own, const float* light) {
-        const float* filter = filter_.data();
-        double* sum = row(i, own);
+    void add_own(std::size_t i, const SentRow& own, const float* light) {
+        const float* filter = &filter_[static_cast<std::size_t>(own.origin) * lanes_];
+        double* sum = row(i, own.term);
         for (std::size_t c = 0; c < lanes_; ++c) sum[c] += double{filter[c] * light[c]};
     }
 
@@ -175,22 +181,25 @@ class PixelSum {
         for (std::size_t c = 0; c < lanes_; ++c) {
             own_[c] = -std::expm1(-absorbing[c] * hop.chord) * glows[c];
         }
-        add_own(i, Term::emitted, own_.data());
+        add_own(i, {Term::emitted, Origin::surface}, own_.data());
     }
 
     void add_facet(std::size_t i) {
         const Hop& hop = list_[i];
         const std::uint32_t target = tables_.target[first_ + i];
+        const FacetLanes& lanes = tables_.facet_lanes;
         if (!hop.closed && tables_.material(hop).needs_rays()) {
             directional_light(tables_, hop, target, own_.data());
-            for (std::size_t t = 0; t < own_terms; ++t) {
-                add_own(i, static_cast<Term>(t), &own_[t * lanes_]);
+            for (std::size_t k = 0; k < sent_rows.size(); ++k) {
+                add_own(i, sent_rows[k], &own_[k * lanes_]);
             }
         } else if (!by_term_ || as_[i] != Term::path) {
-            add_own(i, Term::emitted, tables_.facet_lanes.part(target, FacetPart::radiosity));
+            for (const Origin origin : all_origins) {
+                add_own(i, {Term::emitted, origin}, lanes.radiosity(target, origin));
+            }
         } else {
-            for (std::size_t t = 0; t < own_terms; ++t) {
-                add_own(i, static_cast<Term>(t), tables_.facet_lanes.part(target, diffuse_part[t]));
+            for (std::size_t k = 0; k < sent_rows.size(); ++k) {
+                add_own(i, sent_rows[k], lanes.sent(target, k));
             }
         }
     }
@@ -198,13 +207,15 @@ class PixelSum {
     const HopTables& tables_;
     std::size_t lanes_, bands_;
     bool by_term_;
-    std::span<const Hop> list_;                             // of the pixel
-    std::size_t first_ = 0;                                 // hop of the list among all
-    std::vector<float> passed_, transmittance_, radiance_;  // (hop, lane)
-    std::vector<float> scattered_;                          // (hop, band)
-    std::vector<Term> as_;                                  // (hop) what its light counts as
-    std::vector<float> filter_, own_;                       // (lane), (term, lane)
-    std::vector<double> sum_;                               // (row, lane): terms, or one for all
+    std::span<const Hop> list_;             // of the pixel
+    std::size_t first_ = 0;                 // hop of the list among all
+    std::vector<float> passed_, radiance_;  // (hop, lane)
+    std::vector<float> scattered_;          // (hop, band)
+    std::vector<Term> as_;                  // (hop) what its light counts as
+    std::vector<float> transmittance_;      // (hop, origin, lane)
+    std::vector<float> filter_;             // (origin, lane)
+    std::vector<float> own_;                // (sent row, lane)
+    std::vector<double> sum_;               // (row, lane): terms, or one for all
 };
 
 }  // namespace
@@ -214,13 +225,14 @@ struct HopLight::State : HopTables {
 };
 
 HopLight::HopLight(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
-                   const RadianceInput& input, int bounces, double tolerance)
-    : state_(std::make_unique<State>(hops, plumes, bands, input, bounces, tolerance)) {}
+                   const RadianceInput& input, const HopOptions& options)
+    : state_(std::make_unique<State>(hops, plumes, bands, input, options)) {}
 
 HopLight::~HopLight() = default;
 
 void HopLight::add(std::span<std::vector<float>> planes) const {
     const bool by_term = planes.size() > state_->band.size();
+    assert(!by_term || state_->options.by_term);
     for_each_block(state_->hops.pixel.size(), 64, [&](std::size_t begin, std::size_t end) {
         PixelSum sum(*state_, by_term);
         for (std::size_t k = begin; k < end; ++k) sum.add(k, planes);

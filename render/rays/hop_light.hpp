@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "materials/radiation/band.hpp"
-#include "render/light/lit_facets.hpp"
 #include "render/light/radiance_input.hpp"
+#include "render/rays/hop_options.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
 
@@ -16,10 +16,11 @@ namespace diurna {
 ///
 ///     L = Σ_hops weight · F [ τ_air(range) J + L_path(range) − L_path(range of the hop before) ]
 ///
-/// F is the product of what the hops before let through (or mirror), J what the hop itself sends:
-/// a plume (1 − exp(−k s)) B(T); a facet the terms of radiance.hpp at the angle it is seen at
-/// (materials/matter/directional_optics.hpp), its mirrored and transmitted light being that of the
-/// hops behind it; the sky its radiance in that direction. Everything in channels
+/// τ_air is that of light of J's origin (render/light/origin.hpp), and the way past a mirror is one
+/// with that to it. F is the product of what the hops before let through (or mirror), J what the
+/// hop itself sends: a plume (1 − exp(−k s)) B(T); a facet the terms of radiance.hpp at the angle
+/// it is seen at (materials/matter/directional_optics.hpp), its mirrored and transmitted light
+/// being that of the hops behind it; the sky its radiance in that direction. Everything in channels
 /// (band_channels.hpp), as inside one bin of the atmosphere transmittance is one number, and for
 /// all bands at a time (hop_tables.hpp). Within 5 mK of the sum over nodes, hop_radiance()
 /// (tests/render/hops_test.cpp).
@@ -29,10 +30,11 @@ namespace diurna {
 class HopLight {
  public:
     HopLight(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
-             const RadianceInput& input, int bounces = all_bounces, double tolerance = 1e-3);
+             const RadianceInput& input, const HopOptions& options = {});
     ~HopLight();
 
-    /// Adds to the pixels of the hops: planes (band, term), or (band) for the sum of the terms.
+    /// Adds to the pixels of the hops: planes (band, term), if so asked, or (band) for the sum of
+    /// the terms.
     void add(std::span<std::vector<float>> planes) const;
 
  private:

@@ -106,32 +106,32 @@ class NodeSum {
         return passed;
     }
 
+    SightLine line_to(const Hop& hop) const {
+        return chord(eye_km_, input_.above_sea_km(double{hop.height}), 1e-3 * double{hop.range});
+    }
+
+    /// Past a mirror: as it arrives at the eye, on one way with that from the mirror on.
     std::vector<double> background(const Hop& hop) {
-        const PathSpectrum* before = air_before(hop);
         const Eigen::Vector3d to = hop.direction.cast<double>();
         const double from_km = hop.straight ? eye_km_ : input_.above_sea_km(double{hop.height});
+        SightLine onward;
+        if (!hop.straight) onward = line_to(list_[static_cast<std::size_t>(hop.before)]);
         std::vector<double> light =
-            background_at(input_, from_km, zenith_deg_of(to), band_.node_um);
+            background_at(input_, from_km, zenith_deg_of(to), band_.node_um, onward);
         if (scattered_ != nullptr) {
             const double azimuth_deg = azimuth_from_sun_deg(to, input_.to_sun);
-            const auto sunlit = scattered_backgrounds_at(input_, *scattered_, from_km,
-                                                         zenith_deg_of(to), {&azimuth_deg, 1});
+            const auto sunlit = scattered_backgrounds_at(
+                input_, *scattered_, from_km, zenith_deg_of(to), {&azimuth_deg, 1}, onward);
             for (std::size_t n = 0; n < nodes(); ++n) light[n] += sunlit[0][n];
         }
-        for (std::size_t n = 0; n < nodes(); ++n) {
-            if (!hop.straight) {
-                light[n] *= before->transmittance[n];
-            } else if (before) {
-                light[n] -= before->radiance[n];
-            }
-        }
+        const PathSpectrum* before = hop.straight ? air_before(hop) : nullptr;
+        for (std::size_t n = 0; before && n < nodes(); ++n) light[n] -= before->radiance[n];
         air_.emplace_back();
         return light;
     }
 
     std::vector<double> air_and_own(const Hop& hop) {
-        const SightLine line =
-            chord(eye_km_, input_.above_sea_km(double{hop.height}), 1e-3 * double{hop.range});
+        const SightLine line = line_to(hop);
         PathSpectrum path = path_at_nodes(input_.atmosphere, line, band_.node_um);
         if (scattered_ != nullptr && hop.straight) {
             const Eigen::Vector3d to = hop.direction.cast<double>();
@@ -140,53 +140,66 @@ class NodeSum {
             for (std::size_t n = 0; n < nodes(); ++n) path.radiance[n] += sunlit[n];
         }
         const PathSpectrum* before = air_before(hop);
-        std::vector<double> light = own(hop);
+        const LightByOrigin shares =
+            onward_shares(input_, line, input_.above_sea_km(double{hop.height}), band_.node_um);
+        const LightByOrigin sent = own(hop);
+        std::vector<double> light = path.radiance;
         for (std::size_t n = 0; n < nodes(); ++n) {
-            light[n] = path.transmittance[n] * light[n] + path.radiance[n] -
-                       (before ? before->radiance[n] : 0.0);
+            if (before) light[n] -= before->radiance[n];
+            for (std::size_t o = 0; o < origin_count; ++o) {
+                if (!sent[o].empty()) light[n] += shares[o][n] * sent[o][n];
+            }
         }
         air_.push_back(std::move(path));
         return light;
     }
 
     /// What the hop sends along the ray that arrives, but for what it mirrors and lets through.
-    std::vector<double> own(const Hop& hop) const {
-        std::vector<double> sent(nodes(), 0.0);
+    LightByOrigin own(const Hop& hop) const {
         if (hop.kind == Hop::Kind::plume) {
+            std::vector<double> glow(nodes());
             const Plume& plume = plumes_[hop.what];
             for (std::size_t n = 0; n < nodes(); ++n) {
                 const double depth = plume.absorption_at(band_.node_um[n]) * double{hop.chord};
-                sent[n] = -std::expm1(-depth) * planck(band_.node_um[n], plume.temperature);
+                glow[n] = -std::expm1(-depth) * planck(band_.node_um[n], plume.temperature);
             }
-            return sent;
+            return from_surface(std::move(glow));
         }
-        const NodeTerms terms =
-            radiosity_terms(input_, FacetId{hop.what}, band_.node_um, 2, scattered_);
+        const TermsByOrigin terms =
+            radiosity_by_origin(input_, FacetId{hop.what}, band_.node_um, 2, scattered_);
         if (!hop.closed && material(hop).needs_rays()) return directional(hop, terms);
-        for (const auto& term : terms) {
-            for (std::size_t n = 0; n < nodes(); ++n) sent[n] += term[n];
+        LightByOrigin sent;
+        for (std::vector<double>& light : sent) light.assign(nodes(), 0.0);
+        for (const LightByOrigin& term : terms) {
+            for (std::size_t o = 0; o < origin_count; ++o) {
+                for (std::size_t n = 0; n < term[o].size(); ++n) sent[o][n] += term[o][n];
+            }
         }
         return sent;
     }
 
-    std::vector<double> directional(const Hop& hop, const NodeTerms& terms) const {
+    LightByOrigin directional(const Hop& hop, const TermsByOrigin& terms) const {
         const Material& of = material(hop);
         const double temperature = input_.temperature[hop.what];
         const auto seen = optics_of(of, band_, double{hop.cosine});
-        std::vector<double> sent(nodes());
+        LightByOrigin sent;
+        for (std::vector<double>& light : sent) light.assign(nodes(), 0.0);
         for (std::size_t n = 0; n < nodes(); ++n) {
             const double um = band_.node_um[n], reflectance = of.reflectance.at(um);
-            sent[n] = seen[n].emissivity * planck(um, temperature);
-            if (reflectance > 0.0) {
-                sent[n] +=
-                    seen[n].diffuse / reflectance *
-                    (terms[std::size_t(Term::sky)][n] + terms[std::size_t(Term::surroundings)][n]);
+            for (const Term t : {Term::sky, Term::surroundings}) {
+                const LightByOrigin& term = terms[static_cast<std::size_t>(t)];
+                for (std::size_t o = 0; o < origin_count; ++o) {
+                    if (term[o].empty() || reflectance <= 0.0) continue;
+                    sent[o][n] += seen[n].diffuse / reflectance * term[o][n];
+                }
             }
+            double& surface = from(sent, Origin::surface)[n];
+            surface += seen[n].emissivity * planck(um, temperature);
             if (!of.see_through) {
-                sent[n] += seen[n].transmittance * planck(um, temperature_behind(of, temperature));
+                surface += seen[n].transmittance * planck(um, temperature_behind(of, temperature));
             }
         }
-        add_sunlight(hop, seen, sent);
+        add_sunlight(hop, seen, from(sent, Origin::sunlight));
         return sent;
     }
 

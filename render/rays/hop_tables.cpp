@@ -1,7 +1,10 @@
 #include "render/rays/hop_tables.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
+#include "materials/air/sight_line.hpp"
 #include "render/light/node_spectra.hpp"
 #include "render/path/direction_angles.hpp"
 
@@ -37,6 +40,20 @@ double mirror_height_km(const Hops& hops, const RadianceInput& input) {
     return count > 0.0 ? sum / count : input.ground_height_km;
 }
 
+/// Ranges [m] of the mirrors that show the sky, the nearest and the farthest.
+std::array<double, 2> mirror_ranges(const Hops& hops) {
+    std::array<double, 2> ranges = {1e30, 0.0};
+    for (std::size_t k = 0; k < hops.pixel.size(); ++k) {
+        const std::span<const Hop> list = hops.of(k);
+        for (const Hop& hop : list) {
+            if (hop.kind != Hop::Kind::sky || hop.straight) continue;
+            const double range{list[static_cast<std::size_t>(hop.before)].range};
+            ranges = {std::min(ranges[0], range), std::max(ranges[1], range)};
+        }
+    }
+    return ranges;
+}
+
 std::vector<std::uint32_t> targets_of(const Hops& hops, std::span<const FacetId> facets) {
     std::vector<std::uint32_t> target;
     for (const Hop& hop : hops.hop) {
@@ -65,18 +82,19 @@ std::vector<float> absorption_of(const BandLight& of, const Plume& plume) {
 }  // namespace
 
 HopTables::HopTables(const Hops& hops_of, std::span<const Plume> plumes,
-                     std::span<const Band> bands, const RadianceInput& input_of, int bounces,
-                     double tolerance)
+                     std::span<const Band> bands, const RadianceInput& input_of,
+                     const HopOptions& options_of)
     : hops(hops_of),
       input(input_of),
+      options(options_of),
       facet(facets_of(hops)),
       target(targets_of(hops, facet)),
       lit(lit_facets(input, facet, bands)),
-      light(input, lit, bands, bounces, tolerance),
+      light(input, lit, bands, options.bounces, options.tolerance),
       band(light.band),
       lanes(band),
-      facet_lanes(light, lanes),
-      air(input.atmosphere, extent_of(hops, input), band, lanes, tolerance) {
+      facet_lanes(light, lanes, options.by_term),
+      air(input, extent_of(hops, input), band, lanes, options.tolerance) {
     fill_materials();
     fill_plumes(plumes);
     fill_backgrounds();
@@ -111,16 +129,40 @@ void HopTables::fill_plumes(std::span<const Plume> plumes) {
 }
 
 void HopTables::fill_backgrounds() {
-    BackgroundChannels::Extent straight, mirrored;
+    BackgroundChannels::Extent straight, in_mirrors;
     for (const Hop& hop : hops.hop) {
         if (hop.kind != Hop::Kind::sky) continue;
-        (hop.straight ? straight : mirrored).include(hop.direction.cast<double>(), input.to_sun);
+        (hop.straight ? straight : in_mirrors).include(hop.direction.cast<double>(), input.to_sun);
     }
     const double eye_km = input.above_sea_km(hops.observer_height);
+    if (straight.any()) {
+        for (const BandLight& one : band) from_eye.emplace_back(input, one, eye_km, straight);
+    }
+    if (in_mirrors.any()) fill_mirrored(in_mirrors);
+}
+
+void HopTables::fill_mirrored(const BackgroundChannels::Extent& extent) {
+    const auto [near, far] = mirror_ranges(hops);
+    const double spread = far / near;
+    const std::size_t ranges = spread < 1.001 ? 1 : spread < 2.0 ? 3 : most_few;
+    mirrored.root_low = std::cbrt(near);
+    if (ranges > 1) mirrored.root_step = (std::cbrt(far) - std::cbrt(near)) / double(ranges - 1);
+    const double eye_km = input.above_sea_km(hops.observer_height);
     const double mirror_km = mirror_height_km(hops, input);
-    for (const BandLight& one : band) {
-        if (straight.any()) from_eye.emplace_back(input, one, eye_km, straight);
-        if (mirrored.any()) from_mirror.emplace_back(input, one, mirror_km, mirrored);
+    for (std::size_t k = 0; k < ranges; ++k) {
+        const double root = mirrored.root_low + mirrored.root_step * double(k);
+        const SightLine to_mirror = chord(eye_km, mirror_km, 1e-3 * root * root * root);
+        auto& tables = mirrored.at.emplace_back();
+        for (const BandLight& one : band) {
+            tables.emplace_back(input, one, mirror_km, extent, to_mirror);
+        }
+        mirrored.transmittance.push_back(lanes.side_by_side([&](std::size_t b) {
+            const std::vector<double> tau =
+                path_at_nodes(input.atmosphere, to_mirror,
+                              channel_um(band[b].band, band[b].channels))
+                    .transmittance;
+            return std::vector<float>(tau.begin(), tau.end());
+        }));
     }
 }
 
@@ -138,12 +180,32 @@ void HopTables::fill_scattered_paths(const PathExtent& extent) {
     }
 }
 
-void HopTables::background_towards(const Eigen::Vector3d& direction, bool straight,
-                                   std::span<float> out) const {
-    const std::vector<BackgroundChannels>& tables = straight ? from_eye : from_mirror;
-    const BackgroundChannels::Place at = tables[0].place(direction);
+void HopTables::background_towards(const Eigen::Vector3d& direction, std::span<float> out) const {
+    const BackgroundChannels::Place at = from_eye[0].place(direction);
     for (std::size_t b = 0; b < band.size(); ++b) {
-        tables[b].at(at, out.subspan(lanes.first[b], band[b].channels.padded()));
+        from_eye[b].at(at, out.subspan(lanes.first[b], band[b].channels.padded()));
+    }
+}
+
+void HopTables::mirrored_background(const Eigen::Vector3d& direction, float range,
+                                    std::span<float> out) const {
+    const std::size_t ranges = mirrored.at.size();
+    const double root = std::cbrt(double{range});
+    const auto place = static_cast<float>((root - mirrored.root_low) / mirrored.root_step);
+    std::array<float, most_few> weight{1.0f};
+    if (ranges > 1) weight = product_weights_of_few(place, ranges);
+    const BackgroundChannels::Place at = mirrored.at[0][0].place(direction);
+    std::vector<float> one(lanes.size());
+    std::fill(out.begin(), out.end(), 0.0f);
+    for (std::size_t k = 0; k < ranges; ++k) {
+        for (std::size_t b = 0; b < band.size(); ++b) {
+            mirrored.at[k][b].at(at,
+                                 std::span(one).subspan(lanes.first[b], band[b].channels.padded()));
+        }
+        const std::vector<float>& tau = mirrored.transmittance[k];
+        for (std::size_t c = 0; c < out.size(); ++c) {
+            if (tau[c] > 1e-30f) out[c] += weight[k] * one[c] / tau[c];
+        }
     }
 }
 

@@ -13,20 +13,29 @@
 #include "render/rays/angle_table.hpp"
 #include "render/rays/channel_lanes.hpp"
 #include "render/rays/facet_lanes.hpp"
+#include "render/rays/hop_options.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
 
 namespace diurna {
 
+/// The background as mirrors show it to the eye, at a few ranges of theirs.
+struct MirroredBackground {
+    std::vector<std::vector<BackgroundChannels>> at;  // (range)(band): 0, 1, 3 or 5 ranges
+    std::vector<std::vector<float>> transmittance;    // (range)(lane) of the air before them
+    double root_low = 0.0, root_step = 1.0;           // of range^⅓ [m^⅓]
+};
+
 /// All that the hops of a view need at an instant before any pixel is looked at, in the channels of
 /// all bands side by side (lanes): so that a hop's place in a table is found once for all of them.
 struct HopTables {
     HopTables(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
-              const RadianceInput& input, int bounces, double tolerance);
+              const RadianceInput& input, const HopOptions& options);
     HopTables(const HopTables&) = delete;  // its tables refer to each other
 
     const Hops& hops;
     const RadianceInput& input;
+    HopOptions options;
     std::vector<FacetId> facet;         // met by the hops
     std::vector<std::uint32_t> target;  // (hop) index of its facet above
     LitFacets lit;
@@ -40,13 +49,17 @@ struct HopTables {
     std::vector<std::vector<float>> absorption;  // (plume)(lane) [m⁻¹]
     std::vector<std::vector<float>> glow;        // (plume)(lane) B(T)
     std::array<std::vector<float>, 3> sun;       // (height of LitFacets)(lane) irradiance
-    std::vector<BackgroundChannels> from_eye, from_mirror;  // (band), where some hop sees it
+    std::vector<BackgroundChannels> from_eye;    // (band), where some hop sees it
+    MirroredBackground mirrored;
     /// (band) sunlight scattered before places on the line of sight
     std::vector<std::optional<ScatteredPath>> scattered_path;
 
-    /// Radiance of the background in a direction, (lane): seen straight, or in a mirror.
-    void background_towards(const Eigen::Vector3d& direction, bool straight,
-                            std::span<float> out) const;
+    /// Radiance of the background in a direction, (lane), seen straight.
+    void background_towards(const Eigen::Vector3d& direction, std::span<float> out) const;
+    /// The same in a mirror at a range [m]: times the transmittance of the air before the mirror,
+    /// what arrives at the eye, both ways being one path.
+    void mirrored_background(const Eigen::Vector3d& direction, float range,
+                             std::span<float> out) const;
     const Material& material(const Hop& hop) const {
         return input.materials[input.facets.material[hop.what]];
     }
@@ -55,6 +68,7 @@ struct HopTables {
     void fill_materials();
     void fill_plumes(std::span<const Plume> plumes);
     void fill_backgrounds();
+    void fill_mirrored(const BackgroundChannels::Extent& extent);
     void fill_scattered_paths(const PathExtent& extent);
 };
 

@@ -9,6 +9,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/microfacet.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/path/background.hpp"
 #include "render/rays/hop_light.hpp"
 #include "render/rays/merge.hpp"
 #include "render/rays/walk.hpp"
@@ -192,6 +193,52 @@ TEST_CASE("hops agree with the sum over wavelengths", "[render][hops]") {
     CAPTURE(band.name, worst);
     CHECK(seen.hops.pixel.size() > 50);
     CHECK(worst < 5e-3);
+}
+
+// An upright perfect mirror leaves the air, the same everywhere at a height, as it is: what it
+// shows to the north is what is seen without it, the light's way being as long and as thick. The
+// sun stands in the east, in the mirror's plane.
+TEST_CASE("a perfect mirror across the line of sight changes nothing", "[render][hops][joined]") {
+    const Band band = GENERATE(
+        flat_band("0.7-1.0", 0.7, 1.0, bin_edges_um()), flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+        flat_band("4.5-5", 4.5, 5.0, bin_edges_um()), flat_band("8-12", 8.0, 12.0, bin_edges_um()));
+    const bool day = GENERATE(false, true);
+    if (!day && band.to_um() < 2.0) return;
+    const double away = GENERATE(100.0, 1000.0, 4000.0);
+    Stage with, without;
+    for (Stage* stage : {&with, &without}) {
+        stage->air =
+            BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
+        stage->to_sun = direction(90.0, 40.0);
+        stage->rectangle({{-9, 5, -9}, {9, 5, -9}, {9, 9, -9}, {-9, 9, -9}}, plain(0.1), 290.0f);
+    }
+    with.wall(away, away, metal(1.0, 0.0), 290.0f);
+    for (Stage* stage : {&with, &without}) {
+        stage->sun.assign(stage->facets.size(), day ? 1.0f : 0.0f);
+        if (!day) stage->sun.clear();
+    }
+    Observer observer = with.observer(3, 1.0);
+    observer.elevation_deg = 25.0;
+    const auto seen = with.look(observer, band);
+    const RadianceInput input{.facets = without.facets,
+                              .views = {},
+                              .materials = MaterialLibrary(without.all),
+                              .atmosphere = without.air,
+                              .temperature = without.temperature,
+                              .sun_fraction = without.sun,
+                              .to_sun = without.to_sun,
+                              .sun_zenith_deg = 50.0,
+                              .ground_height_km = without.ground_km};
+    double direct = band_sum_nodes(band, background_at(input, 0.3, 65.0, band.node_um));
+    if (const auto scattered = scattered_sun(input, band.node_um)) {
+        const double azimuth_deg = 90.0;
+        direct += band_sum_nodes(
+            band,
+            scattered_backgrounds_at(input, *scattered, 0.3, 65.0, {&azimuth_deg, 1}).front());
+    }
+    CAPTURE(band.name, day, away, direct);
+    REQUIRE(seen.hops.pixel.size() == 9);
+    CHECK(seen.at(4) == Approx(direct).epsilon(3e-3));
 }
 
 // Each sample's hops by themselves against the same samples merged: a pane, a rough mirror and

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <optional>
 
+#include "materials/air/sight_line.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "scenes/world/land.hpp"
@@ -172,6 +173,39 @@ bool over_void(const Dem& dem, const std::array<Eigen::Vector2d, 3>& corner) {
                     is_void(above + 1, left + 1));
 }
 
+/// How far the earth falls away [m] under a place of the raster, from the plane through the site.
+double earth_drop(const Eigen::Vector2d& from_site, const Eigen::Vector2d& spacing) {
+    return from_site.cwiseProduct(spacing).squaredNorm() / (2e3 * earth_radius_km);
+}
+
+/// The mesh of the ground as it lies on the round earth: long triangles of level ground would be
+/// chords below it, 40 m deep under 30 km of plain. A tolerance of zero asks for flat rasters as
+/// they are.
+GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
+                               const std::vector<Footprint>& cuts) {
+    if (scene.terrain.tolerance <= 0.0) {
+        GroundMesh mesh = ground_of(scene, dem, world.site, cuts);
+        world.ground_check = check_ground_mesh(dem, mesh);
+        return mesh;
+    }
+    const Eigen::Vector2d spacing = post_spacing(dem), middle(0.0, 0.0);
+    const Eigen::Vector2d site = raster_places(dem, world.site, {&middle, 1}).front();
+    Dem bent = dem;
+    for (int row = 0; row < dem.rows; ++row) {
+        for (int column = 0; column < dem.columns; ++column) {
+            const double drop = earth_drop(Eigen::Vector2d(column, row) - site, spacing);
+            bent.height[std::size_t(row) * std::size_t(dem.columns) + std::size_t(column)] -=
+                static_cast<float>(drop);
+        }
+    }
+    GroundMesh mesh = ground_of(scene, bent, world.site, cuts);
+    world.ground_check = check_ground_mesh(bent, mesh);
+    for (std::size_t v = 0; v < mesh.place.size(); ++v) {
+        mesh.height[v] += static_cast<float>(earth_drop(mesh.place[v] - site, spacing));
+    }
+    return mesh;
+}
+
 }  // namespace
 
 Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
@@ -189,8 +223,7 @@ Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vect
 void append_ground(World& world, const Scene& scene, const Dem& dem,
                    const std::vector<std::vector<Eigen::Vector2d>>& buildings) {
     const Cuts cuts = cuts_of(scene, dem, world.site, buildings);
-    const GroundMesh mesh = ground_of(scene, dem, world.site, cuts.footprint);
-    world.ground_check = check_ground_mesh(dem, mesh);
+    const GroundMesh mesh = mesh_on_round_earth(world, scene, dem, cuts.footprint);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);
     const auto cover = covered(scene, dem, mesh);

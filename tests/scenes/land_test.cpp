@@ -1,5 +1,6 @@
 #include "scenes/world/land.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
@@ -11,6 +12,7 @@
 #include "scenes/run/job.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/world.hpp"
+#include "terrain/place/site.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geotiff.hpp"
 #include "terrain/raster/read_dem.hpp"
@@ -202,6 +204,27 @@ TEST_CASE("heights follow the unit and the datum that the scene names", "[scenes
     CHECK(raised.world.sea_level_height == Approx(plain.world.sea_level_height).margin(0.01));
     CHECK_THROWS_AS(scene_of(with_terrain("height_unit = \"furlong\"")), InputError);
     CHECK_THROWS_AS(scene_of(with_terrain("vertical_datum = \"mars\"")), InputError);
+}
+
+// The corners of 31 x 37 km of plain lie up to 45 m below the plane through its middle; a triangle
+// from one to the other would be a chord 45 m below the plain.
+TEST_CASE("a wide plain lies on the round earth, within the tolerance", "[scenes][land]") {
+    Dem plain = read_dem(DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif");
+    std::fill(plain.height.begin(), plain.height.end(), 300.0f);
+    write_geotiff(scratch.path / "plain.tif", plain, {{"height", plain.height}});
+    std::string text = with(small_scene(), "tolerance_m = 10.0", "tolerance_m = 2.0");
+    text = with(text, std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/elevation.tif",
+                (scratch.path / "plain.tif").string());
+    const Built b = built(with(text, "radius_m = 4000.0\n", ""));
+    double farthest = 0.0;
+    for (std::size_t f = 0; f < b.world.ground_facets; ++f) {
+        const Eigen::Vector3d middle = b.world.facets.centroid[f].cast<double>();
+        farthest = std::max(farthest, middle.head<2>().norm());
+        // A triangle's middle is where its chord is deepest; 0.5 % for the earth's ellipsoid.
+        CHECK(std::abs(level_height(middle)) < 2.0 + 0.25);
+    }
+    CHECK(farthest > 12e3);
+    CHECK(b.world.facets.size() < 20000);
 }
 
 TEST_CASE("a scene with refraction lifts its far ground", "[scenes][land]") {

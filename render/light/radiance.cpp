@@ -108,7 +108,6 @@ LightByOrigin arriving(LightMemo& memo, FacetId facet, int bounces) {
         for (std::size_t n = 0; n < of_surface.size(); ++n) {
             of_surface[n] -= of_strips * passed * planck(memo.node_um[n], temperature);
         }
-        }
     });
     return sum;
 }

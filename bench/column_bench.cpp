@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <map>
+#include <numeric>
 
 #include "bench/column_peers.hpp"
 #include "materials/base/parallel.hpp"
@@ -51,19 +52,21 @@ struct Sample {
             view.below.push_back(whole.below[f]);
         }
         view.others.row.assign(wanted + 1, 0);
-        std::vector<std::uint8_t> asked(all.size(), 0);
+        std::vector<std::uint32_t> asked;
         std::vector<float> answer(all.size(), 0.0f);
-        const auto fraction_at = [&](Instant when, std::span<const std::uint8_t> chosen,
+        const auto fraction_at = [&](Instant when, std::span<const std::uint32_t> chosen,
                                      std::span<float> fraction) {
-            for (std::size_t k = 0; k < wanted; ++k) asked[from[k]] = chosen[k];
+            asked.clear();
+            for (const std::uint32_t k : chosen) {
+                asked.push_back(static_cast<std::uint32_t>(from[k]));
+            }
             sun_fraction(all, scene.rays, sun_direction(sun_position(scene.world.site, when)),
                          asked, answer);
-            for (std::size_t k = 0; k < wanted; ++k) {
-                if (chosen[k]) fraction[k] = answer[from[k]];
-            }
+            for (const std::uint32_t k : chosen) fraction[k] = answer[from[k]];
         };
         sun.instant = step_instants(options());
-        const std::vector<std::uint8_t> everyone(wanted, 1);
+        std::vector<std::uint32_t> everyone(wanted);
+        std::iota(everyone.begin(), everyone.end(), 0u);
         for (std::size_t i = 0; i < sun.instant.size(); ++i) {
             sun.fraction.resize((i + 1) * wanted);
             fraction_at(sun.instant[i], everyone, std::span(sun.fraction).last(wanted));

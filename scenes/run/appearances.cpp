@@ -49,7 +49,8 @@ std::vector<Appearance> appearances(const Prepared& prepared, const FacetViews& 
     std::vector<Appearance> all;
     for (const Instant instant : some_of(prepared.plan.frames)) {
         const std::vector<float> temperature = field.interpolate(instant);
-        const SunPosition sun = luminary(prepared.world.site, instant, bands).place;
+        const SunPosition sun =
+            luminary(sun_over(prepared, instant), prepared.world.site, instant, bands).place;
         for (const Band& band : bands) {
             if (band.to_um() > 3.0) {
                 all.push_back(

@@ -143,7 +143,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                                                   const TemperatureField& field, Instant instant,
                                                   const fs::path& out) {
     const World& world = prepared.world;
-    const Luminary light = luminary(world.site, instant, lit_bands(s));
+    const Luminary light = luminary(sun_over(prepared, instant), world.site, instant, lit_bands(s));
     const SunPosition& sun = light.place;
     const std::vector<float> fraction = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples);
     const std::vector<float> temperature = field.interpolate(instant);

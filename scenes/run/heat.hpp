@@ -14,9 +14,6 @@ namespace diurna {
 /// - sunlight: of what goes through panes, sunlight; else heat
 FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
 
-/// Who is in the sun at each of some instants, and when between them shadows' edges pass.
-SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Instant>& instants);
-
 /// In one line by how much a solver has missed its tolerance; "" where it has converged.
 std::string not_converged(const SolveReport& report);
 

@@ -6,8 +6,8 @@
 
 namespace diurna {
 
-Luminary luminary(const Site& site, Instant instant, std::span<const Band> bands) {
-    const SunPosition sun = sun_position(site, instant);
+Luminary luminary(const SunPosition& sun, const Site& site, Instant instant,
+                  std::span<const Band> bands) {
     const bool moonlight_shows = std::any_of(bands.begin(), bands.end(), [](const Band& band) {
         return band.from_um() < moonlight_ends_um;
     });

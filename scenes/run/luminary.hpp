@@ -17,9 +17,11 @@ struct Luminary {
     std::optional<MoonLight> moon;  // else it is the sun
 };
 
-/// The sun while it is up; then the moon where it is up, for pictures in a band that begins below
-/// 3 µm. Not modelled: twilight, the light of a sun below the horizon, which outshines the moon's
-/// until the sun is some 8° below, and the earth's shadow on an eclipsed moon.
-Luminary luminary(const Site& site, Instant instant, std::span<const Band> bands);
+/// The sun (apparent_sun of thermal/weather/apparent_sun.hpp) while it is up; then the moon where
+/// it is up, for pictures in a band that begins below 3 µm. Not modelled: twilight, the light of a
+/// sun below the horizon, which outshines the moon's until the sun is some 8° below, and the
+/// earth's shadow on an eclipsed moon.
+Luminary luminary(const SunPosition& sun, const Site& site, Instant instant,
+                  std::span<const Band> bands);
 
 }  // namespace diurna

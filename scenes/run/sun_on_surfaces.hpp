@@ -7,6 +7,9 @@
 
 namespace diurna {
 
+/// The sun as the scene sees it at an instant, refracted by its weather's air.
+SunPosition sun_over(const Prepared& prepared, Instant instant);
+
 /// Share of each surface that the sun reaches, 0 to 1, by `samples` rays a facet; empty while the
 /// sun is down. A texture's levels on a facet are lit as the facet is.
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples);

@@ -100,10 +100,12 @@ bool ReliefVisibility::objects_matter(std::size_t facet, const Horizons& horizon
 
 std::size_t ReliefVisibility::sun_fraction(const Eigen::Vector3d& direction,
                                            std::span<float> fraction,
-                                           const SunFractionOptions& options) const {
+                                           const SunFractionOptions& options,
+                                           std::span<const std::uint8_t> known) const {
     assert(fraction.size() == facets_.size());
+    const auto is_known = [&](std::size_t f) { return !known.empty() && known[f]; };
     if (direction.z() <= 0.0) {
-        std::fill(fraction.begin(), fraction.end(), 0.0f);
+        std::fill(fraction.begin(), fraction.end(), 0.0f);  // of known ones too
         return 0;
     }
     static const DiscTable disc;
@@ -122,7 +124,7 @@ std::size_t ReliefVisibility::sun_fraction(const Eigen::Vector3d& direction,
     std::vector<std::uint8_t> by_rays = always_;
     for_each_block(points_.facets(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         for (std::size_t f = begin; f < end; ++f) {
-            if (by_rays[f]) continue;
+            if (by_rays[f] || is_known(f)) continue;
             fraction[f] = 0.0f;
             const float cosine = facets_.normal[f].dot(towards);
             if (cosine <= -sun.radius) continue;
@@ -139,8 +141,12 @@ std::size_t ReliefVisibility::sun_fraction(const Eigen::Vector3d& direction,
             }
         }
     });
-    diurna::sun_fraction(facets_, rays_, direction, by_rays, fraction, options);
-    return static_cast<std::size_t>(std::count(by_rays.begin(), by_rays.end(), std::uint8_t{1}));
+    std::vector<std::uint32_t> chosen;
+    for (std::size_t f = 0; f < by_rays.size(); ++f) {
+        if (by_rays[f] && !is_known(f)) chosen.push_back(static_cast<std::uint32_t>(f));
+    }
+    diurna::sun_fraction(facets_, rays_, direction, chosen, fraction, options);
+    return chosen.size();
 }
 
 ReliefVisibility::MarchedSky ReliefVisibility::marched_sky() const {

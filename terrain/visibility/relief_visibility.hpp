@@ -34,8 +34,11 @@ class ReliefVisibility {
     /// product with that is the beam that the fine relief takes in, and it may exceed one. Where
     /// the facet itself is turned away from the sun it is zero. Returns the number of facets that
     /// rays had to decide.
+    ///
+    /// - known: (facet) 1: keeps what it has; empty: none does
     std::size_t sun_fraction(const Eigen::Vector3d& direction, std::span<float> fraction,
-                             const SunFractionOptions& options = {}) const;
+                             const SunFractionOptions& options = {},
+                             std::span<const std::uint8_t> known = {}) const;
 
     /// Like `facet_views` of view_factor_sampling.hpp: view factors by rays; on the ground the
     /// sky's share by the march (32 azimuths), and the rows scaled to what it leaves.

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
@@ -96,30 +97,27 @@ class SunRays {
 
 void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
                   std::span<float> fraction, const SunFractionOptions& options) {
-    const std::vector<std::uint8_t> all(facets.size(), 1);
+    std::vector<std::uint32_t> all(facets.size());
+    std::iota(all.begin(), all.end(), 0u);
     sun_fraction(facets, scene, direction, all, fraction, options);
 }
 
 void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
-                  std::span<const std::uint8_t> chosen, std::span<float> fraction,
+                  std::span<const std::uint32_t> chosen, std::span<float> fraction,
                   const SunFractionOptions& options) {
-    assert(fraction.size() == facets.size() && chosen.size() == facets.size());
+    assert(fraction.size() == facets.size());
     assert(options.samples > 0);
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-        if (chosen[f]) fraction[f] = 0.0f;
-    }
+    for (const std::uint32_t f : chosen) fraction[f] = 0.0f;
     if (direction.z() <= 0.0) return;
 
-    for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
+    for_each_block(chosen.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         SunRays sun(facets, direction, options);
-        for (std::size_t f = begin; f < end; ++f) {
-            if (chosen[f]) sun.append(f);
-        }
+        for (std::size_t k = begin; k < end; ++k) sun.append(chosen[k]);
         std::vector<float> share(sun.rays.size());
         scene.beam(sun.rays, share);
         for (std::size_t i = 0; i < share.size(); ++i) fraction[sun.owner[i]] += share[i];
-        for (std::size_t f = begin; f < end; ++f) {
-            if (chosen[f]) fraction[f] /= static_cast<float>(options.samples);
+        for (std::size_t k = begin; k < end; ++k) {
+            fraction[chosen[k]] /= static_cast<float>(options.samples);
         }
     });
 }

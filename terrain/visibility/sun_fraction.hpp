@@ -22,9 +22,9 @@ struct SunFractionOptions {
 void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
                   std::span<float> fraction, const SunFractionOptions& options = {});
 
-/// The same for the chosen facets alone (1: chosen); the others keep what they have.
+/// The same for the chosen facets alone; the others keep what they have.
 void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Vector3d& direction,
-                  std::span<const std::uint8_t> chosen, std::span<float> fraction,
+                  std::span<const std::uint32_t> chosen, std::span<float> fraction,
                   const SunFractionOptions& options = {});
 
 }  // namespace diurna

@@ -134,7 +134,7 @@ TEST_CASE("what a table of paths cannot give a scene is refused in a line",
     CHECK(problem(table).empty());
     CHECK(problem("table = \"air.7sc\"\n").empty());
     CHECK_THAT(problem("table = \"other.tp7\"\n"),
-               Contains("scene.toml:48:9: ") && Contains("no such file"));
+               Contains("scene.toml:49:9: ") && Contains("no such file"));
     CHECK_THAT(problem(table + "drives_heat = true\n"),
                Contains("atmosphere.table: ") && Contains("no fluxes"));
     CHECK_THAT(problem(table + "profile = \"vacuum\"\n"), Contains("a vacuum has no table"));

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numeric>
 
 #include "materials/matter/library.hpp"
 #include "materials/matter/read_library.hpp"
@@ -23,16 +24,15 @@ constexpr double back[facets]{38303.0, 36019.0, 52711.0, 47777.0, 61234.0,
 
 float in_the_sun(std::size_t f, double t) { return t >= gone[f] && t < back[f] ? 0.0f : 1.0f; }
 
-void fraction_at(Instant when, std::span<const std::uint8_t> chosen, std::span<float> fraction) {
+void fraction_at(Instant when, std::span<const std::uint32_t> chosen, std::span<float> fraction) {
     const double t = seconds_between(june, when);
-    for (std::size_t f = 0; f < facets; ++f) {
-        if (chosen[f]) fraction[f] = in_the_sun(f, t);
-    }
+    for (const std::uint32_t f : chosen) fraction[f] = in_the_sun(f, t);
 }
 
 SunExposure sampled(const SolveOptions& options) {
     SunExposure sun{.instant = step_instants(options), .fraction = {}};
-    const std::vector<std::uint8_t> all(facets, 1);
+    std::vector<std::uint32_t> all(facets);
+    std::iota(all.begin(), all.end(), 0u);
     for (std::size_t i = 0; i < sun.instant.size(); ++i) {
         sun.fraction.resize((i + 1) * facets);
         fraction_at(sun.instant[i], all, std::span(sun.fraction).last(facets));

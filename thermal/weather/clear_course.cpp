@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "thermal/weather/apparent_sun.hpp"
 
 namespace diurna {
 
@@ -17,8 +18,7 @@ ClearSky ClearCourse::with_haze(double haze) const {
 
 ClearMoment ClearCourse::at(Instant when, double haze) {
     const AirState air = weather_.air_at(when);
-    const SunPosition sun =
-        refracted(path_.at(when), air.pressure / 100.0, celsius(air.temperature));
+    const SunPosition sun = apparent_sun(path_.at(when), air, elevation_);
     const double sine = sun_direction(sun).z();
     Sunlight light{0.0, 0.0};
     if (sine > 0.0) light = clear_sunlight(sun, air, elevation_, with_haze(haze));

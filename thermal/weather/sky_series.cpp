@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "thermal/weather/apparent_sun.hpp"
 
 namespace diurna {
 
@@ -69,8 +70,7 @@ double SkySeries::albedo_at(Instant when) const {
 SkyState SkySeries::at(Instant when, const SunPosition& geometric) const {
     Forcing now = weather_.at(when);
     if (weather_.sample.size() == 1) return sky_state(geometric, elevation_, now, clear_);
-    const SunPosition sun =
-        refracted(geometric, now.air.pressure / 100.0, celsius(now.air.temperature));
+    const SunPosition sun = apparent_sun(geometric, now.air, elevation_);
     const Sunlight light =
         course_.at(when, sun.elevation_deg > 0.0 ? clear_sunlight(sun, now.air, elevation_, clear_)
                                                  : Sunlight{0.0, 0.0});

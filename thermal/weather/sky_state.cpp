@@ -5,6 +5,7 @@
 
 #include "materials/air/moist_air.hpp"
 #include "materials/base/units.hpp"
+#include "thermal/weather/apparent_sun.hpp"
 
 namespace diurna {
 
@@ -114,7 +115,7 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
     const AirState& air = forcing.air;
     const double pressure = air.pressure > 0.0 ? air.pressure : standard_pressure(elevation);
     SkyState sky;
-    sky.sun = refracted(geometric, pressure / 100.0, celsius(air.temperature));
+    sky.sun = apparent_sun(geometric, air, elevation);
     sky.to_sun = sun_direction(sky.sun);
     const double top = solar_constant / (sky.sun.distance_au * sky.sun.distance_au);
 

@@ -55,13 +55,14 @@ World build_world(const Scene& scene, const Dem& dem) {
     }
     world.objects = object_names(scene);
     world.posts = dem.height.size();
-    const std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
+    std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
     std::vector<ShapeBuilding> shapes =
         shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
-    std::vector<std::vector<Eigen::Vector2d>> plans;
-    for (const BoxSpec& spec : boxes) plans.push_back(plan_of(spec));
-    for (const ShapeBuilding& building : shapes) plans.push_back(building.prism.ring);
-    append_ground(world, scene, dem, plans);
+    // The walls stand on the vertices of the ground round them.
+    auto borders = append_ground(world, scene, dem, walled_plans(boxes, shapes));
+    auto border = borders.begin();
+    for (BoxSpec& spec : boxes) spec.foot = std::move(*border++);
+    for (ShapeBuilding& building : shapes) building.prism.foot = std::move(*border++);
     append_buildings(world, scene, boxes);
     append_objects(world, scene, dem);
     append_shape_buildings(world, scene, std::move(shapes));

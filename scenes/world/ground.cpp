@@ -12,12 +12,9 @@
 #include "materials/air/sight_line.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/world/land.hpp"
-#include "scenes/world/objects.hpp"
 #include "terrain/ground/full_grid.hpp"
 #include "terrain/ground/ground_mesh.hpp"
 #include "terrain/ground/level_of_detail.hpp"
-#include "terrain/ground/rings.hpp"
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/raster/class_raster.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -90,58 +87,6 @@ GroundMesh ground_of(const Scene& scene, const Dem& dem, const Site& site,
         return ground_mesh(dem, full_grid(dem), terrain.tolerance, footprints);
     }
     return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, site));
-}
-
-/// What cuts the ground, lowest first: shapes of files, polygons of the scene, the plans of
-/// buildings, and last the finer patches around objects, which have neither material nor object.
-struct Cuts {
-    static constexpr int nothing = -1;  // no ground at all
-
-    std::vector<Footprint> footprint;
-    std::vector<std::string> material;  // (footprint) "": by land cover and rules
-    std::vector<int> object;            // (footprint) 0 the ground, polygon i is i + 1
-
-    void add(Footprint cut, std::string of_material, int of_object) {
-        footprint.push_back(std::move(cut));
-        material.push_back(std::move(of_material));
-        object.push_back(of_object);
-    }
-    bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
-};
-
-Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
-             const std::vector<std::vector<Eigen::Vector2d>>& buildings) {
-    Cuts cuts;
-    for (const GroundShape& shape : ground_shapes(scene.terrain.shapes, dem, site)) {
-        cuts.add(shape.footprint, shape.material, 0);
-    }
-    int object = 0;
-    for (const GroundPolygon& polygon : scene.terrain.polygons) {
-        ++object;
-        cuts.add({raster_places(dem, site, polygon.ring), polygon.largest_edge}, polygon.material,
-                 polygon.material.empty() ? 0 : object);
-    }
-    for (const auto& ring : buildings) {
-        cuts.add({raster_places(dem, site, ring)}, "", Cuts::nothing);
-    }
-    for (const ObjectInput& input : scene.terrain.objects) {
-        const GroundPatch patch = ground_patch(input);
-        cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
-    }
-    return cuts;
-}
-
-/// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it
-/// lies on.
-std::int32_t cut_under(const Cuts& cuts, const GroundMesh& mesh, std::size_t triangle) {
-    std::int32_t f = mesh.footprint[triangle];
-    if (f < 0 || !cuts.is_patch(f)) return f;
-    const auto& [a, b, c] = mesh.triangle[triangle];
-    const Eigen::Vector2d middle = (mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0;
-    for (f = static_cast<std::int32_t>(cuts.object.size()) - 1; f >= 0; --f) {
-        if (contains(cuts.footprint[std::size_t(f)].ring, middle)) break;
-    }
-    return f;
 }
 
 /// Whether a triangle of raster places holds a post without elevation in the file; one that holds
@@ -220,8 +165,9 @@ Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vect
     return to_local(site, {below.latitude_deg, below.longitude_deg, height});
 }
 
-void append_ground(World& world, const Scene& scene, const Dem& dem,
-                   const std::vector<std::vector<Eigen::Vector2d>>& buildings) {
+std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
+                                                        const Dem& dem,
+                                                        std::span<const WalledPlan> buildings) {
     const Cuts cuts = cuts_of(scene, dem, world.site, buildings);
     const GroundMesh mesh = mesh_on_round_earth(world, scene, dem, cuts.footprint);
     const std::vector<Eigen::Vector3d> vertex =
@@ -239,12 +185,14 @@ void append_ground(World& world, const Scene& scene, const Dem& dem,
         const double height = (mesh.height[a] + mesh.height[b] + mesh.height[c]) / 3.0;
         return material_by_rules(scene, slope, height);
     };
+    std::vector<std::int32_t> cut_of(mesh.triangle.size());
+    for (std::size_t t = 0; t < cut_of.size(); ++t) cut_of[t] = cut_under(cuts, mesh, t);
     // One batch of triangles per object: the ground first, then each polygon.
     for (int batch = 0; batch <= static_cast<int>(scene.terrain.polygons.size()); ++batch) {
         std::vector<std::array<std::uint32_t, 3>> triangles;
         std::vector<MaterialId> materials;
         for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-            const std::int32_t cut = cut_under(cuts, mesh, t);
+            const std::int32_t cut = cut_of[t];
             if ((cut < 0 ? 0 : cuts.object[std::size_t(cut)]) != batch) continue;
             triangles.push_back(mesh.triangle[t]);
             materials.push_back(material_of(t, cut));
@@ -253,6 +201,17 @@ void append_ground(World& world, const Scene& scene, const Dem& dem,
                       ObjectId{static_cast<std::uint16_t>(batch)});
     }
     world.ground_facets = world.facets.size();
+
+    std::vector<std::vector<Eigen::Vector3d>> borders;
+    for (std::size_t i = 0; i < buildings.size(); ++i) {
+        const auto building = static_cast<std::int32_t>(cuts.first_building + i);
+        std::vector<Eigen::Vector3d> border;
+        for (const std::uint32_t v : border_of(mesh, cut_of, building)) {
+            border.push_back(vertex[v]);
+        }
+        borders.push_back(std::move(border));
+    }
+    return borders;
 }
 
 void mark_filled(World& world, const Dem& dem) {

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/world/ground_cuts.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem.hpp"
 
@@ -17,10 +19,14 @@ Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vect
                              const std::string& where);
 
 /// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
-/// count as ground. Under `buildings` (rings, east and north) there is none: nobody sees it, and it
-/// would meet the walls from behind.
-void append_ground(World& world, const Scene& scene, const Dem& dem,
-                   const std::vector<std::vector<Eigen::Vector2d>>& buildings);
+/// count as ground. Under `buildings` there is none: nobody sees it, and it would meet the walls
+/// from behind. Round them it is finer.
+///
+/// Returns for each building the ground's border at it, vertex by vertex, counterclockwise [m];
+/// empty where that is not one simple line, as where plans overlap.
+std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
+                                                        const Dem& dem,
+                                                        std::span<const WalledPlan> buildings);
 
 /// Marks the ground facets whose elevation was filled in.
 void mark_filled(World& world, const Dem& dem);

@@ -38,7 +38,9 @@ std::vector<GroundShape> ground_shapes(const std::vector<ShapesInput>& inputs, c
     std::vector<GroundShape> found;
     const auto add = [&](Ring ring, const ShapesInput& input, const std::string& material) {
         if (on_raster(ring, dem)) {
-            found.push_back({{std::move(ring), input.largest_edge}, material});
+            found.push_back({.footprint = {}, .material = material});
+            found.back().footprint.ring = std::move(ring);
+            found.back().footprint.largest_edge = input.largest_edge;
         }
     };
     for (const ShapesInput& input : inputs) {

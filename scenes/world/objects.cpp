@@ -1,6 +1,9 @@
 #include "scenes/world/objects.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+
+#include "terrain/ground/rings.hpp"
 
 namespace diurna {
 
@@ -24,6 +27,15 @@ GroundPatch ground_patch(const ObjectInput& object) {
         patch.ring.push_back(object.place + reach * Eigen::Vector2d(x, y));
     }
     return patch;
+}
+
+std::vector<GroundPatch> rings_round(const std::vector<Eigen::Vector2d>& plan, double height,
+                                     double nearest) {
+    std::vector<GroundPatch> rings;
+    for (double distance = nearest; distance < 2.0 * height; distance *= 2.0) {
+        rings.push_back({widened(plan, distance), std::max(nearest, 0.5 * distance)});
+    }
+    return rings;
 }
 
 }  // namespace diurna

@@ -23,4 +23,9 @@ struct GroundPatch {
 };
 GroundPatch ground_patch(const ObjectInput& object);
 
+/// Ground round walls: rings at twice the distance each, as far as a sun 27 degrees high casts
+/// their shadow, divided to half their distance; the first, and the walls' own plan, to `nearest`.
+std::vector<GroundPatch> rings_round(const std::vector<Eigen::Vector2d>& plan, double height,
+                                     double nearest);
+
 }  // namespace diurna

@@ -5,22 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/base/units.hpp"
 #include "scenes/world/ground.hpp"
 #include "scenes/world/objects.hpp"
 
 namespace diurna {
 
-std::vector<Eigen::Vector2d> plan_of(const BoxSpec& spec) {
-    const double heading = radians(spec.heading_deg);
-    const Eigen::Vector2d ahead(std::sin(heading), std::cos(heading));
-    const Eigen::Vector2d right(ahead.y(), -ahead.x());
-    std::vector<Eigen::Vector2d> ring;
-    for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {-0.5, 0.5}, {0.5, 0.5}, {0.5, -0.5}}) {
-        ring.push_back(spec.base.head<2>() + x * spec.width * right + y * spec.depth * ahead);
-    }
-    return ring;
-}
+namespace {
+
+/// Triangles at the foot of a box's walls: half a metre, or a thousandth of a long way round.
+double foot_edge(const BoxSpec& spec) { return std::max(0.5, 2e-3 * (spec.width + spec.depth)); }
+
+}  // namespace
 
 std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& site) {
     std::vector<BoxSpec> boxes;
@@ -35,15 +30,30 @@ std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& s
                      .wall = scene.materials.find(building.wall),
                      .front = scene.materials.find(building.front),
                      .roof = scene.materials.find(building.roof)};
-        // Walls reach below the lowest corner's ground, so that no light passes under them.
+        // Where the ground at its walls is not known, they reach below the lowest corner's, so that
+        // no light passes under them.
         double lowest = spec.base.z();
         for (const Eigen::Vector2d& corner : plan_of(spec)) {
             lowest = std::min(lowest, ground_point(dem, site, corner, where).z());
         }
         spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.tolerance;
+        spec.lowest_row = foot_edge(spec);
         boxes.push_back(spec);
     }
     return boxes;
+}
+
+std::vector<WalledPlan> walled_plans(const std::vector<BoxSpec>& boxes,
+                                     const std::vector<ShapeBuilding>& shapes) {
+    std::vector<WalledPlan> plans;
+    for (const BoxSpec& spec : boxes) {
+        plans.push_back({plan_of(spec), spec.height, foot_edge(spec)});
+    }
+    for (const auto& [prism, input] : shapes) {
+        plans.push_back(
+            {counterclockwise(prism.ring), prism.top - prism.bottom, prism.largest_edge});
+    }
+    return plans;
 }
 
 void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpec>& boxes) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/world/ground_cuts.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/objects/box.hpp"
@@ -13,8 +14,9 @@ namespace diurna {
 
 /// The buildings of the scene file; each stands with its corners in the ground.
 std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& site);
-/// Corners of a box's plan; east, north [m].
-std::vector<Eigen::Vector2d> plan_of(const BoxSpec& spec);
+/// What stands on the ground with walls: boxes, then buildings of files.
+std::vector<WalledPlan> walled_plans(const std::vector<BoxSpec>& boxes,
+                                     const std::vector<ShapeBuilding>& shapes);
 
 void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpec>& boxes);
 void append_objects(World& world, const Scene& scene, const Dem& dem);

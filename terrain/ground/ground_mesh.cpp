@@ -53,7 +53,7 @@ class Cutting {
     void cut(const Footprint& footprint, std::size_t number) {
         const Ring corners = checked(footprint, number);
         Ring border = divided(corners, footprint.largest_edge, spacing_);
-        rings_.push_back(border.size() < 3 ? Ring{} : border);
+        rings_.push_back(border.size() < 3 || !footprint.owner ? Ring{} : border);
         if (border.size() < 3) return;  // smaller than the snapping distance
         std::vector<Constrained::Vertex_handle> vertices;
         for (const Eigen::Vector2d& p : border) vertices.push_back(add(p));
@@ -63,7 +63,7 @@ class Cutting {
                 mesh_.insert_constraint(a, b);
             }
         }
-        if (std::isfinite(footprint.largest_edge)) {
+        if (std::isfinite(footprint.largest_edge) && footprint.lattice) {
             for (const Eigen::Vector2d& p :
                  lattice_inside(corners, border, footprint.largest_edge, spacing_)) {
                 if (!beside_vertex_post(p, 0.3 * footprint.largest_edge)) add(p);

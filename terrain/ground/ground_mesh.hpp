@@ -20,6 +20,8 @@ struct Footprint {
     std::vector<Eigen::Vector2d> ring;
     /// Triangle edges on the ring are at most this long, and about this long inside [m].
     double largest_edge = std::numeric_limits<double>::infinity();
+    bool lattice = true;  // inside the ring too, not only on it
+    bool owner = true;    // of the triangles inside; else it only makes the mesh finer
 };
 
 /// The ground as triangles that follow the relief to a tolerance and footprints exactly.

@@ -148,6 +148,34 @@ Ring lattice_inside(const Ring& corners, const Ring& border, double largest_edge
     return points;
 }
 
+Ring counterclockwise(const Ring& given) {
+    Ring ring;
+    for (const auto& p : given) {
+        if (ring.empty() || (p - ring.back()).norm() > 1e-4) ring.push_back(p);
+    }
+    while (ring.size() > 1 && (ring.front() - ring.back()).norm() <= 1e-4) ring.pop_back();
+    double area = 0.0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += turn(ring[0], ring[i], ring[i + 1]);
+    if (area < 0.0) std::reverse(ring.begin(), ring.end());
+    return ring;
+}
+
+Ring widened(const Ring& ring, double distance) {
+    const std::size_t n = ring.size();
+    const auto outward = [&](std::size_t side) -> Eigen::Vector2d {
+        const Eigen::Vector2d along = (ring[(side + 1) % n] - ring[side]).normalized();
+        return {along.y(), -along.x()};
+    };
+    Ring wide;
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Vector2d middle = outward((i + n - 1) % n) + outward(i);
+        const double most = std::max(middle.squaredNorm(), middle.norm());
+        wide.push_back(ring[i] + (most > 0.0 ? Eigen::Vector2d(2.0 * distance / most * middle)
+                                             : Eigen::Vector2d(distance * outward(i))));
+    }
+    return wide;
+}
+
 Ring ribbon(std::span<const Eigen::Vector2d> line, double width) {
     std::vector<Eigen::Vector2d> way;
     for (const auto& p : line) {

@@ -40,6 +40,13 @@ Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spaci
 Ring lattice_inside(const Ring& corners, const Ring& border, double largest_edge,
                     const Eigen::Vector2d& spacing);
 
+/// Counterclockwise in (east, north), without corners that lie on the one before (0.1 mm).
+Ring counterclockwise(const Ring& ring);
+
+/// A counterclockwise ring whose sides lie further out by a distance [m]; corners are mitred, at
+/// most to twice the distance. It may cross itself round narrow bays.
+Ring widened(const Ring& ring, double distance);
+
 /// The area within half a width [m] of a line given by east and north, as a ring; bends are mitred,
 /// at most to twice the width.
 Ring ribbon(std::span<const Eigen::Vector2d> line, double width);

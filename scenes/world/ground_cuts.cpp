@@ -1,0 +1,95 @@
+#include "scenes/world/ground_cuts.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "scenes/world/land.hpp"
+#include "scenes/world/objects.hpp"
+#include "terrain/raster/dem_places.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Whether any corner of a ring is on the raster.
+bool lies_on(const Dem& dem, const Ring& ring) {
+    return std::any_of(ring.begin(), ring.end(), [&](const Eigen::Vector2d& p) {
+        return p.x() >= 0.0 && p.y() >= 0.0 && p.x() <= dem.columns - 1 && p.y() <= dem.rows - 1;
+    });
+}
+
+}  // namespace
+
+Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
+             std::span<const WalledPlan> buildings) {
+    Cuts cuts;
+    for (const GroundShape& shape : ground_shapes(scene.terrain.shapes, dem, site)) {
+        cuts.add(shape.footprint, shape.material, 0);
+    }
+    int object = 0;
+    for (const GroundPolygon& polygon : scene.terrain.polygons) {
+        ++object;
+        cuts.add({raster_places(dem, site, polygon.ring), polygon.largest_edge}, polygon.material,
+                 polygon.material.empty() ? 0 : object);
+    }
+    cuts.first_building = cuts.footprint.size();
+    for (const WalledPlan& plan : buildings) {
+        cuts.add({.ring = raster_places(dem, site, plan.ring),
+                  .largest_edge = plan.foot_edge,
+                  .lattice = false},
+                 "", Cuts::nothing);
+    }
+    for (const ObjectInput& input : scene.terrain.objects) {
+        const GroundPatch patch = ground_patch(input);
+        cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
+    }
+    for (const WalledPlan& plan : buildings) {
+        for (const GroundPatch& ring : rings_round(plan.ring, plan.height, plan.foot_edge)) {
+            if (!lies_on(dem, raster_places(dem, site, ring.ring))) continue;
+            cuts.footprint.push_back({.ring = raster_places(dem, site, ring.ring),
+                                      .largest_edge = ring.largest_edge,
+                                      .lattice = false,
+                                      .owner = false});
+        }
+    }
+    return cuts;
+}
+
+std::int32_t cut_under(const Cuts& cuts, const GroundMesh& mesh, std::size_t triangle) {
+    std::int32_t f = mesh.footprint[triangle];
+    if (f < 0 || !cuts.is_patch(f)) return f;
+    const auto& [a, b, c] = mesh.triangle[triangle];
+    const Eigen::Vector2d middle = (mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0;
+    for (f = static_cast<std::int32_t>(cuts.object.size()) - 1; f >= 0; --f) {
+        if (contains(cuts.footprint[std::size_t(f)].ring, middle)) break;
+    }
+    return f;
+}
+
+std::vector<std::uint32_t> border_of(const GroundMesh& mesh, std::span<const std::int32_t> cut_of,
+                                     std::int32_t cut) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::size_t t = 0; t < cut_of.size(); ++t) {
+        if (cut_of[t] != cut) continue;
+        const auto& corner = mesh.triangle[t];
+        for (std::size_t k = 0; k < 3; ++k) edges.emplace(corner[k], corner[(k + 1) % 3]);
+    }
+    std::map<std::uint32_t, std::uint32_t> next;
+    for (const auto& [a, b] : edges) {
+        if (edges.count({b, a})) continue;
+        if (!next.try_emplace(a, b).second) return {};
+    }
+    if (next.empty()) return {};
+    std::vector<std::uint32_t> border{next.begin()->first};
+    while (border.size() <= next.size()) {
+        const auto after = next.find(border.back());
+        if (after == next.end()) return {};
+        if (after->second == border.front()) break;
+        border.push_back(after->second);
+    }
+    return border.size() == next.size() ? border : std::vector<std::uint32_t>{};
+}
+
+}  // namespace diurna

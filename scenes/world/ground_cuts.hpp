@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/rings.hpp"
+#include "terrain/place/site.hpp"
+#include "terrain/raster/dem.hpp"
+
+/// The lines along which the ground of a scene is cut into triangles.
+namespace diurna {
+
+/// What stands with walls on the ground.
+struct WalledPlan {
+    Ring ring;               // counterclockwise; east, north [m]
+    double height = 5.0;     // over the ground [m]
+    double foot_edge = 0.5;  // of triangles on the ground at its walls, about [m]
+};
+
+/// What cuts the ground, lowest first: shapes of files, polygons of the scene, the plans of
+/// buildings, and last what makes it finer round objects and walls, without material or object.
+struct Cuts {
+    static constexpr int nothing = -1;  // no ground at all
+
+    std::size_t first_building = 0;  // footprint
+
+    std::vector<Footprint> footprint;
+    std::vector<std::string> material;  // (footprint) "": by land cover and rules
+    std::vector<int> object;            // (footprint) 0 the ground, polygon i is i + 1
+
+    void add(Footprint cut, std::string of_material, int of_object) {
+        footprint.push_back(std::move(cut));
+        material.push_back(std::move(of_material));
+        object.push_back(of_object);
+    }
+    bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
+};
+
+Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
+             std::span<const WalledPlan> buildings);
+
+/// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it
+/// lies on.
+std::int32_t cut_under(const Cuts& cuts, const GroundMesh& mesh, std::size_t triangle);
+
+/// The vertices round the triangles of one cut, counterclockwise; empty unless they are one simple
+/// line.
+std::vector<std::uint32_t> border_of(const GroundMesh& mesh, std::span<const std::int32_t> cut_of,
+                                     std::int32_t cut);
+
+}  // namespace diurna

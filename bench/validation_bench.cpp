@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/joint_rows.hpp"
 #include "bench/thermal_rows.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/base/units.hpp"
@@ -144,6 +145,9 @@ int main() {
         "LOWTRAN7, 20 paths", reflected_sun(true) + " the product of both ways",
         [] { return reflected_sun(false); });
     for (const thermal_rows::Case& c : thermal_rows::cases()) {
+        row(c.claim, c.reference, c.peers, c.measure);
+    }
+    for (const thermal_rows::Case& c : joint_rows::cases()) {
         row(c.claim, c.reference, c.peers, c.measure);
     }
     row("Jacksboro raster to 1 m", "each triangle rasterised anew",

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "bench/thermal_rows.hpp"
+#include "tests/support/canyon.hpp"
+#include "tests/support/hall.hpp"
+#include "tests/support/hourly_sun.hpp"
+#include "tests/support/sheets.hpp"
+#include "thermal/solve/facet_exchange.hpp"
+
+/// Rows of the validation table where parts meet: weather and walls, surface and surface, buildings
+/// and ground.
+namespace joint_rows {
+
+using namespace diurna;
+using namespace diurna::testing;
+
+/// Direct light on walls from hourly global sunlight alone, worst of three walls.
+inline std::string hourly_sun() {
+    const Minutes truth = clear_day(36.0, "2026-03-21T00:00:00Z");
+    const Minutes got = put_back(truth, means(truth, 60, {true, false, false}));
+    double rms = 0.0, largest = 0.0;
+    for (const double azimuth : {90.0, 180.0, 270.0}) {
+        const Figures f = compare(truth, got, azimuth);
+        rms = std::max(rms, f.rms);
+        largest = std::max(largest, f.largest);
+    }
+    return fmt::format("{:.0f} W/m² rms, peaks {:.2f} of the true", rms, largest);
+}
+
+/// White sky in a long canyon of albedo 0.85, half again as deep as wide: light on floor and walls.
+inline std::string canyon_light() {
+    constexpr double albedo = 0.85, width = 10.0, height = 15.0, diffuse = 300.0;
+    const LongCanyon canyon(height, width, 1024, {MaterialId{0}, MaterialId{1}});
+    FacetOptics optics;
+    optics.albedo.assign(canyon.side.size(), float(albedo));
+    optics.emissivity.assign(canyon.side.size(), 0.0f);
+    std::vector<SkyState> sky(1);
+    sky[0].to_sun = Eigen::Vector3d::UnitZ();
+    sky[0].diffuse_horizontal = diffuse;
+    std::vector<float> incident(canyon.facets.size());
+    incident_sunlight({.facets = canyon.facets, .views = canyon.views, .optics = optics},
+                      {.sky = sky, .fraction = {}}, incident);
+    const CanyonLight exact = endless_canyon(
+        height, width, [](int, double open) { return diffuse * open; }, [](int) { return albedo; },
+        [](int) { return 0.0; });
+    const auto found = [&](std::size_t f) { return incident[f]; };
+    return fmt::format("{:+.1f}, {:+.1f} %",
+                       100.0 * (canyon.mean(0, -1.0, 1.0, found) / exact.mean(0, -1, 1) - 1.0),
+                       100.0 * (canyon.mean(1, 0.0, height, found) / exact.mean(1, 0, height) - 1));
+}
+
+/// The beam's share on ground under a net that covers 0.65.
+inline std::string under_a_net() {
+    Layers world;
+    world.sheet(0.0, 5.0, 8, material("ground", flat_spectrum(0.2)));
+    world.sheet(3.0, 60.0, 30, net("net", 0.65));
+    const std::vector<float> fraction = world.sunlit(direction(140.0, 35.0), 4);
+    return fmt::format(
+        "{:+.4f}", world.mean(0, 6.0, [&](std::size_t f) { return double(fraction[f]); }) - 0.35);
+}
+
+/// Sunlit walls of a hall on a slope, from eaves to foot.
+inline std::string wall_foot() {
+    const Hall scene = hall(0.07);
+    const World& world = scene.prepared.world;
+    const Instant noon = parse_instant("2026-03-21T11:00:00Z");
+    const Eigen::Vector3d to_sun = sun_direction(sun_position(world.site, noon));
+    const std::vector<float> kelvin = scene.temperature.interpolate(noon);
+    double worst = 0.0;
+    for (std::size_t f = world.ground_facets; f < world.facets.size(); ++f) {
+        const double cosine = world.facets.normal[f].cast<double>().dot(to_sun);
+        if (world.facets.normal[f].z() > 0.5f || cosine < 0.1) continue;
+        const double exact = air + beam * cosine / (film + through_wall);
+        worst = std::max(worst, std::abs(double(kelvin[f]) - exact));
+    }
+    return fmt::format("{:.2f} K worst", worst);
+}
+
+inline std::vector<thermal_rows::Case> cases() {
+    return {
+        {"direct light on walls from hourly global sunlight, a clear day at 36°",
+         "the day by the minute (Meinel)", "74 to 113 W/m², peaks to 2.9 a line over sin h",
+         hourly_sun},
+        {"white sky on floor and walls of a canyon, albedo 0.85, height 1.5 widths",
+         "crossed strings (Hottel)", "-24 % two bounces", canyon_light},
+        {"the beam's share under a net of cover 0.65", "0.35", "-0.35 nets as roofs", under_a_net},
+        {"sunlit walls on a slope, eaves to foot", "closed form",
+         "33 K facets that dip into the ground", wall_foot}};
+}
+
+}  // namespace joint_rows

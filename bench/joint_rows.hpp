@@ -68,6 +68,7 @@ inline std::string under_a_net() {
 
 /// Sunlit walls of a hall on a slope, from eaves to foot.
 inline std::string wall_foot() {
+    using namespace sunlit_hall;
     const Hall scene = hall(0.07);
     const World& world = scene.prepared.world;
     const Instant noon = parse_instant("2026-03-21T11:00:00Z");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -194,6 +195,17 @@ void read_surface(const Section& section, ThermalSurface& thermal) {
     }
 }
 
+/// Behind a sheet whose back is open lies nothing: no room either that it was `like`.
+void close_bottom(const Section& section, ThermalSurface& thermal) {
+    const auto* flux = std::get_if<FixedFlux>(&thermal.bottom);
+    const bool empty = flux && flux->flux == 0.0;
+    if (section.has("bottom") && !empty) {
+        section.mistake("bottom", "a sheet with an open back has nothing under its last layer",
+                        "leave out `bottom` or `back`");
+    }
+    thermal.bottom = FixedFlux{0.0};
+}
+
 }  // namespace
 
 Material read_material(const Section& section, const MaterialLibrary& base,
@@ -223,6 +235,7 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     read_surface(section, thermal);
     if (section.has("back")) {
         thermal.back = read_back(section.section("back", "the open back of a thin plate"));
+        if (thermal.back) close_bottom(section, thermal);
     }
     return material;
 }

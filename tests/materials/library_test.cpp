@@ -309,6 +309,19 @@ TEST_CASE("what is missing from a material is named", "[materials][library]") {
     CHECK_THAT(no_file.front().line(), Catch::Contains("none.csv: no such file"));
 }
 
+TEST_CASE("a sheet with an open back has no room behind it", "[materials][library]") {
+    const std::string window =
+        "[material]\nname = \"window\"\nlike = \"glass\"\n"
+        "back = { kind = \"exposed\", emissivity = 0.84, albedo = 0.1 }\n";
+    const Material sheet = read(window);
+    REQUIRE(sheet.thermal.back);
+    CHECK(std::get<FixedFlux>(sheet.thermal.bottom).flux == 0.0);
+    CHECK(mistakes(window + "bottom = { kind = \"flux\", value_W_m2 = 0.0 }\n").empty());
+    const auto both = mistakes(window + "bottom = { kind = \"temperature\", value_K = 290.0 }\n");
+    REQUIRE(both.size() == 1);
+    CHECK(both.front().hint == "leave out `bottom` or `back`");
+}
+
 TEST_CASE("more than all of the light is refused", "[materials][library]") {
     const auto found =
         mistakes("[material]\nname = \"glass\"\nreflectance = \"spectra/snow.csv\"\n");

@@ -11,7 +11,7 @@
 #include "tests/support/small_scene.hpp"
 
 /// A hall in the sun on a plain, where nothing emits or reflects.
-namespace diurna::testing {
+namespace diurna::testing::sunlit_hall {
 
 inline constexpr double air = 285.0, film = 8.0, beam = 800.0;
 inline constexpr double through_wall = 1.0 / (0.002 / 1.0 + 1.0 / 10.0);  // [W m⁻² K⁻¹]
@@ -101,4 +101,4 @@ bands = ["8-12"]
     return {std::move(prepared), std::move(result.temperature)};
 }
 
-}  // namespace diurna::testing
+}  // namespace diurna::testing::sunlit_hall

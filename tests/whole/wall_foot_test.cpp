@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "scenes/plan/prepared.hpp"
 #include "terrain/place/sun.hpp"
 #include "tests/support/hall.hpp"
 
@@ -10,7 +11,7 @@
 // beside it; one in the shadow has the air's.
 
 using namespace diurna;
-using namespace diurna::testing;
+using namespace diurna::testing::sunlit_hall;
 
 TEST_CASE("a wall in the sun has one temperature from eaves to foot", "[whole][objects]") {
     const double slope = GENERATE(0.0, 0.07);

@@ -34,6 +34,8 @@ class NonlinearColumn {
     std::size_t size() const { return depth_.size(); }
     double depth(std::size_t node) const { return depth_[node]; }
     bool linear() const { return linear_; }
+    /// Whether a node's u from 0 to 1 is spent in melting water that stays.
+    bool melts(std::size_t node) const { return node_[node].latent > 0.0 && !node_[node].drains; }
 
     double temperature(std::size_t node, double u) const;
     double state_of(std::size_t node, double temperature) const;  // ice at the melting point

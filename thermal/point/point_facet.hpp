@@ -123,6 +123,8 @@ class PointFacet {
                   Trial& trial) const;
     void march_step(Instant from, double at, double step, int depth, Eigen::MatrixXd* map);
     void count_closure(const Taken& taken, const State& before, const State& after);
+    Eigen::VectorXd until_melted(const std::vector<double>& start,
+                                 const Eigen::VectorXd& drift) const;
 
     PointSetup setup_;
     double next_step_ = 0.05;   // [s]

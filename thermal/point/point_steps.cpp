@@ -171,6 +171,21 @@ double PointFacet::change_since(const std::vector<double>& start) const {
     return change;
 }
 
+/// What no start explains: a node that lies at the melting point all day freezes or melts by the
+/// same each day, whatever it begins with. Goes on so many days at once that the node which does so
+/// fastest is through.
+Eigen::VectorXd PointFacet::until_melted(const std::vector<double>& start,
+                                         const Eigen::VectorXd& drift) const {
+    double fastest = 1e-5, days = 0.0;  // of a node's water a day
+    for (std::size_t i = 0; i < start.size(); ++i) {
+        const double by = drift[Eigen::Index(i)], from = start[i];
+        if (!column.melts(i) || from < 0.0 || from > 1.0 || std::abs(by) < fastest) continue;
+        fastest = std::abs(by);
+        days = (by > 0.0 ? 1.0 - from : from) / fastest + 0.01;
+    }
+    return days * drift;
+}
+
 double PointFacet::close_period(const std::vector<double>& start, const Eigen::MatrixXd& map) {
     const auto n = static_cast<Eigen::Index>(u.size());
     Eigen::VectorXd change(n);
@@ -179,7 +194,8 @@ double PointFacet::close_period(const std::vector<double>& start, const Eigen::M
     period.setThreshold(1e-9);  // a column that loses nothing keeps its mean
     period.compute(Eigen::MatrixXd::Identity(n, n) - map);
     // Where water freezes the map bends, and a whole step of Newton's may lead astray.
-    const Eigen::VectorXd move = period.solve(change);
+    Eigen::VectorXd move = period.solve(change);
+    move += until_melted(start, change - move + map * move);
     constexpr double farthest = 20.0;
     for (Eigen::Index i = 0; i < n; ++i) {
         const double from = start[std::size_t(i)];

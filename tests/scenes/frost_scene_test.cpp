@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "scenes/input/scene_file.hpp"
+#include "scenes/plan/prepared.hpp"
+#include "scenes/run/heat.hpp"
+#include "tests/support/small_scene.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// A January day about 275 K over the default scene's valley.
+Prepared january() {
+    const ScratchFolder folder("frost-scene");
+    std::string weather =
+        "time,air_temperature_K,relative_humidity,wind_speed_m_s,shortwave_down_W_m2\n";
+    for (int h = 0; h <= 24; ++h) {
+        const double air = 275.0 + 4.0 * std::cos((h - 15) / 12.0 * M_PI);
+        const double sun = h >= 7 && h <= 17 ? 450.0 * std::sin((h - 7) / 10.0 * M_PI) : 0.0;
+        weather += fmt::format("2026-01-{:02}T{:02}:00:00-05:00,{:.2f},0.8,3,{:.1f}\n", 15 + h / 24,
+                               h % 24, air, std::max(0.0, sun));
+    }
+    write_text(folder.path / "january.csv", weather);
+    std::string scene = with(small_scene(), "radius_m = 4000.0", "radius_m = 1000.0");
+    const std::string july = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv";
+    scene = with(scene, july, (folder.path / "january.csv").string());
+    write_text(folder.path / "scene.toml",
+               with(scene, "2026-07-15T00:00:00-04:00", "2026-01-15T00:00:00-05:00"));
+    return prepare(read_scene(folder.path / "scene.toml"));
+}
+
+}  // namespace
+
+// Where the ground below thaws by as much each day whatever it begins with, the slope of the day
+// tells no start: such facets stayed 0.1 K off for ever.
+TEST_CASE("a day of frost and thaw repeats on every facet", "[scenes][frost]") {
+    const Prepared prepared = january();
+    Progress silent(ProgressStyle::silent);
+    const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+    CAPTURE(result.report.passes, result.report.periodic_residual);
+    CHECK(result.report.points > 10);
+    CHECK(result.report.converged);
+    CHECK(result.report.periodic_residual < 1e-4);
+    CHECK(result.report.worst_energy_closure < 1e-8);
+}

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -10,9 +9,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "terrain/place/local_time.hpp"
+#include "thermal/netcdf_output.hpp"
 
 namespace diurna {
 
@@ -20,79 +22,106 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An open netCDF file; closed, and removed if it was not finished.
-class File {
- public:
-    File(fs::path path, int id) : path_(std::move(path)), id_(id) {}
-    File(const File&) = delete;
-    File& operator=(const File&) = delete;
-    ~File() {
-        if (id_ >= 0) nc_close(id_);
-        if (!temporary_.empty()) {
-            std::error_code ignored;
-            fs::remove(temporary_, ignored);
-        }
-    }
-    static File create(const fs::path& target) {
-        const fs::path temporary = target.string() + fmt::format(".{}.part", getpid());
-        int id = -1;
-        const int status = nc_create(temporary.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
-        File file(target, status == NC_NOERR ? id : -1);
-        file.temporary_ = temporary;
-        file.must(status);
-        return file;
-    }
-    File(File&& other) noexcept
-        : path_(std::move(other.path_)),
-          temporary_(std::exchange(other.temporary_, {})),
-          id_(std::exchange(other.id_, -1)) {}
-
-    void must(int status) const {
-        if (status != NC_NOERR) {
-            throw std::runtime_error(
-                fmt::format("{}: cannot be written: {}", path_.string(), nc_strerror(status)));
-        }
-    }
-    int id() const { return id_; }
-    int dimension(const char* name, std::size_t length) const {
-        int dim;
-        must(nc_def_dim(id_, name, length, &dim));
-        return dim;
-    }
-    int variable(const char* name, nc_type type, const std::vector<int>& dims) const {
-        int variable;
-        must(nc_def_var(id_, name, type, int(dims.size()), dims.data(), &variable));
-        if (dims.size() == 2) must(nc_def_var_deflate(id_, variable, 1, 1, 1));
-        return variable;
-    }
-    void text(int variable, const char* name, const std::string& value) const {
-        must(nc_put_att_text(id_, variable, name, value.size(), value.c_str()));
-    }
-    void finish() {
-        must(nc_close(std::exchange(id_, -1)));
-        std::error_code error;
-        fs::rename(temporary_, path_, error);
-        if (error) {
-            throw std::runtime_error(
-                fmt::format("{}: cannot be written: {}", path_.string(), error.message()));
-        }
-        temporary_.clear();
-    }
-
- private:
-    fs::path path_, temporary_;
-    int id_;
-};
-
 /// What a temperature field's file holds.
 struct Variables {
-    int corner, time, kelvin;
-    std::array<int, 3> axis;  // east, north, up
+    int corner, time, kelvin, clock, solar;
+    int material = -1, object = -1;      // (facet)
+    std::array<int, 3> axis;             // east, north, up
+    std::array<int, heat_terms> term{};  // (time, facet), if there are fluxes
 };
 
+/// What is written of a term. CF names fluxes away from the ground "upward"; here that is away from
+/// the facet.
+struct TermName {
+    const char *name, *standard_name, *long_name;
+};
+constexpr std::array<TermName, heat_terms> term_names{{
+    {"absorbed_sunlight", "surface_net_downward_shortwave_flux",
+     "sunlight absorbed by the facet, without what it lets through"},
+    {"absorbed_longwave", "", "longwave of sky and other facets absorbed by the facet"},
+    {"internal_heat", "", "heat released at the facet's surface"},
+    {"emitted_longwave", "", "longwave emitted by the facet"},
+    {"sensible_heat", "surface_upward_sensible_heat_flux", "heat given to the air"},
+    {"latent_heat", "surface_upward_latent_heat_flux", "heat carried away by vapour"},
+    {"melting_heat", "",
+     "heat taken by frost melting on the surface; negative: given by water freezing there"},
+    {"conducted_heat", "",
+     "heat taken by what lies below, its storage included, as the conduction's own solution has "
+     "it"},
+}};
+constexpr const char* heat_equation =
+    "absorbed_sunlight + absorbed_longwave + internal_heat = emitted_longwave + sensible_heat + "
+    "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "
+    "of the facet's front; between the solver's steps both sides are on the straight line";
+
+/// A word of CF's flag_meanings: letters, digits and _ - . + @.
+std::string flag_word(std::string name) {
+    for (char& c : name) {
+        const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') ||
+                          std::string_view("_-.+@").find(c) != std::string_view::npos;
+        if (!good) c = '_';
+    }
+    return name.empty() ? "_" : name;
+}
+
+/// A number for each facet, and what the numbers mean.
+int declare_flags(const NetcdfFile& file, const char* name, int facet_dim,
+                  const std::vector<std::string>& meanings) {
+    const int variable = file.variable(name, NC_INT, {facet_dim});
+    std::vector<int> values;
+    std::string words;
+    for (std::size_t i = 0; i < meanings.size(); ++i) {
+        values.push_back(int(i));
+        if (i > 0) words += ' ';
+        words += flag_word(meanings[i]);
+    }
+    file.must(
+        nc_put_att_int(file.id(), variable, "flag_values", NC_INT, values.size(), values.data()));
+    file.text(variable, "flag_meanings", words);
+    file.text(variable, "long_name", std::string(name) + " of the facet");
+    file.text(variable, "mesh", "mesh");
+    file.text(variable, "location", "face");
+    return variable;
+}
+
+void declare_times(const NetcdfFile& file, int time_dim, Variables& variables) {
+    variables.time = file.variable("time", NC_DOUBLE, {time_dim});
+    file.text(variables.time, "standard_name", "time");
+    file.text(variables.time, "units", "seconds since 1970-01-01T00:00:00Z");
+    file.text(variables.time, "calendar", "standard");
+    variables.clock = file.variable("local_time", NC_STRING, {time_dim});
+    file.text(variables.clock, "long_name", "time on the scene's clock, with its offset from UTC");
+    variables.solar = file.variable("solar_time", NC_DOUBLE, {time_dim});
+    file.text(variables.solar, "long_name", "apparent solar time at the site: 12 is its true noon");
+    file.text(variables.solar, "units", "hours");
+}
+
+/// A variable (time, facet).
+int declare_field(const NetcdfFile& file, const char* name, const char* standard_name,
+                  const std::string& units, const std::array<int, 2>& dims) {
+    const int variable = file.variable(name, NC_FLOAT, {dims[0], dims[1]});
+    if (*standard_name != '\0') file.text(variable, "standard_name", standard_name);
+    file.text(variable, "units", units);
+    file.text(variable, "mesh", "mesh");
+    file.text(variable, "location", "face");
+    return variable;
+}
+
+void declare_fluxes(const NetcdfFile& file, const std::array<int, 2>& dims, Variables& variables) {
+    file.text(NC_GLOBAL, "heat_balance", heat_equation);
+    for (std::size_t k = 0; k < heat_terms; ++k) {
+        const TermName& term = term_names[k];
+        variables.term[k] = declare_field(file, term.name, term.standard_name, "W m-2", dims);
+        file.text(variables.term[k], "long_name", term.long_name);
+        const int sign = k < heat_sources ? 1 : -1;
+        file.must(nc_put_att_int(file.id(), variables.term[k], "balance_sign", NC_INT, 1, &sign));
+    }
+}
+
 /// Dimensions, variables and their attributes: what a reader learns before any number.
-Variables declare(const File& file, const TemperatureField& field, const FacetSet& facets,
-                  const Site& site) {
+Variables declare(const NetcdfFile& file, const TemperatureField& field, const FacetSet& facets,
+                  const Site& site, const FieldNotes& notes) {
     const int time_dim = file.dimension("time", field.instant.size());
     const int facet_dim = file.dimension("facet", field.facets);
     const int vertex_dim = file.dimension("vertex", facets.vertex.size());
@@ -125,20 +154,21 @@ Variables declare(const File& file, const TemperatureField& field, const FacetSe
         file.text(variables.axis[i], "units", "m");
         file.text(variables.axis[i], "long_name", std::string(names[i]) + " of the site's origin");
     }
-    variables.time = file.variable("time", NC_DOUBLE, {time_dim});
-    file.text(variables.time, "standard_name", "time");
-    file.text(variables.time, "units", "seconds since 1970-01-01T00:00:00Z");
-    file.text(variables.time, "calendar", "standard");
-    variables.kelvin = file.variable("surface_temperature", NC_FLOAT, {time_dim, facet_dim});
-    file.text(variables.kelvin, "standard_name", "surface_temperature");
-    file.text(variables.kelvin, "units", "K");
-    file.text(variables.kelvin, "mesh", "mesh");
-    file.text(variables.kelvin, "location", "face");
+    declare_times(file, time_dim, variables);
+    if (!notes.materials.empty()) {
+        variables.material = declare_flags(file, "material", facet_dim, notes.materials);
+    }
+    if (!notes.objects.empty()) {
+        variables.object = declare_flags(file, "object", facet_dim, notes.objects);
+    }
+    const std::array<int, 2> dims{time_dim, facet_dim};
+    variables.kelvin = declare_field(file, "surface_temperature", "surface_temperature", "K", dims);
+    if (notes.fluxes) declare_fluxes(file, dims, variables);
     file.must(nc_enddef(file.id()));
     return variables;
 }
 
-void write_mesh(const File& file, const Variables& variables, const FacetSet& facets) {
+void write_mesh(const NetcdfFile& file, const Variables& variables, const FacetSet& facets) {
     std::vector<int> corners;
     corners.reserve(3 * facets.size());
     for (const auto& triangle : facets.corner) {
@@ -153,12 +183,40 @@ void write_mesh(const File& file, const Variables& variables, const FacetSet& fa
     }
 }
 
-void write_temperatures(const File& file, const Variables& variables,
-                        const TemperatureField& field) {
-    std::vector<double> seconds;
-    for (const Instant when : field.instant) seconds.push_back(seconds_between(Instant{}, when));
+void write_names(const NetcdfFile& file, const Variables& variables, const FacetSet& facets) {
+    std::vector<int> number(facets.size());
+    if (variables.material >= 0) {
+        std::transform(facets.material.begin(), facets.material.end(), number.begin(),
+                       [](MaterialId id) { return int(index(id)); });
+        file.must(nc_put_var_int(file.id(), variables.material, number.data()));
+    }
+    if (variables.object >= 0) {
+        std::transform(facets.object.begin(), facets.object.end(), number.begin(),
+                       [](ObjectId id) { return int(id); });
+        file.must(nc_put_var_int(file.id(), variables.object, number.data()));
+    }
+}
+
+void write_times(const NetcdfFile& file, const Variables& variables,
+                 const std::vector<Instant>& instants, const Site& site, double utc_offset) {
+    std::vector<double> seconds, solar;
+    std::vector<std::string> clock;
+    std::vector<const char*> text;
+    for (const Instant when : instants) {
+        seconds.push_back(seconds_between(Instant{}, when));
+        solar.push_back(solar_time_h(site, when));
+        clock.push_back(format_local(when, utc_offset));
+    }
+    for (const std::string& at : clock) text.push_back(at.c_str());
     file.must(nc_put_var_double(file.id(), variables.time, seconds.data()));
-    file.must(nc_put_var_float(file.id(), variables.kelvin, field.kelvin.data()));
+    file.must(nc_put_var_double(file.id(), variables.solar, solar.data()));
+    file.must(nc_put_var_string(file.id(), variables.clock, text.data()));
+}
+
+void write_fluxes(const NetcdfFile& file, const Variables& variables, const HeatFluxField& fluxes) {
+    for (std::size_t k = 0; k < heat_terms; ++k) {
+        file.must(nc_put_var_float(file.id(), variables.term[k], fluxes.watts[k].data()));
+    }
 }
 
 }  // namespace
@@ -180,7 +238,7 @@ std::vector<float> TemperatureField::interpolate(Instant when) const {
 }
 
 void save_temperature_field(const fs::path& path, const TemperatureField& field,
-                            const FacetSet& facets, const Site& site) {
+                            const FacetSet& facets, const Site& site, const FieldNotes& notes) {
     assert(field.facets == facets.size());
     const auto bad = std::find_if_not(field.kelvin.begin(), field.kelvin.end(),
                                       [](float kelvin) { return std::isfinite(kelvin); });
@@ -189,10 +247,16 @@ void save_temperature_field(const fs::path& path, const TemperatureField& field,
             fmt::format("{}: the temperature of facet {} is not finite", path.string(),
                         static_cast<std::size_t>(bad - field.kelvin.begin()) % field.facets));
     }
-    File file = File::create(path);
-    const Variables variables = declare(file, field, facets, site);
+    NetcdfFile file = NetcdfFile::create(path);
+    const Variables variables = declare(file, field, facets, site, notes);
     write_mesh(file, variables, facets);
-    write_temperatures(file, variables, field);
+    write_names(file, variables, facets);
+    write_times(file, variables, field.instant, site, notes.utc_offset);
+    file.must(nc_put_var_float(file.id(), variables.kelvin, field.kelvin.data()));
+    if (notes.fluxes) {
+        assert(notes.fluxes->instant == field.instant);
+        write_fluxes(file, variables, *notes.fluxes);
+    }
     file.finish();
 }
 
@@ -205,7 +269,7 @@ TemperatureField load_temperature_field(const fs::path& path) {
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
         throw fail(fmt::format("is no netCDF file ({})", nc_strerror(status)));
     }
-    const File file(path, id);
+    const NetcdfFile file(path, id);
     const auto must = [&](int status, const char* what) {
         if (status != NC_NOERR) throw fail(fmt::format("has no {} of a temperature field", what));
     };

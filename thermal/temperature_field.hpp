@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
+#include "thermal/heat_flux_field.hpp"
 
 namespace diurna {
 
@@ -25,11 +27,23 @@ struct TemperatureField {
     std::vector<float> interpolate(Instant when) const;
 };
 
+/// What stands in a file beside temperatures.
+struct FieldNotes {
+    std::vector<std::string> materials{};   // (MaterialId) names; empty: not written
+    std::vector<std::string> objects{};     // (ObjectId) names, the ground first; empty likewise
+    double utc_offset = 0.0;                // [s] that the scene's clock is ahead of UTC
+    const HeatFluxField* fluxes = nullptr;  // at the temperatures' instants; null: not written
+};
+
 /// Writes netCDF (CF 1.8 with a UGRID 1.0 mesh of the facets in the site's east-north-up frame):
 /// a whole file or none. Throws std::runtime_error with path and reason, also for a temperature
 /// that is not finite.
+///
+/// Instants are written in UTC, on the scene's clock and in solar time; names as flag_meanings, in
+/// which what CF does not allow becomes "_"; terms of the heat balance with their `balance_sign`,
+/// by which they add up to nothing.
 void save_temperature_field(const std::filesystem::path& file, const TemperatureField& field,
-                            const FacetSet& facets, const Site& site);
+                            const FacetSet& facets, const Site& site, const FieldNotes& notes = {});
 
 /// Reads what save_temperature_field wrote. Throws InputError if the file is missing, is no such
 /// file, or holds temperatures that are not finite and positive.

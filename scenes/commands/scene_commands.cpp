@@ -73,6 +73,7 @@ void run_verb(const SceneArguments& a, JobOptions job) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
+    if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", report.start);
     check_converged(report.not_converged);
 }
 
@@ -82,7 +83,9 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     progress.stage("sky view");
     const FacetViews view = scene_sky_view(prepared);
     const SpanResult result = solve_scene(prepared, view, progress);
-    save_temperature_field(out, result.temperature, prepared.world.surfaces(), prepared.world.site);
+    progress.finish();
+    write_heat(prepared, result, out);
+    fmt::print(stderr, "note: start: {}\n", result.start);
     check_converged(not_converged(result.report));
 }
 

@@ -119,13 +119,44 @@ std::vector<Instant> read_frames(const Section& section, double offset, const Ti
     return frames;
 }
 
+void read_spin_up(const Section& section, const std::filesystem::path& folder, TimeInput& time) {
+    time.spin_up = section.choice_or(
+        "spin_up",
+        "what went before: the weather of the days before (default where the file has them), the "
+        "first 24 hours repeated without their trend (default else), the balance of the first "
+        "day's mean, or the state that an earlier run left (default where state is given)",
+        SpanStart::known,
+        {{"auto", SpanStart::known},
+         {"weather", SpanStart::weather},
+         {"periodic", SpanStart::periodic},
+         {"steady", SpanStart::steady},
+         {"state", SpanStart::state}});
+    const std::string state = section.text_or(
+        "state", "file of an earlier run of this scene with output.state, that ended at start", "");
+    if (state.empty()) {
+        if (time.spin_up == SpanStart::state) {
+            section.mistake("spin_up", "goes on from a state, but no file is given as state");
+        }
+        return;
+    }
+    if (time.spin_up != SpanStart::known && time.spin_up != SpanStart::state) {
+        section.mistake("state", "stands beside a spin_up that does not go on from it");
+    }
+    time.spin_up = SpanStart::state;
+    time.state = folder / state;
+    if (!std::filesystem::is_regular_file(time.state)) {
+        section.mistake("state", fmt::format("no such file: {}", time.state.string()));
+    }
+}
+
 }  // namespace
 
-TimeInput read_time(const Section& section) {
+TimeInput read_time(const Section& section, const std::filesystem::path& folder) {
     TimeInput time;
     const std::string said = section.moment("start", "of the span, with its offset from UTC");
     const auto start = instant_of(section, "start", said);
     if (start) time.start = *start;
+    time.utc_offset = offset_of(said);
     const double hours = section.number_or("duration_h", "of the span, minutes to a year", 24.0,
                                            {1.0 / 60.0, longest_hours});
     time.duration = 3600.0 * hours;
@@ -146,20 +177,11 @@ TimeInput read_time(const Section& section) {
     }
     time.step = section.number_or(
         "step_s", "of the heat balance, rounded so that steps fill each day", 600.0, {1.0, 3600.0});
-    time.spin_up = section.choice_or(
-        "spin_up",
-        "what went before: the weather of the days before (default where the file has them), the "
-        "first 24 hours repeated without their trend (default else), the balance of the first "
-        "day's mean",
-        SpanStart::known,
-        {{"auto", SpanStart::known},
-         {"weather", SpanStart::weather},
-         {"periodic", SpanStart::periodic},
-         {"steady", SpanStart::steady}});
+    read_spin_up(section, folder, time);
     time.days_before = section.integer_or(
         "spin_up_days", "days of weather before the start, at most; the first of them repeated", 3,
         {1, 366});
-    time.frames = read_frames(section, offset_of(said), time);
+    time.frames = read_frames(section, time.utc_offset, time);
     return time;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <vector>
 
 #include "materials/base/section.hpp"
@@ -11,15 +12,18 @@ namespace diurna {
 /// The section [time]: the span, its steps, its start and its pictures.
 struct TimeInput {
     Instant start;
+    double utc_offset = 0.0;    // [s] that the scene's clock is ahead of UTC, as start says it
     double duration = 86400.0;  // [s]
     double step = 600.0;        // [s] of the heat balance
     SpanStart spin_up = SpanStart::known;
     int days_before = 3;          // of spin_up "weather", at most
+    std::filesystem::path state;  // of an earlier run, for SpanStart::state
     std::vector<Instant> frames;  // ascending, within the span
 
     Instant end() const { return later(start, duration); }
 };
 
-TimeInput read_time(const Section& section);
+/// folder  where relative names of files start
+TimeInput read_time(const Section& section, const std::filesystem::path& folder = {});
 
 }  // namespace diurna

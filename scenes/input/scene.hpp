@@ -10,6 +10,7 @@
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
 #include "scenes/input/read_observer.hpp"
+#include "scenes/input/read_output.hpp"
 #include "scenes/input/read_plumes.hpp"
 #include "scenes/input/read_terrain.hpp"
 #include "scenes/input/read_textures.hpp"
@@ -40,6 +41,7 @@ struct Scene {
     ClearSky sky;
     AirInput air;
     TimeInput time;
+    OutputInput output;
     std::vector<BandInput> bands;
     std::vector<CubeInput> cubes;
     std::vector<PlumeInput> plumes;

@@ -108,7 +108,10 @@ Scene read_scene(const Document& document) {
     scene.sky = read_sky(root.section("sky", sky_says));
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere, reading);
-    scene.time = read_time(root.required_section("time", "the span, its steps and pictures"));
+    scene.time = read_time(root.required_section("time", "the span, its steps and pictures"),
+                           reading.folder);
+    scene.output =
+        read_output(root.section("output", "what a run writes beside temperatures and pictures"));
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading);

@@ -26,6 +26,7 @@ struct JobReport {
     std::size_t posts = 0;
     SolveReport solve{};
     bool solved = false;               // false: temperatures were kept from an earlier run
+    std::string start{};               // how the heat balance's was found, and what it is worth
     std::string not_converged{};       // in one line, of this or the earlier run; "" where it has
     std::size_t frames_rendered = 0;   // the others were kept
     std::vector<std::string> files{};  // written or kept, relative to the folder

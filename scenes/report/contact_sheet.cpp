@@ -39,7 +39,8 @@ std::vector<Frame> shown_frames(const fs::path& folder, const std::string& obser
 }  // namespace
 
 std::string contact_sheet(const fs::path& folder, const std::string& observer, const Band& band,
-                          const std::vector<Instant>& frames) {
+                          const std::vector<Instant>& frames,
+                          const std::function<std::string(Instant)>& caption) {
     const std::string plane = shown_plane(band);
     const std::vector<Frame> pictures = shown_frames(folder, observer, band, frames);
     ColourScale scale{1e9, -1e9};
@@ -56,7 +57,7 @@ std::string contact_sheet(const fs::path& folder, const std::string& observer, c
                 "<figure><img alt=\"{0}\" "
                 "src=\"data:image/png;base64,{1}\"/><figcaption>{0}</figcaption>"
                 "</figure>\n",
-                format_instant(frames[i]), base64(png));
+                caption(frames[i]), base64(png));
         },
         1);
     const bool radiance = plane.starts_with("radiance");

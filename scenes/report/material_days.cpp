@@ -9,6 +9,7 @@
 #include "materials/base/units.hpp"
 #include "scenes/report/chart.hpp"
 #include "scenes/report/html.hpp"
+#include "terrain/place/local_time.hpp"
 
 namespace diurna {
 
@@ -27,7 +28,6 @@ std::string colour_of(const std::string& material, std::size_t turn = 0) {
     return colour != known.end() ? colour->second : others[turn % others.size()];
 }
 
-/// Hours of the day in the offset the scene's start was written in are not kept; UTC is.
 double hour(const std::vector<Instant>& instants, std::size_t i) {
     return seconds_between(instants.front(), instants[i]) / 3600.0;
 }
@@ -36,12 +36,13 @@ double hour(const std::vector<Instant>& instants, std::size_t i) {
 
 std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& instants,
                          const std::vector<DiurnalCurve>& curves) {
-    Chart chart{.title = "Surface temperature by material, mean over area",
-                .x_title = "hours after " + format_instant(instants.front()),
-                .y_title = "°C",
-                .x_last = hour(instants, instants.size() - 1),
-                .x_tick = 2.0,
-                .lines = {}};
+    Chart chart{
+        .title = "Surface temperature by material, mean over area",
+        .x_title = "hours after " + format_local(instants.front(), prepared.scene.time.utc_offset),
+        .y_title = "°C",
+        .x_last = hour(instants, instants.size() - 1),
+        .x_tick = 2.0,
+        .lines = {}};
     ChartLine air{.name = "air", .colour = colour_of("air"), .x = {}, .y = {}, .dashed = true};
     for (std::size_t i = 0; i < instants.size(); ++i) {
         air.x.push_back(hour(instants, i));
@@ -60,7 +61,8 @@ std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& i
 }
 
 std::string curves_table(const std::vector<Instant>& instants,
-                         const std::vector<DiurnalCurve>& curves, const std::string& background) {
+                         const std::vector<DiurnalCurve>& curves, const std::string& background,
+                         double utc_offset) {
     const auto reference = std::find_if(curves.begin(), curves.end(), [&](const DiurnalCurve& c) {
         return c.material == background;
     });
@@ -68,14 +70,15 @@ std::string curves_table(const std::vector<Instant>& instants,
         "<table>\n<tr><th>material</th><th class=\"n\">facets</th><th class=\"n\">hectares</th>"
         "<th class=\"n\">coldest mean °C</th><th class=\"n\">warmest mean °C</th>"
         "<th class=\"n\">spread (10 to 90 %) at the warmest, K</th><th>crossover with " +
-        escaped(background) + ", UTC</th></tr>\n";
+        escaped(background) + ", scene's clock</th></tr>\n";
     for (const DiurnalCurve& curve : curves) {
         const auto [low, high] = std::minmax_element(curve.mean.begin(), curve.mean.end());
         const auto warmest = static_cast<std::size_t>(high - curve.mean.begin());
         std::string crossed;
         if (reference != curves.end() && &*reference != &curve) {
             for (const Instant instant : crossovers(instants, curve, *reference)) {
-                crossed += (crossed.empty() ? "" : ", ") + format_instant(instant).substr(11, 5);
+                crossed +=
+                    (crossed.empty() ? "" : ", ") + format_local(instant, utc_offset).substr(11, 5);
             }
             if (crossed.empty()) crossed = "none";
         }

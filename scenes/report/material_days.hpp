@@ -13,8 +13,9 @@ std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& i
                          const std::vector<DiurnalCurve>& curves);
 
 /// Coldest, warmest, spread, and where each material's curve crosses that of `background`, as an
-/// HTML table.
+/// HTML table. utc_offset: [s] of the clock that crossings are told by.
 std::string curves_table(const std::vector<Instant>& instants,
-                         const std::vector<DiurnalCurve>& curves, const std::string& background);
+                         const std::vector<DiurnalCurve>& curves, const std::string& background,
+                         double utc_offset);
 
 }  // namespace diurna

@@ -9,6 +9,7 @@
 #include "scenes/report/contact_sheet.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/material_days.hpp"
+#include "terrain/place/local_time.hpp"
 
 namespace diurna {
 
@@ -25,6 +26,12 @@ td.n,th.n{text-align:right}.sheet{display:grid;grid-template-columns:repeat(4,1f
 svg text{font:12px system-ui,sans-serif}svg .t{font-size:14px;font-weight:600}svg .e{text-anchor:end;fill:#566}
 svg .m{text-anchor:middle;fill:#566}svg .g{stroke:#e3e7ee;fill:none}
 </style>)";
+
+/// "2026-07-15T05:00:00-04:00 (03:17 solar)"
+std::string when(const Prepared& prepared, Instant instant) {
+    return fmt::format("{} ({} solar)", format_local(instant, prepared.scene.time.utc_offset),
+                       format_solar_time(prepared.world.site, instant));
+}
 
 std::string facts(const Prepared& prepared, const JobReport& report) {
     const Plan& plan = report.plan;
@@ -60,6 +67,7 @@ std::string facts(const Prepared& prepared, const JobReport& report) {
     if (!report.not_converged.empty()) {
         out += row("<strong>not converged</strong>", escaped(report.not_converged));
     }
+    if (!report.start.empty()) out += row("start of the heat balance", escaped(report.start));
     out += row("frames", fmt::format("{} instants, {} rendered in this run", plan.frames.size(),
                                      report.frames_rendered));
     for (const std::string& note : report.notes) out += row("modelled", escaped(note));
@@ -112,19 +120,21 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
     std::string html = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta "
         "charset=\"utf-8\"><title>{0}</title>{1}</head>"
-        "<body>\n<h1>{0}</h1>\n<p class=\"key\">diurna {2}, scene {3}, {4} to {5}</p>\n",
+        "<body>\n<h1>{0}</h1>\n<p class=\"key\">diurna {2}, scene {3}, {4} to {5}; the sun stands "
+        "highest at 12:00 solar time</p>\n",
         escaped(prepared.scene.title), style, DIURNA_VERSION,
-        escaped(prepared.scene.file.filename().string()), format_instant(report.plan.steps.front()),
-        format_instant(report.plan.steps.back()));
+        escaped(prepared.scene.file.filename().string()), when(prepared, report.plan.steps.front()),
+        when(prepared, report.plan.steps.back()));
     html += "<h2>What was computed</h2>\n" + facts(prepared, report);
     html += "<h2>The day of each material</h2>\n" + curves_chart(prepared, field.instant, curves) +
-            curves_table(field.instant, curves, prepared.scene.terrain.default_material);
+            curves_table(field.instant, curves, prepared.scene.terrain.default_material,
+                         prepared.scene.time.utc_offset);
     html += "<h2>Pictures</h2>\n";
     for (const ObserverInput& observer : prepared.scene.observers) {
         for (const std::string& band : observer.bands) {
-            html += contact_sheet(folder, observer.name,
-                                  named_band(prepared.scene.bands, band, bin_edges_um()),
-                                  report.plan.frames);
+            html += contact_sheet(
+                folder, observer.name, named_band(prepared.scene.bands, band, bin_edges_um()),
+                report.plan.frames, [&](Instant instant) { return when(prepared, instant); });
         }
     }
     html += "<h2>Time</h2>\n" + timings(report);

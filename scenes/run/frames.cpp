@@ -22,6 +22,7 @@
 #include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/world/air.hpp"
+#include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
 
 namespace diurna {
@@ -167,6 +168,8 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                           .hops = &s.hops,
                           .plumes = prepared.plumes});
     check_finite(frame, s.input.bands);
+    frame.notes["local_time"] = format_local(instant, prepared.scene.time.utc_offset);
+    frame.notes["solar_time"] = format_solar_time(world.site, instant);
     if (light.moon) frame.notes["moon"] = moon_note(light);
     if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
     write_bands(out, frame, s.bands);

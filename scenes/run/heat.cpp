@@ -7,15 +7,63 @@
 #include <span>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "materials/matter/passed_light.hpp"
+#include "scenes/run/state_owner.hpp"
 #include "scenes/run/sun_exposure.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/stepping.hpp"
+#include "terrain/place/local_time.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
+#include "thermal/solve/heat_state_file.hpp"
+#include "thermal/solve/start_error.hpp"
 
 namespace diurna {
+
+namespace {
+
+/// The state that the scene goes on from: of the same facets, at the span's start.
+std::optional<HeatState> earlier_state(const Prepared& prepared) {
+    const TimeInput& time = prepared.scene.time;
+    if (time.spin_up != SpanStart::state) return std::nullopt;
+    TimedState timed = load_heat_state(
+        time.state, state_owner(prepared.world.surfaces(), prepared.scene.materials));
+    if (timed.instant != time.start) {
+        throw InputError(time.state.string(),
+                         fmt::format("is the state at {}, but the span starts at {}",
+                                     format_local(timed.instant, time.utc_offset),
+                                     format_local(time.start, time.utc_offset)));
+    }
+    return std::move(timed.state);
+}
+
+/// What the start is worth, in one line.
+std::string start_told(const SolveInput& input, const SpanOptions& span,
+                       const SolveReport& report) {
+    if (span.begin == SpanStart::state) return "it adds nothing to what that run had";
+    std::string line;
+    if (report.periodic_residual > 0.0) {
+        line = fmt::format("Newton's residual of the repeated day is worth {:.1e} K; ",
+                           report.estimated_error);
+    }
+    return line + told(measure_start(input, span));
+}
+
+/// Names and clock of a scene, for its file of temperatures.
+FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
+    FieldNotes notes{.objects = prepared.world.objects,
+                     .utc_offset = prepared.scene.time.utc_offset,
+                     .fluxes = fluxes.empty() ? nullptr : &fluxes};
+    const MaterialLibrary& materials = prepared.scene.materials;
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        notes.materials.push_back(materials[MaterialId(i)].kind());
+    }
+    return notes;
+}
+
+}  // namespace
 
 FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
     const Scene& scene = prepared.scene;
@@ -41,9 +89,11 @@ std::string not_converged(const SolveReport& report) {
 }
 
 SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
+    const std::optional<HeatState> earlier = earlier_state(prepared);
     progress.stage("heat balance");
     double shadows = 0.0;
     SpanOptions span = scene_span(prepared.scene);
+    span.from = earlier ? &*earlier : nullptr;
     span.day.progress = [&](double share) { progress.done(share); };
     std::optional<FacetViews> sunlight_views;
     if (passes_by_spectrum(passed_light(prepared.scene.materials))) {
@@ -58,19 +108,31 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
         return sun;
     };
     const MeasuredAlbedo albedo = measured_albedo(prepared.scene, prepared.world, prepared.weather);
-    SpanResult result = solve_span({.facets = prepared.world.surfaces(),
-                                    .views = views,
-                                    .sun = none,
-                                    .materials = prepared.scene.materials,
-                                    .weather = prepared.weather,
-                                    .site = prepared.world.site,
-                                    .elevation = prepared.world.sea_level_height,
-                                    .clear_sky = prepared.scene.sky,
-                                    .measured_share = albedo.share,
-                                    .sunlight_views = sunlight_views ? &*sunlight_views : nullptr},
-                                   exposure, span);
+    const SolveInput input{.facets = prepared.world.surfaces(),
+                           .views = views,
+                           .sun = none,
+                           .materials = prepared.scene.materials,
+                           .weather = prepared.weather,
+                           .site = prepared.world.site,
+                           .elevation = prepared.world.sea_level_height,
+                           .clear_sky = prepared.scene.sky,
+                           .measured_share = albedo.share,
+                           .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
+    SpanResult result = solve_span(input, exposure, span);
+    result.start += ": " + start_told(input, span, result.report);
     progress.set_apart("shadows", shadows);
     return result;
+}
+
+void write_heat(const Prepared& prepared, const SpanResult& result,
+                const std::filesystem::path& temperatures) {
+    const FacetSet& surfaces = prepared.world.surfaces();
+    save_temperature_field(temperatures, result.temperature, surfaces, prepared.world.site,
+                           field_notes(prepared, result.heat));
+    if (!prepared.scene.output.state) return;
+    save_heat_state(temperatures.parent_path() / state_file,
+                    {prepared.scene.time.end(), result.end},
+                    state_owner(surfaces, prepared.scene.materials));
 }
 
 }  // namespace diurna

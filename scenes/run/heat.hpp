@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "scenes/plan/prepared.hpp"
@@ -17,7 +18,14 @@ FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
 /// In one line by how much a solver has missed its tolerance; "" where it has converged.
 std::string not_converged(const SolveReport& report);
 
-/// Shadows and heat balance: temperatures alone.
+/// Shadows and heat balance: temperatures alone. Throws InputError where the state that the scene
+/// goes on from is of another scene or instant.
 SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress);
+
+inline constexpr const char* state_file = "state.nc";
+/// Writes temperatures with names, clock and fluxes, and beside them the state at the end, if the
+/// scene asks for it.
+void write_heat(const Prepared& prepared, const SpanResult& result,
+                const std::filesystem::path& temperatures);
 
 }  // namespace diurna

@@ -20,13 +20,16 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
     fs::create_directories(options.out / "frames");
     Manifest manifest{.key = job_key(prepared.scene, options.settings),
                       .settings = options.settings,
+                      .frames = prepared.plan.frames,
+                      .site = prepared.world.site,
                       .weather = prepared.weather.note};
     const Manifest earlier = read_manifest(options.out);
     keep = options.resume && earlier.key == manifest.key;
     if (keep) {
         manifest.not_converged = earlier.not_converged;
+        manifest.start = earlier.start;
     } else {
-        fs::remove(options.out / "temperatures.nc");
+        for (const char* file : {"temperatures.nc", state_file}) fs::remove(options.out / file);
         for (const std::string& file :
              frame_files(prepared.scene.observers, prepared.plan.frames)) {
             fs::remove(options.out / file);
@@ -36,6 +39,13 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
     return manifest;
 }
 
+/// What the heat balance leaves in the folder.
+std::vector<std::string> heat_files(const Scene& scene) {
+    std::vector<std::string> files{"temperatures.nc"};
+    if (scene.output.state) files.emplace_back(state_file);
+    return files;
+}
+
 /// Solves, writes temperatures.nc and says in the manifest if the solver has not converged.
 TemperatureField solve_and_write(const Prepared& prepared, const FacetViews& views,
                                  const fs::path& out, Progress& progress, Manifest& manifest,
@@ -43,11 +53,10 @@ TemperatureField solve_and_write(const Prepared& prepared, const FacetViews& vie
     SpanResult result = solve_scene(prepared, views, progress);
     progress.stage("write temperatures");
     manifest.not_converged = not_converged(result.report);
+    manifest.start = result.start;
     if (!manifest.not_converged.empty()) write_manifest(out, prepared.scene, manifest);
-    save_temperature_field(out / "temperatures.nc", result.temperature, prepared.world.surfaces(),
-                           prepared.world.site);
+    write_heat(prepared, result, out / "temperatures.nc");
     report.solve = result.report;
-    report.notes.push_back("start of the heat balance: " + result.start);
     report.solved = true;
     return std::move(result.temperature);
 }
@@ -67,13 +76,14 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     JobReport report{.plan = prepared.plan,
                      .ground_check = prepared.world.ground_check,
                      .posts = prepared.world.posts,
-                     .files = {"temperatures.nc"},
+                     .files = heat_files(prepared.scene),
                      .notes = prepared.notes};
-    keep = keep && fs::exists(out / "temperatures.nc");
+    for (const std::string& file : report.files) keep = keep && fs::exists(out / file);
     const TemperatureField field =
         keep ? load_temperature_field(out / "temperatures.nc")
              : solve_and_write(prepared, views, out, progress, manifest, report);
     report.not_converged = manifest.not_converged;
+    report.start = manifest.start;
 
     const FramesReport frames = render_frames(prepared, views, field, out, progress);
     report.frames_rendered = frames.rendered;

@@ -7,6 +7,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "scenes/run/digest.hpp"
+#include "terrain/place/local_time.hpp"
 
 namespace diurna {
 
@@ -30,6 +31,7 @@ std::vector<fs::path> input_files(const Scene& scene) {
     for (const PlumeInput& plume : scene.plumes) {
         if (!plume.file.empty()) files.push_back(plume.file);
     }
+    if (!scene.time.state.empty()) files.push_back(scene.time.state);
     std::vector<fs::path> data;
     for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
         const std::string extension = entry.path().extension();
@@ -58,6 +60,7 @@ Manifest read_manifest(const fs::path& folder) {
     const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
     if (!json.is_object()) return {};
     return {.key = json.value("key", std::string()),
+            .start = json.value("start", std::string()),
             .not_converged = json.value("not_converged", std::string())};
 }
 
@@ -72,6 +75,14 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     json["seed"] = scene.seed;
     json["settings"] = manifest.settings;
     if (!manifest.weather.empty()) json["weather"] = manifest.weather;
+    const double offset = scene.time.utc_offset;
+    json["span"] = {format_local(scene.time.start, offset), format_local(scene.time.end(), offset)};
+    for (const Instant when : manifest.frames) {
+        json["frames"].push_back({{"utc", format_instant(when)},
+                                  {"local_time", format_local(when, offset)},
+                                  {"solar_time", format_solar_time(manifest.site, when)}});
+    }
+    if (!manifest.start.empty()) json["start"] = manifest.start;
     json["threads"] = thread_count();
     for (const fs::path& file : input_files(scene)) {
         json["inputs"][file.lexically_normal().string()] = sha256_of_file(file);

@@ -6,6 +6,8 @@
 
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/progress.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 
@@ -13,7 +15,10 @@ namespace diurna {
 struct Manifest {
     std::string key{};                    // job_key()
     std::vector<std::string> settings{};  // of the command line
+    std::vector<Instant> frames{};        // when pictures are taken
+    Site site{};                          // for their solar time
     std::string weather{};                // what was modelled and filled in of it
+    std::string start{};                  // how the heat balance's was found, and what it is worth
     std::string not_converged{};          // by how much the temperatures miss the tolerance
     std::vector<std::string> outputs{};   // files of the folder; empty: still running
     std::vector<Progress::Stage> stages{};

@@ -13,7 +13,9 @@ SpanOptions scene_span(const Scene& scene) {
                      .end = time.end(),
                      .begin = time.spin_up,
                      .days_before = time.days_before,
-                     .wanted = time.frames};
+                     .wanted = time.frames,
+                     .heat = scene.output.fluxes,
+                     .goes_on = scene.output.state};
     if (time.duration <= longest_curve) {
         const auto count = std::lround(std::ceil(time.duration / curve_every));
         for (long i = 0; i <= count; ++i) {

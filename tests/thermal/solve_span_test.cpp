@@ -2,9 +2,14 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "tests/support/hill_world.hpp"
+#include "tests/support/scratch_folder.hpp"
+#include "thermal/solve/heat_state_file.hpp"
+#include "thermal/solve/start_error.hpp"
 #include "thermal/weather/repeated_day.hpp"
 
 using namespace diurna;
@@ -151,4 +156,149 @@ TEST_CASE("a day that does not repeat is known, and its trend taken out", "[ther
         CHECK(level.at(when).air.temperature + 10.0 * 7.0 / 24.0 ==
               Approx(summers(0.0, 3).at(when).air.temperature).margin(1e-6));
     }
+}
+
+namespace {
+
+/// 120 days before june and ten after, warm and cold by turns of 17 days, hourly.
+Weather waves() {
+    const Weather one = summer();
+    Weather weather;
+    for (int h = -120 * 24; h <= 10 * 24; ++h) {
+        Forcing forcing = one.sample[std::size_t((h + 120 * 24) % 24)];
+        const double turn = std::sin(2.0 * M_PI * h / (17.0 * 24.0) + 0.4);
+        forcing.air.temperature += 6.0 * turn;
+        forcing.air.vapour_pressure += 300.0 * turn;
+        weather.instant.push_back(later(june, hour * h));
+        weather.sample.push_back(forcing);
+    }
+    return weather;
+}
+
+SpanOptions two_days(SpanStart begin, int days_before) {
+    SpanOptions options;
+    options.start = june;
+    options.end = later(june, 2.0 * day);
+    options.begin = begin;
+    options.days_before = days_before;
+    options.wanted = {options.start, options.end};
+    return options;
+}
+
+}  // namespace
+
+// The truth: the same hills begun 120 days earlier. Level ground stands for slopes to 30 degrees:
+// the largest difference of any facet is told within a factor of two.
+TEST_CASE("what the start is worth is told", "[thermal][span][start]") {
+    World world(8);
+    world.weather = waves();
+    const SunExposure none;
+    const SolveInput input{.facets = world.facets,
+                           .views = world.view,
+                           .sun = none,
+                           .materials = world.materials,
+                           .weather = world.weather,
+                           .site = tennessee,
+                           .elevation = 400.0};
+    const auto exposure = [&](const std::vector<Instant>& instants) {
+        return shadows(world.facets, world.rays, tennessee,
+                       {.start = instants.front(),
+                        .duration = seconds_between(instants.front(), instants.back())});
+    };
+    const TemperatureField truth =
+        solve_span(input, exposure, two_days(SpanStart::weather, 120)).temperature;
+    for (const auto& [begin, days] :
+         {std::pair{SpanStart::weather, 1}, std::pair{SpanStart::weather, 3},
+          std::pair{SpanStart::periodic, 1}, std::pair{SpanStart::steady, 1}}) {
+        const SpanOptions options = two_days(begin, days);
+        const TemperatureField run = solve_span(input, exposure, options).temperature;
+        const StartError told_of = measure_start(input, options);
+        for (const std::size_t i : {0, 1}) {
+            double worst = 0.0;
+            for (std::size_t f = 0; f < run.facets; ++f) {
+                worst = std::max(worst, std::abs(double(run.at(i)[f]) - double(truth.at(i)[f])));
+            }
+            const double told_worst = i == 0 ? told_of.at_first : told_of.at_later;
+            CAPTURE(int(begin), days, i, told_worst, worst, told(told_of));
+            CHECK(told_of.against == StartError::Against::more_days);
+            CHECK(told_worst > 0.5 * worst);
+            CHECK(told_worst < 2.0 * worst);
+        }
+    }
+}
+
+TEST_CASE("a start of which nothing better is known says so", "[thermal][span][start]") {
+    World world(2);
+    const SunExposure none;
+    SolveInput input{.facets = world.facets,
+                     .views = world.view,
+                     .sun = none,
+                     .materials = world.materials,
+                     .weather = world.weather,
+                     .site = tennessee,
+                     .elevation = 400.0};
+    SpanOptions options = two_days(SpanStart::known, 3);
+    options.end = later(june, day);
+    options.wanted = {options.start, options.end};
+    const StartError repeated = measure_start(input, options);
+    CHECK(repeated.against == StartError::Against::nothing);
+    CHECK(told(repeated).find("not known") != std::string::npos);
+    options.begin = SpanStart::steady;  // at midnight the day's mean is far too warm
+    const StartError steady = measure_start(input, options);
+    CHECK(steady.against == StartError::Against::repeated_day);
+    CHECK(steady.at_first > 3.0);
+    CHECK(steady.at_later < 0.5 * steady.at_first);
+}
+
+// The state that a run leaves is where another goes on: two days in one are a day and a day.
+TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span][state]") {
+    World world(6);
+    world.weather = waves();
+    const SunExposure none;
+    const SolveInput input{.facets = world.facets,
+                           .views = world.view,
+                           .sun = none,
+                           .materials = world.materials,
+                           .weather = world.weather,
+                           .site = tennessee,
+                           .elevation = 400.0};
+    const auto exposure = [&](const std::vector<Instant>& instants) {
+        return shadows(world.facets, world.rays, tennessee,
+                       {.start = instants.front(),
+                        .duration = seconds_between(instants.front(), instants.back())});
+    };
+    const SpanResult whole = solve_span(input, exposure, two_days(SpanStart::weather, 1));
+    SpanOptions first = two_days(SpanStart::weather, 1);
+    first.end = later(june, day);
+    first.wanted = {first.end};
+    first.goes_on = true;
+    const SpanResult one = solve_span(input, exposure, first);
+    const ScratchFolder folder("heat-state");
+    const StateOwner owner{.mesh = "hills", .columns = {"soil: 3 m", "roof: 2 m"}};
+    save_heat_state(folder.path / "state.nc", {first.end, one.end}, owner);
+    const TimedState read = load_heat_state(folder.path / "state.nc", owner);
+    CHECK(read.instant == first.end);
+    CHECK(read.state.block == one.end.block);
+    SpanOptions second = two_days(SpanStart::state, 1);
+    second.start = first.end;
+    second.wanted = {second.end};
+    second.from = &read.state;
+    const SpanResult two = solve_span(input, exposure, second);
+    double worst = 0.0;
+    for (std::size_t f = 0; f < two.temperature.facets; ++f) {
+        worst = std::max(
+            worst, std::abs(double(two.temperature.at(0)[f]) - double(whole.temperature.at(1)[f])));
+    }
+    CHECK(worst < 1e-4);
+
+    CHECK_THROWS_WITH(load_heat_state(folder.path / "state.nc", {.mesh = "hill", .columns = {}}),
+                      Catch::Contains("another mesh"));
+    CHECK_THROWS_WITH(load_heat_state(folder.path / "state.nc",
+                                      {.mesh = "hills", .columns = {"soil: 3 m", "roof: 1 m"}}),
+                      Catch::Contains("'roof: 2 m' there is 'roof: 1 m' here"));
+    std::ofstream(folder.path / "text.nc") << "no state";
+    CHECK_THROWS_WITH(load_heat_state(folder.path / "text.nc", owner),
+                      Catch::Contains("is no netCDF file"));
+    std::filesystem::resize_file(folder.path / "state.nc", 2000);
+    CHECK_THROWS_AS(load_heat_state(folder.path / "state.nc", owner), InputError);
 }

@@ -62,6 +62,8 @@ class NonlinearColumn {
         double heat_in = 0.0;  // [J m⁻²] through both ends, from the balances at the stages
         double through = 0.0;  // [J m⁻²] Σ of their magnitudes
         std::array<double, 2> surface{};  // [K] at the stages
+        double taken = 0.0;  // [W m⁻²] at the second, through the surface: what its node stored and
+                             // passed on
     };
     /// One step of the state. With `map`, its columns are carried along by the linearised step.
     /// `rest`: what of the state its doubles no longer hold (compensated summation): without it a

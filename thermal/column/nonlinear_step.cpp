@@ -267,7 +267,11 @@ NonlinearColumn::Step NonlinearColumn::advance(const StepForcing& forcing, std::
         result.through +=
             weight * (std::abs(above.flux) + std::abs(below.flux) + std::abs(released));
         if (map) carry(stage, u, above.slope, below.slope, *map);
-        if (k == 1) break;
+        if (k == 1) {
+            const double up = n > 1 ? conducted(way, 0) : below.flux;
+            result.taken = (gain(0, way.begin[0], way.by[0]) - target[0]) / tau - up;
+            break;
+        }
         for (std::size_t i = 0; i < n; ++i)
             target[i] = stage_onward * gain(i, way.begin[i], way.by[i]);
         if (map) {

@@ -70,6 +70,13 @@ class PointFacet {
     /// Takes over the state of a facet of the same column, and how long its steps were.
     void go_on_from(const PointFacet& other);
 
+    /// What the last step met at its end, and what its column took there [W m⁻²].
+    struct Ending {
+        SurfaceTerms terms{};
+        double taken = 0.0;
+    };
+    const Ending& ending() const { return ending_; }
+
     SurfaceConditions conditions(Instant when, const Standing& water, double snow_albedo) const;
     SurfaceTerms terms(Instant when) const;
 
@@ -132,6 +139,7 @@ class PointFacet {
     double evaporation_ = 0.0;  // of the last step [W m⁻²] per unit wet share
     std::vector<double> rest_;  // (node) of u
     double snow_albedo_;        // of snow that ages
+    Ending ending_;
 };
 
 /// The grid of a point's column: fine enough for a minute's shock, and never cut off.

@@ -31,6 +31,7 @@ void PointFacet::count_closure(const Taken& taken, const State& before, const St
         moved += std::abs(gain);
     }
     const SurfaceTerms at = surface_terms(taken.last, taken.step.surface[1]);
+    ending_ = {at, taken.step.taken};
     const HeatBalance& b = at.balance;
     const double gross = least_flux + std::abs(b.absorbed_solar) + std::abs(b.longwave_in) +
                          std::abs(b.longwave_out) + std::abs(b.sensible) + std::abs(b.latent) +

@@ -14,7 +14,7 @@ void pass(SolveState& solve, const Level& level, double progress_from, double pr
             to - from,
             [&](std::size_t b) {
                 Block& block = solve.block[from + b];
-                block.rests = block.settled(solve.options.tolerance);
+                block.rests = !solve.record && block.settled(solve.options.tolerance);
                 if (block.rests) return;
                 if (level.kind[block.material].modes) {
                     run_modes(solve, level, block);

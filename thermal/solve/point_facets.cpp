@@ -6,6 +6,7 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/solve/facet_forcing.hpp"
+#include "thermal/solve/heat_record.hpp"
 
 namespace diurna {
 
@@ -36,27 +37,6 @@ void guess_state(const ThermalSurface& surface, double mean, PointFacet& facet) 
     for (std::size_t i = 0; i < facet.column.size(); ++i) {
         const double share = facet.column.depth(i) / bottom_depth;
         facet.u[i] = facet.column.state_of(i, std::lerp(mean, below, share));
-    }
-}
-
-/// A facet's way through the span, step by step and from edge to edge; `kelvin` (instant) becomes
-/// what a radiometer sees of it.
-void march_span(const std::vector<Instant>& instant, const std::vector<Instant>& edge,
-                PointFacet& facet, std::vector<float>& kelvin, Eigen::MatrixXd* map) {
-    facet.count = {};
-    kelvin[0] = float(facet.terms(instant[0]).radiometric);
-    std::size_t k = 0;
-    bool restart = true;
-    for (std::size_t i = 0; i + 1 < instant.size(); ++i) {
-        Instant now = instant[i];
-        for (; k < edge.size() && edge[k] < instant[i + 1]; ++k) {
-            facet.march(now, edge[k], restart, map);
-            now = edge[k];
-            restart = true;
-        }
-        facet.march(now, instant[i + 1], restart, map);
-        restart = false;
-        kelvin[i + 1] = float(facet.terms(instant[i + 1]).radiometric);
     }
 }
 
@@ -170,6 +150,37 @@ double PointFacets::mean_kelvin(std::size_t facet) const {
     return mean;
 }
 
+/// A facet's way through the span, step by step and from edge to edge; Point::kelvin becomes what a
+/// radiometer sees of it.
+void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet, Point& p,
+                             Eigen::MatrixXd* map) const {
+    const std::vector<Instant>& instant = solve_.instant;
+    const auto record = [&](std::size_t i, const SurfaceTerms& terms, double taken) {
+        if (!solve_.record || !solve_.record->wants(i)) return;
+        HeatBalance balance = terms.balance;
+        balance.conducted = -taken;
+        solve_.record->put(i, p.facet, balance, -terms.frost_melt);
+    };
+    facet.count = {};
+    const SurfaceTerms first = facet.terms(instant[0]);
+    p.kelvin[0] = float(first.radiometric);
+    record(0, first, first.into_ground);
+    std::size_t k = 0;
+    bool restart = true;
+    for (std::size_t i = 0; i + 1 < instant.size(); ++i) {
+        Instant now = instant[i];
+        for (; k < edge.size() && edge[k] < instant[i + 1]; ++k) {
+            facet.march(now, edge[k], restart, map);
+            now = edge[k];
+            restart = true;
+        }
+        facet.march(now, instant[i + 1], restart, map);
+        restart = false;
+        p.kelvin[i + 1] = float(facet.terms(instant[i + 1]).radiometric);
+        record(i + 1, facet.ending().terms, facet.ending().taken);
+    }
+}
+
 void PointFacets::run(const Level& level, Point& p) const {
     constexpr int most_passes = 8;          // at a time: neighbours change in between
     constexpr double settled_water = 1e-3;  // [mm]
@@ -206,7 +217,7 @@ void PointFacets::run(const Level& level, Point& p) const {
         const auto size = static_cast<Eigen::Index>(start.size());
         Eigen::MatrixXd map;
         if (periodic) map = Eigen::MatrixXd::Identity(size, size);
-        march_span(solve_.instant, forcing.edges(), facet, p.kelvin, periodic ? &map : nullptr);
+        march_span(forcing.edges(), facet, p, periodic ? &map : nullptr);
         ++p.passes;
         p.count = facet.count;
         p.end = {p.facet, facet.u, facet.standing, facet.snow_albedo()};
@@ -231,7 +242,7 @@ void PointFacets::pass(SolveState& solve, const Level& level) {
     for_each_index(
         point_.size(),
         [&](std::size_t i) {
-            if (!rests(point_[i])) run(level, point_[i]);
+            if (solve_.record || !rests(point_[i])) run(level, point_[i]);
         },
         1);
     put(solve);

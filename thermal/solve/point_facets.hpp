@@ -61,6 +61,8 @@ class PointFacets {
     void take_in(const Level& level);
     double mean_kelvin(std::size_t facet) const;  // over the span, as it is in the solve
     void run(const Level& level, Point& point) const;
+    void march_span(const std::vector<Instant>& edge, PointFacet& facet, Point& point,
+                    Eigen::MatrixXd* map) const;
     bool rests(const Point& point) const;
 
     const SolveState& solve_;

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/heat_record.hpp"
 #include "thermal/solve/run_block.hpp"
 #include "thermal/steppers/layered_step.hpp"
 
@@ -57,6 +58,7 @@ class Stray {
         }
         batch.temperature[lane_] = one_.temperature[0];
         batch.rate[lane_] = one_.rate[0];
+        batch.taken[lane_] = one_.taken[0];
     }
 
  private:
@@ -105,6 +107,8 @@ class LayeredRun {
         block_.slope.assign(kind_.forcing.size(), 0.0);
         block_.record = {};
         put_kelvin(solve_, block_, 0, batch_.temperature.data());
+        record_block(solve_, block_, kind_, 0,
+                     {kind_.forcing[0].air, heat_.at_end, batch_.temperature.data()});
         std::size_t stage = 0;
         for (std::size_t i = level_.stride; i <= solve_.steps(); i += level_.stride) {
             heat_.begin_step(i);
@@ -118,6 +122,9 @@ class LayeredRun {
             }
             heat_.end_step();
             put_kelvin(solve_, block_, i, batch_.temperature.data());
+            record_block(
+                solve_, block_, kind_, i,
+                {air_[1], at_stage_[1], batch_.temperature.data(), {batch_.taken.data(), count_}});
         }
         compare_with_start();
     }

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/heat_record.hpp"
 #include "thermal/solve/run_block.hpp"
 
 namespace diurna {
@@ -51,6 +52,21 @@ void compare_with_start(const ModeColumn& modes, ModeBatch& batch, Block& block)
     block.heat_change = 0.0;
 }
 
+/// What the columns take in at a step's end: the drive less the film's part and what comes from
+/// below.
+void record_modes(SolveState& solve, const Kind& kind, const ModeBatch& batch, const Block& block,
+                  std::size_t i, const BlockSurfaces& surfaces) {
+    if (!solve.record) return;
+    const ModeStep& step = kind.modes->step;
+    double taken[mode_lanes];
+    for (std::size_t l = 0; l < batch.count; ++l) {
+        taken[l] =
+            batch.drive[l] - step.film * (batch.temperature[l] - step.reference) - step.flux_below;
+    }
+    record_block(solve, block, kind, i,
+                 {surfaces.air, surfaces.heat, surfaces.temperature, {taken, batch.count}});
+}
+
 }  // namespace
 
 void run_modes(SolveState& solve, const Level& level, Block& block) {
@@ -65,6 +81,8 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
     BlockHeat heat(solve, level, block, batch.units() * lanes);
     begin_modes(step, kind.forcing[0].air, heat.at_end, emissivity, batch);
     put_kelvin(solve, block, 0, batch.temperature.data());
+    record_modes(solve, kind, batch, block, 0,
+                 {kind.forcing[0].air, heat.at_end, batch.temperature.data()});
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
@@ -83,6 +101,8 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
         }
         heat.end_step();
         put_kelvin(solve, block, i, batch.temperature.data());
+        record_modes(solve, kind, batch, block, i,
+                     {kind.forcing[at].air, heat.at_end, batch.temperature.data()});
     }
     end_modes(step, batch);
     block.slope[0] = block.slope[at];  // of a span that repeats

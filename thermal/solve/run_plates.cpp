@@ -2,9 +2,27 @@
 #include <cmath>
 
 #include "thermal/solve/block_heat.hpp"
+#include "thermal/solve/heat_record.hpp"
 #include "thermal/solve/run_block.hpp"
 
 namespace diurna {
+
+namespace {
+
+/// What the plates take in through their fronts at a step's end.
+void record_plates(SolveState& solve, const Kind& kind, const PlateBatch& batch, const Block& block,
+                   std::size_t i, const BlockSurfaces& surfaces) {
+    if (!solve.record) return;
+    const PlateStep& step = *kind.plate;
+    double taken[lanes];
+    for (std::size_t l = 0; l < batch.count; ++l) {
+        taken[l] = batch.drive[0][l] - step.film[0] * (batch.temperature[0][l] - step.reference);
+    }
+    record_block(solve, block, kind, i,
+                 {surfaces.air, surfaces.heat, surfaces.temperature, {taken, batch.count}});
+}
+
+}  // namespace
 
 void run_plates(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
@@ -28,6 +46,8 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     BlockHeat heat(solve, level, block, lanes);
     begin_plates(step, surface, kind.forcing[0].air, heat.at_end, batch);
     put_kelvin(solve, block, 0, batch.temperature[0].data());
+    record_plates(solve, kind, batch, block, 0,
+                  {kind.forcing[0].air, heat.at_end, batch.temperature[0].data()});
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
@@ -49,6 +69,8 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
         }
         heat.end_step();
         put_kelvin(solve, block, i, batch.temperature[0].data());
+        record_plates(solve, kind, batch, block, i,
+                      {kind.forcing[at].air, heat.at_end, batch.temperature[0].data()});
     }
     block.slope[0] = block.slope[at];  // of a span that repeats
     block.back_slope[0] = block.back_slope[at];

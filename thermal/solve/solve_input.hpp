@@ -34,11 +34,15 @@ struct SolveOptions {
     bool goes_on = false;        // other spans follow: what is slower than this one is kept
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
+    double settled = 0.01;       // [K] that neighbours' heat may still be worth after the last pass
     Method method = Method::modes;
     double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
     GridOptions grid{};         // of layered columns
     int refinement = 1;         // divides every step, forcing as it was: tells a result's error
     bool exchange = true;       // light and heat from one facet to another
+    /// Steps whose instants' heat balance is wanted, ascending. One more pass takes it down, and
+    /// the temperatures are that pass's.
+    std::vector<std::size_t> heat_at{};
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
 };
 

@@ -4,11 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/repeated_day.hpp"
 
 namespace diurna {
+
+int days_known_before(const Weather& weather, Instant when) {
+    const double known = seconds_between(weather.instant.front(), when) + 0.5 * weather.span_of(0);
+    return static_cast<int>(std::floor(known / seconds_of_day + 1e-6));
+}
 
 namespace {
 
@@ -71,6 +77,34 @@ struct Piece {
     const Weather* weather = nullptr;  // null: the input's
 };
 
+/// The wanted instants whose heat balance a piece tells: those behind its start, where no step has
+/// led yet, and its start if nothing goes before.
+std::span<const Instant> told_by(const Piece& piece, const Walk& walk) {
+    const std::vector<Instant>& wanted = walk.options.wanted;
+    const bool leads_in = !piece.periodic && piece.to == walk.options.start;
+    if (!walk.options.heat || !(piece.keeping || leads_in)) return {};
+    const bool first = walk.result.heat.empty();
+    const auto begin = first ? std::lower_bound(wanted.begin(), wanted.end(), piece.from)
+                             : std::upper_bound(wanted.begin(), wanted.end(), piece.from);
+    return {begin, std::upper_bound(begin, wanted.end(), piece.to)};
+}
+
+/// The steps at or on either side of some instants.
+std::vector<std::size_t> steps_around(std::span<const Instant> wanted,
+                                      const std::vector<Instant>& steps) {
+    std::vector<std::size_t> around;
+    const auto add = [&](std::size_t i) {
+        if (around.empty() || around.back() < i) around.push_back(i);
+    };
+    for (const Instant when : wanted) {
+        const auto at = std::lower_bound(steps.begin(), steps.end(), when);
+        const auto i = static_cast<std::size_t>(at - steps.begin());
+        if (*at != when) add(i - 1);
+        add(i);
+    }
+    return around;
+}
+
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.
 void solve_piece(const Piece& piece, Walk& walk) {
     SolveOptions options = walk.options.day;
@@ -78,13 +112,19 @@ void solve_piece(const Piece& piece, Walk& walk) {
     options.duration = seconds_between(piece.from, piece.to);
     options.keep_every = 0.0;  // every step
     options.periodic = piece.periodic;
-    options.goes_on = piece.goes_on;
+    options.goes_on = piece.goes_on || walk.options.goes_on;
+    // Without the day before to guess by, the first pass meets neighbours that rest; another makes
+    // up for it.
+    if (walk.options.begin == SpanStart::state && walk.days == 0) options.settled = 1e-3;
     const double done = walk.days++, all = std::max(walk.days, walk.all_days);
     if (walk.options.day.progress) {
         options.progress = [&](double share) { walk.options.day.progress((done + share) / all); };
     }
     const SolveInput& given = walk.input;
-    const SunExposure sun = walk.exposure(step_instants(options));
+    const std::vector<Instant> steps = step_instants(options);
+    const std::span<const Instant> told = told_by(piece, walk);
+    options.heat_at = steps_around(told, steps);
+    const SunExposure sun = walk.exposure(steps);
     const bool begun = !piece.periodic && !walk.state.block.empty();
     SolveResult result = solve({.facets = given.facets,
                                 .views = given.views,
@@ -97,9 +137,10 @@ void solve_piece(const Piece& piece, Walk& walk) {
                                 .measured_share = given.measured_share,
                                 .sunlight_views = given.sunlight_views,
                                 .from = begun ? &walk.state : nullptr,
-                                .guess = begun ? &walk.day_before : nullptr},
+                                .guess = begun && walk.days > 1 ? &walk.day_before : nullptr},
                                options);
     add_report(result.report, walk.result.report);
+    for (const Instant when : told) walk.result.heat.add_between(result.heat, when);
     if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);
     walk.state = std::move(result.end);
     walk.day_before = std::move(result.temperature);
@@ -133,11 +174,6 @@ void go_round(Instant first, Walk& walk) {
     go_on(next, end, true, walk);
 }
 
-/// Whole days of weather before an instant.
-int days_known_before(const Weather& weather, Instant when) {
-    const double known = seconds_between(weather.instant.front(), when) + 0.5 * weather.span_of(0);
-    return static_cast<int>(std::floor(known / day + 1e-6));
-}
 bool known_until(const Weather& weather, Instant when) {
     const double half = 0.5 * weather.span_of(weather.instant.size() - 1);
     return seconds_between(when, later(weather.instant.back(), half)) > -3600.0;
@@ -192,7 +228,11 @@ SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
     const double length = seconds_between(options.start, options.end);
     walk.all_days = static_cast<int>(std::ceil(length / day - 1e-9));
     const int known = days_known_before(input.weather, options.start);
-    if (options.begin == SpanStart::steady) {
+    if (options.begin == SpanStart::state && options.from) {
+        walk.state = *options.from;
+        go_on(options.start, options.end, true, walk);
+        walk.result.start = "from the state that an earlier run left";
+    } else if (options.begin == SpanStart::steady) {
         go_on(options.start, options.end, true, walk);
         walk.result.start = "from the balance of the first day's mean";
     } else if (options.begin != SpanStart::periodic && known >= 1) {
@@ -203,6 +243,7 @@ SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
             walk.result.start += " (no day of weather goes before the span)";
         }
     }
+    walk.result.end = std::move(walk.state);
     return std::move(walk.result);
 }
 

@@ -14,6 +14,7 @@ enum class SpanStart {
     weather,   // the days before it, as the weather tells; the first of them repeated
     periodic,  // its first 24 hours, or the 24 before it, again and again without their trend
     steady,    // the balance of its first day's means, for ever
+    state,     // SpanOptions::from
 };
 
 /// The days of a span one after the other, each stepped as `day` says but for its start, duration
@@ -22,17 +23,26 @@ struct SpanOptions {
     SolveOptions day{};
     Instant start{}, end{};
     SpanStart begin = SpanStart::known;
-    int days_before = 3;            // at most, of SpanStart::weather
-    std::vector<Instant> wanted{};  // ascending, within the span: when temperatures are kept
+    int days_before = 3;              // at most, of SpanStart::weather
+    std::vector<Instant> wanted{};    // ascending, within the span: when temperatures are kept
+    bool heat = false;                // and heat balances
+    const HeatState* from = nullptr;  // of SpanStart::state: the heat at the start
+    bool goes_on = false;  // another span follows from SpanResult::end: what is slower than a day
+                           // is kept
 };
+
+/// Whole days of weather that a series has before an instant; negative where it begins later.
+int days_known_before(const Weather& weather, Instant when);
 
 /// The share of each facet that the sun reaches at each of some instants.
 using ExposureOf = std::function<SunExposure(const std::vector<Instant>& instants)>;
 
 struct SpanResult {
     TemperatureField temperature;  // at the wanted instants, straight between steps
-    SolveReport report;  // of all days: sums of passes, steps and seconds, worst of all else
-    std::string start;   // in one line: how the start was found
+    SolveReport report;    // of all days: sums of passes, steps and seconds, worst of all else
+    std::string start;     // in one line: how the start was found
+    HeatState end{};       // of the span
+    HeatFluxField heat{};  // at the wanted instants, straight between steps; if asked for
 };
 
 /// Temperatures of all facets over any span. A day is solved at a time, the next goes on from the

@@ -100,6 +100,8 @@ struct Level {
     std::vector<Kind> kind;
 };
 
+class HeatRecord;
+
 struct SolveState {
     const SolveInput& input;
     const SolveOptions& options;
@@ -114,6 +116,7 @@ struct SolveState {
     std::vector<float> tilt;      // (facet) tilted_sky_excess; empty where the sky is even
     std::vector<float> kelvin;    // (instant, facet)
     std::vector<Block> block;
+    HeatRecord* record = nullptr;  // of the pass on its way, if it is to be taken down
 
     /// Instants, step and optics; light, temperatures and blocks follow. All must outlive it.
     SolveState(const SolveInput& given, const SolveOptions& how, const SkySeries& sky_series);

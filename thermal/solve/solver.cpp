@@ -5,10 +5,13 @@
 #include <cmath>
 #include <ctime>
 #include <map>
+#include <utility>
 
+#include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "terrain/place/sun_path.hpp"
 #include "thermal/solve/first_guess.hpp"
+#include "thermal/solve/heat_record.hpp"
 #include "thermal/solve/incident_light.hpp"
 #include "thermal/solve/longwave_exchange.hpp"
 #include "thermal/solve/pass.hpp"
@@ -154,7 +157,8 @@ void judge(const SolveState& solve, const PointFacets& points, const ExchangeCha
     report.periodic_residual = std::max(report.periodic_residual, single.residual);
     report.estimated_error = std::max(report.estimated_error, single.largest_move);
     report.converged = report.periodic_residual <= options.tolerance &&
-                       report.estimated_error <= 0.01 && !(single.fresh && !solve.excess.empty());
+                       report.estimated_error <= options.settled &&
+                       !(single.fresh && !solve.excess.empty());
 }
 
 /// Passes over the span at its own steps until they change nothing that counts.
@@ -194,9 +198,28 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
     report.warmest = *warmest;
 }
 
+/// Once more over the span, every facet, as it has settled: what the balance is made of.
+HeatFluxField record_heat(SolveState& solve, const Level& level, PointFacets& points) {
+    if (solve.options.heat_at.empty()) return {};
+    HeatRecord record(solve, solve.options.heat_at);
+    solve.record = &record;
+    pass(solve, level, 1.0, 1.0);
+    points.pass(solve, level);
+    solve.record = nullptr;
+    return record.field();
+}
+
 /// Sets out from what another solve has left, in place of the first guess.
 void set_out_from(const HeatState& from, SolveState& solve) {
-    for (std::size_t b = 0; b < solve.block.size(); ++b) solve.block[b].start = from.block[b];
+    if (from.kelvin.size() != solve.facets || from.block.size() != solve.block.size()) {
+        throw InputError("thermal solve", "the state to go on from belongs to other facets");
+    }
+    for (std::size_t b = 0; b < solve.block.size(); ++b) {
+        if (from.block[b].size() != solve.block[b].start.size()) {
+            throw InputError("thermal solve", "the state to go on from belongs to other columns");
+        }
+        solve.block[b].start = from.block[b];
+    }
     const TemperatureField* const guess = solve.input.guess;
     const bool alike = guess && guess->kelvin.size() == solve.kelvin.size();
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
@@ -247,9 +270,12 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     PointFacets points(state);
     if (input.from) points.set_out_from(input.from->point);
     pass_until_settled(state, fine, points, report);
+    HeatFluxField heat = record_heat(state, fine, points);
     tell_steps(state, points, report);
-    SolveResult result{
-        .temperature = kept(state), .report = report, .end = left_by(state, fine, points)};
+    SolveResult result{.temperature = kept(state),
+                       .report = report,
+                       .end = left_by(state, fine, points),
+                       .heat = std::move(heat)};
     result.report.seconds = seconds_since(begun);
     if (options.progress) options.progress(1.0);
     return result;

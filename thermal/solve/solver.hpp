@@ -8,6 +8,7 @@
 #include "terrain/place/site.hpp"
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
+#include "thermal/heat_flux_field.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/temperature_field.hpp"
 
@@ -37,7 +38,8 @@ struct SolveReport {
 struct SolveResult {
     TemperatureField temperature;
     SolveReport report;
-    HeatState end;  // of the span
+    HeatState end;         // of the span
+    HeatFluxField heat{};  // at SolveOptions::heat_at
 };
 
 /// Temperatures of all facets over the span: layered conduction below, the full surface balance

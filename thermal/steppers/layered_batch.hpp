@@ -16,6 +16,7 @@ struct LayeredBatch {
     std::vector<double> state;                // [node][lane]
     std::array<double, lanes> temperature{};  // of the surface [K]
     std::array<double, lanes> rate{};         // its change over the last step, for a first guess
+    std::array<double, lanes> taken{};        // by the column at the last step's end [W m⁻²]
     std::array<NaturalFilm, lanes> natural{};
 
     void resize(std::size_t nodes, std::size_t facets) {

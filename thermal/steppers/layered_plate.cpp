@@ -55,6 +55,7 @@ struct Above {
 /// [W m⁻²] into the two faces at a stage's end, and d/dT of the front's.
 struct FaceFluxes {
     double front = 0.0, slope = 0.0, behind = 0.0;
+    double taken = 0.0;  // [W m⁻²] through the front, by the column
 };
 /// surface  [K] a guess, then the root
 FaceFluxes solve_stage(const MaterialColumn& material, const Above& above, Sheet& sheet,
@@ -83,6 +84,7 @@ FaceFluxes solve_stage(const MaterialColumn& material, const Above& above, Sheet
                                       .slope = &fluxes.slope});
         record.count(newton.iterations, newton.bisections);
         theta[0] = surface - reference;
+        fluxes.taken = node.b * theta[0] - node.a;
         for (std::size_t i = 1; i < n; ++i) {
             theta[i] = sheet.follow[i] * theta[i - 1] + sheet.offset[i];
         }
@@ -113,6 +115,7 @@ void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>&
             const FaceFluxes fluxes = solve_stage(material, {air[k], batch.natural[l], heat[k][l]},
                                                   sheet, surface, record);
             record.slope[k] += fluxes.slope;
+            batch.taken[l] = fluxes.taken;
             const double weight = stage_weight[k];
             in += weight * (fluxes.front + fluxes.behind);
             terms +=

@@ -67,7 +67,10 @@ void solve_stage(const MaterialColumn& material, const Above& above, LayeredBatc
                                                           .slope = slope});
     record.count(newton.iterations, newton.bisections);
     double sum = 0.0;
-    for (std::size_t l = 0; l < batch.count; ++l) sum += slope[l];
+    for (std::size_t l = 0; l < batch.count; ++l) {
+        sum += slope[l];
+        batch.taken[l] = material.stage.b * (batch.temperature[l] - material.reference) - a[l];
+    }
     record.slope[k] = sum;
 }
 

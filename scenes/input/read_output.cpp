@@ -1,0 +1,17 @@
+#include "scenes/input/read_output.hpp"
+
+namespace diurna {
+
+OutputInput read_output(const Section& section) {
+    return {.fluxes = section.flag_or("fluxes",
+                                      "every term of the heat balance in temperatures.nc, of each "
+                                      "facet at each kept instant; eight times its size, and one "
+                                      "more pass over the span",
+                                      false),
+            .state = section.flag_or("state",
+                                     "state.nc, the heat in every facet at the span's end, for "
+                                     "time.state of a run that goes on from there",
+                                     false)};
+}
+
+}  // namespace diurna

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "materials/base/section.hpp"
+
+namespace diurna {
+
+/// The section [output]: what a run writes beside temperatures and pictures.
+struct OutputInput {
+    bool fluxes = false;  // the heat balance of every facet in temperatures.nc
+    bool state = false;   // state.nc: the heat at the end, for another run to go on from
+};
+
+OutputInput read_output(const Section& section);
+
+}  // namespace diurna

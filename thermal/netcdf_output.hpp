@@ -1,0 +1,79 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace diurna {
+
+/// An open netCDF file; closed, and removed if it was not finished.
+class NetcdfFile {
+ public:
+    NetcdfFile(std::filesystem::path path, int id) : path_(std::move(path)), id_(id) {}
+    NetcdfFile(const NetcdfFile&) = delete;
+    NetcdfFile& operator=(const NetcdfFile&) = delete;
+    ~NetcdfFile() {
+        if (id_ >= 0) nc_close(id_);
+        if (!temporary_.empty()) {
+            std::error_code ignored;
+            std::filesystem::remove(temporary_, ignored);
+        }
+    }
+    static NetcdfFile create(const std::filesystem::path& target) {
+        const std::filesystem::path temporary = target.string() + fmt::format(".{}.part", getpid());
+        int id = -1;
+        const int status = nc_create(temporary.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
+        NetcdfFile file(target, status == NC_NOERR ? id : -1);
+        file.temporary_ = temporary;
+        file.must(status);
+        return file;
+    }
+    NetcdfFile(NetcdfFile&& other) noexcept
+        : path_(std::move(other.path_)),
+          temporary_(std::exchange(other.temporary_, {})),
+          id_(std::exchange(other.id_, -1)) {}
+
+    void must(int status) const {
+        if (status != NC_NOERR) {
+            throw std::runtime_error(
+                fmt::format("{}: cannot be written: {}", path_.string(), nc_strerror(status)));
+        }
+    }
+    int id() const { return id_; }
+    int dimension(const char* name, std::size_t length) const {
+        int dim;
+        must(nc_def_dim(id_, name, length, &dim));
+        return dim;
+    }
+    int variable(const char* name, nc_type type, const std::vector<int>& dims) const {
+        int variable;
+        must(nc_def_var(id_, name, type, int(dims.size()), dims.data(), &variable));
+        if (dims.size() == 2) must(nc_def_var_deflate(id_, variable, 1, 1, 1));
+        return variable;
+    }
+    void text(int variable, const char* name, const std::string& value) const {
+        must(nc_put_att_text(id_, variable, name, value.size(), value.c_str()));
+    }
+    void finish() {
+        must(nc_close(std::exchange(id_, -1)));
+        std::error_code error;
+        std::filesystem::rename(temporary_, path_, error);
+        if (error) {
+            throw std::runtime_error(
+                fmt::format("{}: cannot be written: {}", path_.string(), error.message()));
+        }
+        temporary_.clear();
+    }
+
+ private:
+    std::filesystem::path path_, temporary_;
+    int id_;
+};
+
+}  // namespace diurna

@@ -1,0 +1,47 @@
+#include "thermal/solve/heat_record.hpp"
+
+namespace diurna {
+
+HeatRecord::HeatRecord(const SolveState& solve, const std::vector<std::size_t>& steps)
+    : row_(solve.instant.size(), -1) {
+    field_.facets = solve.facets;
+    for (const std::size_t i : steps) {
+        row_[i] = long(field_.instant.size());
+        field_.instant.push_back(solve.instant[i]);
+    }
+    for (std::vector<float>& watts : field_.watts) watts.resize(steps.size() * solve.facets);
+}
+
+void HeatRecord::put(std::size_t i, std::size_t facet, const HeatBalance& balance, double melting) {
+    const std::size_t at = std::size_t(row_[i]) * field_.facets + facet;
+    const auto set = [&](HeatTerm term, double watts) {
+        field_.watts[static_cast<std::size_t>(term)][at] = float(watts);
+    };
+    set(HeatTerm::absorbed_sunlight, balance.absorbed_solar);
+    set(HeatTerm::absorbed_longwave, balance.longwave_in);
+    set(HeatTerm::internal, balance.internal);
+    set(HeatTerm::emitted_longwave, -balance.longwave_out);
+    set(HeatTerm::sensible, -balance.sensible);
+    set(HeatTerm::latent, -balance.latent);
+    set(HeatTerm::melting, melting);
+    set(HeatTerm::conducted, -balance.conducted);
+}
+
+void record_block(SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
+                  const BlockSurfaces& surfaces) {
+    if (!solve.record || !solve.record->wants(i)) return;
+    const ThermalSurface& surface = kind.column.surface;
+    const double absorptance = absorptance_at(solve, kind, i);
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        const std::size_t facet = block.facet[l];
+        const double sun = absorptance * solve.sunlight[i * solve.facets + facet];
+        HeatBalance balance = heat_balance(
+            surfaces.air, block.natural[l], surface.emissivity,
+            {.absorbed_solar = sun, .internal = surface.internal_heat}, surfaces.temperature[l]);
+        balance.longwave_in = surfaces.heat[l] - sun - surface.internal_heat;
+        balance.conducted = surfaces.taken.empty() ? -balance.sum() : -surfaces.taken[l];
+        solve.record->put(i, facet, balance);
+    }
+}
+
+}  // namespace diurna

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "thermal/heat_flux_field.hpp"
+#include "thermal/solve/solve_state.hpp"
+#include "thermal/surface/heat_balance.hpp"
+
+namespace diurna {
+
+/// The heat balance of every facet at some of a solve's instants, taken down by the last pass as
+/// its steps end.
+class HeatRecord {
+ public:
+    /// steps  indices of the instants, ascending
+    HeatRecord(const SolveState& solve, const std::vector<std::size_t>& steps);
+
+    bool wants(std::size_t i) const { return row_[i] >= 0; }
+    /// Of one facet at instant i. From different threads for different facets.
+    ///
+    /// balance  all of it, `conducted` too
+    /// melting  [W m⁻²] taken by melting frost
+    void put(std::size_t i, std::size_t facet, const HeatBalance& balance, double melting = 0.0);
+
+    const HeatFluxField& field() const { return field_; }
+
+ private:
+    HeatFluxField field_;
+    std::vector<long> row_;  // (instant) of the field, or −1
+};
+
+/// What a block's surfaces meet at the end of a step.
+struct BlockSurfaces {
+    const AirFilm& air;
+    const double* heat;               // [lane] absorbed sun and longwave, internal [W m⁻²]
+    const double* temperature;        // [lane] [K]
+    std::span<const double> taken{};  // [lane] by the columns below [W m⁻²]; none: at the start of
+                                      // a run, where they take what the surface gives
+};
+/// Takes down a block's balance at instant i, if that is wanted.
+void record_block(SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
+                  const BlockSurfaces& surfaces);
+
+}  // namespace diurna

@@ -1,0 +1,223 @@
+#include "thermal/solve/heat_state_file.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "materials/base/error.hpp"
+#include "thermal/netcdf_output.hpp"
+
+namespace diurna {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kind = "diurna heat state 1";
+
+/// Numbers of many lists one behind the other, and how many each has.
+struct Lists {
+    std::vector<std::int64_t> length;
+    std::vector<double> value;
+
+    void add(const std::vector<double>& list) {
+        length.push_back(std::int64_t(list.size()));
+        value.insert(value.end(), list.begin(), list.end());
+    }
+};
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += line + "\n";
+    return all;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t from = 0, to; (to = text.find('\n', from)) != std::string::npos;
+         from = to + 1) {
+        lines.push_back(text.substr(from, to - from));
+    }
+    return lines;
+}
+
+/// One variable (name) of its own dimension (name_n), written at once.
+class Writer {
+ public:
+    explicit Writer(const NetcdfFile& file) : file_(file) {}
+
+    void doubles(const char* name, const std::vector<double>& values) {
+        const int id = begin(name, NC_DOUBLE, values.size());
+        if (!values.empty()) file_.must(nc_put_var_double(file_.id(), id, values.data()));
+    }
+    void floats(const char* name, const std::vector<float>& values) {
+        const int id = begin(name, NC_FLOAT, values.size());
+        if (!values.empty()) file_.must(nc_put_var_float(file_.id(), id, values.data()));
+    }
+    void integers(const char* name, const std::vector<std::int64_t>& values) {
+        const std::vector<long long> wide(values.begin(), values.end());
+        const int id = begin(name, NC_INT64, values.size());
+        if (!wide.empty()) file_.must(nc_put_var_longlong(file_.id(), id, wide.data()));
+    }
+
+ private:
+    int begin(const char* name, nc_type type, std::size_t length) {
+        const int dim = file_.dimension((std::string(name) + "_n").c_str(), length);
+        return file_.variable(name, type, {dim});
+    }
+    const NetcdfFile& file_;
+};
+
+/// The same the other way; whatever is not there, or not finite, is refused.
+class Reader {
+ public:
+    Reader(const NetcdfFile& file, const fs::path& path) : file_(file), path_(path) {}
+
+    InputError refused(const std::string& why) const { return InputError(path_.string(), why); }
+    void must(int status, const std::string& what) const {
+        if (status != NC_NOERR) throw refused("is no state of a run: has no " + what);
+    }
+    std::string text(const char* name) const {
+        std::size_t length = 0;
+        must(nc_inq_attlen(file_.id(), NC_GLOBAL, name, &length), name);
+        std::string value(length, ' ');
+        must(nc_get_att_text(file_.id(), NC_GLOBAL, name, value.data()), name);
+        return value;
+    }
+    std::vector<double> doubles(const char* name) const {
+        const auto [id, length] = find(name);
+        std::vector<double> values(length);
+        if (length > 0) must(nc_get_var_double(file_.id(), id, values.data()), name);
+        if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
+            throw refused(std::string("holds numbers that are not finite in ") + name);
+        }
+        return values;
+    }
+    std::vector<std::int64_t> integers(const char* name) const {
+        const auto [id, length] = find(name);
+        std::vector<long long> values(length);
+        if (length > 0) must(nc_get_var_longlong(file_.id(), id, values.data()), name);
+        return {values.begin(), values.end()};
+    }
+    /// What Lists holds, taken apart.
+    std::vector<std::vector<double>> lists(const char* lengths, const char* values) const {
+        const std::vector<std::int64_t> length = integers(lengths);
+        const std::vector<double> value = doubles(values);
+        std::vector<std::vector<double>> lists;
+        std::size_t at = 0;
+        for (const std::int64_t n : length) {
+            if (n < 0 || std::size_t(n) > value.size() - at) throw refused("is broken off");
+            const auto from = value.begin() + std::ptrdiff_t(at);
+            lists.emplace_back(from, from + std::ptrdiff_t(n));
+            at += std::size_t(n);
+        }
+        return lists;
+    }
+
+ private:
+    struct Found {
+        int id;
+        std::size_t length;
+    };
+    Found find(const char* name) const {
+        Found found{};
+        int rank = 0, dim = 0;
+        must(nc_inq_varid(file_.id(), name, &found.id), name);
+        must(nc_inq_varndims(file_.id(), found.id, &rank), name);
+        if (rank != 1) throw refused(std::string("is no state of a run: odd ") + name);
+        must(nc_inq_vardimid(file_.id(), found.id, &dim), name);
+        must(nc_inq_dimlen(file_.id(), dim, &found.length), name);
+        // A short header may claim any size; these are not compressed.
+        if (double(found.length) * 4.0 > double(fs::file_size(path_)))
+            throw refused("is broken off");
+        return found;
+    }
+    const NetcdfFile& file_;
+    const fs::path& path_;
+};
+
+/// Throws where a state belongs to somebody else.
+void check_owner(const Reader& read, const StateOwner& owner) {
+    if (read.text("mesh") != owner.mesh) {
+        throw read.refused(
+            "is the state of another mesh: other facets, or other materials on them");
+    }
+    const std::vector<std::string> columns = lines_of(read.text("columns"));
+    for (std::size_t i = 0; i < owner.columns.size(); ++i) {
+        const std::string& ours = owner.columns[i];
+        if (i < columns.size() && columns[i] == ours) continue;
+        throw read.refused(fmt::format("is the state of other materials: '{}' there is '{}' here",
+                                       i < columns.size() ? columns[i] : "", ours));
+    }
+}
+
+}  // namespace
+
+void save_heat_state(const fs::path& path, const TimedState& timed, const StateOwner& owner) {
+    const HeatState& state = timed.state;
+    Lists blocks, points;
+    for (const std::vector<double>& block : state.block) blocks.add(block);
+    std::vector<std::int64_t> facet;
+    std::vector<double> water, frost, albedo;
+    for (const HeatState::Point& point : state.point) {
+        points.add(point.u);
+        facet.push_back(std::int64_t(point.facet));
+        water.push_back(point.standing.water);
+        frost.push_back(point.standing.frost);
+        albedo.push_back(point.snow_albedo);
+    }
+    NetcdfFile file = NetcdfFile::create(path);
+    file.text(NC_GLOBAL, "title", kind);
+    file.text(NC_GLOBAL, "instant", format_instant(timed.instant));
+    file.text(NC_GLOBAL, "mesh", owner.mesh);
+    file.text(NC_GLOBAL, "columns", joined(owner.columns));
+    Writer write(file);
+    write.doubles("reference_K", {state.reference});
+    write.floats("surface_temperature", state.kelvin);
+    write.integers("block_length", blocks.length);
+    write.doubles("block_state", blocks.value);
+    write.integers("point_facet", facet);
+    write.integers("point_length", points.length);
+    write.doubles("point_state", points.value);
+    write.doubles("point_water_mm", water);
+    write.doubles("point_frost_mm", frost);
+    write.doubles("point_snow_albedo", albedo);
+    file.finish();
+}
+
+TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
+    if (!fs::is_regular_file(path)) throw InputError(path.string(), "no such file");
+    int id = -1;
+    if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
+        throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
+    }
+    const NetcdfFile file(path, id);
+    const Reader read(file, path);
+    if (read.text("title") != kind) throw read.refused("is no state of a run");
+    check_owner(read, owner);
+    TimedState timed{.instant = parse_instant(read.text("instant"), path.string())};
+    HeatState& state = timed.state;
+    const std::vector<double> reference = read.doubles("reference_K");
+    if (reference.size() != 1) throw read.refused("is broken off");
+    state.reference = reference[0];
+    const std::vector<double> kelvin = read.doubles("surface_temperature");
+    state.kelvin.assign(kelvin.begin(), kelvin.end());
+    state.block = read.lists("block_length", "block_state");
+    const std::vector<std::int64_t> facet = read.integers("point_facet");
+    const std::vector<std::vector<double>> u = read.lists("point_length", "point_state");
+    const std::vector<double> water = read.doubles("point_water_mm"),
+                              frost = read.doubles("point_frost_mm"),
+                              albedo = read.doubles("point_snow_albedo");
+    for (const std::size_t n : {u.size(), water.size(), frost.size(), albedo.size()}) {
+        if (n != facet.size()) throw read.refused("is broken off");
+    }
+    for (std::size_t i = 0; i < facet.size(); ++i) {
+        if (facet[i] < 0 || std::size_t(facet[i]) >= state.kelvin.size()) {
+            throw read.refused("is broken off");
+        }
+        state.point.push_back({std::size_t(facet[i]), u[i], {water[i], frost[i]}, albedo[i]});
+    }
+    return timed;
+}
+
+}  // namespace diurna

@@ -64,6 +64,17 @@ Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& s
     return driven;
 }
 
+/// The span, and what its start uses of the days before it and of the first day if that is longer.
+AskedSpan used_span(const TimeInput& time) {
+    constexpr double day = 86400.0;
+    AskedSpan asked{.begin = time.start, .end = time.end()};
+    if (time.spin_up == SpanStart::state || time.spin_up == SpanStart::steady) return asked;
+    const bool weather = time.spin_up != SpanStart::periodic;
+    asked.before = day * double(weather ? time.days_before : 1);
+    asked.behind = std::max(0.0, day - time.duration);
+    return asked;
+}
+
 }  // namespace
 
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
@@ -140,7 +151,7 @@ Weather scene_weather(const Scene& scene, const World& world) {
     WeatherOptions options = scene.weather.options;
     options.elevation = world.sea_level_height;
     options.site = world.site;
-    options.asked = {scene.time.start, later(scene.time.start, scene.time.duration)};
+    options.asked = used_span(scene.time);
     Weather weather = read_weather(scene.weather.file, options);
     const SkySeries series(std::move(weather), world.site, world.sea_level_height, scene.sky,
                            scene.time.start, scene.time.end());

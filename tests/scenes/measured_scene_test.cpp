@@ -76,3 +76,48 @@ TEST_CASE("a scene is refused a day that its weather file does not hold",
                                       "2026-07-16T04:00:00Z; asked for 2026-01-15T04:00:00Z to "
                                       "2026-01-16T04:00:00Z"));
 }
+
+namespace {
+
+/// Weather from the 12th to the 16th without the 13th's hours from 6 to 18.
+std::string holed_weather() {
+    std::string text = "time,air_temperature_K\n";
+    for (int h = 0; h <= 96; ++h) {
+        if (h > 30 && h < 42) continue;
+        text +=
+            fmt::format("2026-07-{:02}T{:02}:00:00-04:00,{}\n", 12 + h / 24, h % 24, 290 + h % 24);
+    }
+    return text;
+}
+
+/// The small scene on the 15th under it, with keys for [weather] and [time].
+Prepared under_holes(const std::string& weather, const std::string& time) {
+    const ScratchFolder folder("holes");
+    write_text(folder.path / "holes.csv", holed_weather());
+    std::string scene =
+        with(small_scene(), "interval = \"instant\"\n", "interval = \"instant\"\n" + weather);
+    scene = with(scene, "step_s = 1200.0\n", "step_s = 1200.0\n" + time);
+    const std::string file = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv";
+    write_text(folder.path / "scene.toml", with(scene, file, (folder.path / "holes.csv").string()));
+    return prepare(read_scene(folder.path / "scene.toml"));
+}
+
+}  // namespace
+
+TEST_CASE("gaps in the days that a start is found from are gaps", "[scenes][weather][gaps]") {
+    const std::string hole = "no weather between 2026-07-13T10:00:00Z and 2026-07-13T22:00:00Z";
+    CHECK_THROWS_WITH(under_holes("", ""),
+                      Catch::Contains(hole) && Catch::Contains("days that its start is found"));
+    CHECK_THROWS_WITH(under_holes("", "spin_up = \"weather\"\nspin_up_days = 2\n"),
+                      Catch::Contains(hole));
+    // Eleven rows that are not there, told of as filled.
+    const std::string filled = notes_of(under_holes("on_gap = \"interpolate\"\n", ""));
+    CAPTURE(filled);
+    CHECK(filled.find("11 air_temperature_K on the line") != std::string::npos);
+    // Starts that do not go so far back do not ask for it.
+    for (const char* time :
+         {"spin_up_days = 1\n", "spin_up = \"periodic\"\n", "spin_up = \"steady\"\n"}) {
+        CAPTURE(time);
+        CHECK(notes_of(under_holes("", time)).find("filled") == std::string::npos);
+    }
+}

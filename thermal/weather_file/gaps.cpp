@@ -18,12 +18,15 @@ constexpr double day = 86400.0;  // [s]
 constexpr double longest_interval = day;
 
 bool within(const AskedSpan& asked, Instant from, Instant to) {
-    return !asked.any() || (to > asked.begin && from < asked.end);
+    return !asked.any() || (to > asked.first() && from < asked.last());
 }
 
-const char* advice = R"(on_gap = "interpolate" or "clear_sky" in [weather] fills it)";
-
-InputError large_gap(const std::string& where, const std::string& what, Instant from, Instant to) {
+InputError large_gap(const std::string& where, const std::string& what, const AskedSpan& asked,
+                     Instant from, Instant to) {
+    std::string advice = R"(on_gap = "interpolate" or "clear_sky" in [weather] fills it)";
+    if (asked.any() && to <= asked.begin) {
+        advice += "; it lies before the span, in days that its start is found from";
+    }
     return InputError(where,
                       fmt::format("no {} between {} and {} ({:.1f} h; up to {:g} h are filled)",
                                   what, format_instant(from), format_instant(to),
@@ -52,7 +55,7 @@ void add_missing_rows(WeatherTable& table, OnGap on_gap, const AskedSpan& asked)
         const Instant from = row > 0 ? table.stamp[row - 1] : to;
         if (seconds_between(from, to) > hole && within(asked, from, to)) {
             if (on_gap == OnGap::refuse && seconds_between(from, to) > longest_small_gap) {
-                throw large_gap(table.where[row], "weather", from, to);
+                throw large_gap(table.where[row], "weather", asked, from, to);
             }
             for (Instant at = later(from, every); seconds_between(at, to) > 0.5 * every;
                  at = later(at, every)) {
@@ -124,7 +127,7 @@ class GapFiller {
             const bool large = seconds_between(from, to) > longest_small_gap;
             const bool asked = within(asked_, from, to);
             if (large && asked && on_gap_ == OnGap::refuse) {
-                throw large_gap(table_.where[run.begin], facts(quantity).column, from, to);
+                throw large_gap(table_.where[run.begin], facts(quantity).column, asked_, from, to);
             }
             const bool by_formula = !state && (!inner || (large && on_gap_ != OnGap::interpolate));
             for (std::size_t i = run.begin; i < run.end; ++i) {
@@ -147,7 +150,8 @@ class GapFiller {
         return run.begin > 0 ? column[run.begin - 1] : column[run.end];
     }
     bool counts(std::size_t i) const {
-        return !asked_.any() || (table_.stamp[i] >= asked_.begin && table_.stamp[i] <= asked_.end);
+        return !asked_.any() ||
+               (table_.stamp[i] >= asked_.first() && table_.stamp[i] <= asked_.last());
     }
     /// A cloud that nobody saw is none: infer_cloud would hold the last one.
     void clear(std::size_t i) {

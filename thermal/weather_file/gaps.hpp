@@ -20,7 +20,8 @@ inline constexpr double longest_small_gap = 3.0 * 3600.0;  // [s] between the va
 /// Fills what is missing: rows that are not there, further apart than half as much again as the
 /// file's usual interval, and cells of temperature, humidity, pressure, wind and radiation. Small
 /// gaps are filled on the straight line between the values around them, larger ones as `on_gap`
-/// says; only those within the asked span are refused or counted. Before the first and behind the
+/// says; only those within the asked span, and what its start uses before
+/// and behind it, are refused or counted. Before the first and behind the
 /// last value a state is held; radiation is left unmeasured. Sunlight of empty cells at night is
 /// none, where a site tells what night is. The notes count every value that was filled.
 ///

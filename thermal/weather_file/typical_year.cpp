@@ -37,8 +37,8 @@ void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const As
         for (std::size_t i = 0; i < rows.size(); ++i) add(i, rows[i].year);
         return;
     }
-    const int first = asked.any() ? local_year(asked.begin, offset_h) : rows.front().year;
-    const int last = asked.any() ? local_year(asked.end, offset_h) : first;
+    const int first = asked.any() ? local_year(asked.first(), offset_h) : rows.front().year;
+    const int last = asked.any() ? local_year(asked.last(), offset_h) : first;
     for (int year = first; year <= last; ++year) {
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const bool leap_day = rows[i].month == 2 && rows[i].day == 29;

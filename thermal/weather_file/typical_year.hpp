@@ -12,7 +12,12 @@ namespace diurna {
 /// The years that a weather is wanted for; empty: as the file says.
 struct AskedSpan {
     Instant begin{}, end{};
+    /// [s] of the weather before and behind that is used too, where a file has it: the days that a
+    /// start is found from.
+    double before = 0.0, behind = 0.0;
     bool any() const { return begin < end; }
+    Instant first() const { return later(begin, -before); }
+    Instant last() const { return later(end, behind); }
 };
 
 /// A row of a calendar kept in local standard time. Its hour ends at `seconds` of the day.

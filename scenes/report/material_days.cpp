@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "materials/base/units.hpp"
@@ -32,6 +33,27 @@ double hour(const std::vector<Instant>& instants, std::size_t i) {
     return seconds_between(instants.front(), instants[i]) / 3600.0;
 }
 
+/// [h] between the marks of so many hours: at most 13, whole days of long spans.
+double tick(double hours) {
+    for (const double every : {1.0, 2.0, 3.0, 6.0, 12.0, 24.0}) {
+        if (hours <= 12.0 * every) return every;
+    }
+    return 24.0 * std::ceil(hours / (12.0 * 24.0));
+}
+
+/// What curves of so few instants are, where more than half an hour lies between some.
+std::string between_instants(const std::vector<Instant>& instants) {
+    double widest = 0.0;
+    for (std::size_t i = 1; i < instants.size(); ++i) {
+        widest = std::max(widest, seconds_between(instants[i - 1], instants[i]) / 3600.0);
+    }
+    if (widest <= 0.5) return "";
+    return fmt::format(
+        "<p class=\"key\">Straight between the {} instants kept, up to {:.3g} h apart: "
+        "extremes and crossovers in between are not in it.</p>\n",
+        instants.size(), widest);
+}
+
 }  // namespace
 
 std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& instants,
@@ -41,7 +63,7 @@ std::string curves_chart(const Prepared& prepared, const std::vector<Instant>& i
         .x_title = "hours after " + format_local(instants.front(), prepared.scene.time.utc_offset),
         .y_title = "°C",
         .x_last = hour(instants, instants.size() - 1),
-        .x_tick = 2.0,
+        .x_tick = tick(hour(instants, instants.size() - 1)),
         .lines = {}};
     ChartLine air{.name = "air", .colour = colour_of("air"), .x = {}, .y = {}, .dashed = true};
     for (std::size_t i = 0; i < instants.size(); ++i) {
@@ -66,6 +88,11 @@ std::string curves_table(const std::vector<Instant>& instants,
     const auto reference = std::find_if(curves.begin(), curves.end(), [&](const DiurnalCurve& c) {
         return c.material == background;
     });
+    // Of more days than one the date too: "07-06 05:12".
+    const bool days = seconds_between(instants.front(), instants.back()) > 86400.0;
+    const auto crossing = [&](const std::string& when) {
+        return (days ? when.substr(5, 5) + " " : "") + when.substr(11, 5);
+    };
     std::string out =
         "<table>\n<tr><th>material</th><th class=\"n\">facets</th><th class=\"n\">hectares</th>"
         "<th class=\"n\">coldest mean °C</th><th class=\"n\">warmest mean °C</th>"
@@ -78,7 +105,7 @@ std::string curves_table(const std::vector<Instant>& instants,
         if (reference != curves.end() && &*reference != &curve) {
             for (const Instant instant : crossovers(instants, curve, *reference)) {
                 crossed +=
-                    (crossed.empty() ? "" : ", ") + format_local(instant, utc_offset).substr(11, 5);
+                    (crossed.empty() ? "" : ", ") + crossing(format_local(instant, utc_offset));
             }
             if (crossed.empty()) crossed = "none";
         }
@@ -89,7 +116,7 @@ std::string curves_table(const std::vector<Instant>& instants,
             escaped(curve.material), curve.facets, curve.area / 1e4, celsius(*low), celsius(*high),
             curve.ninetieth[warmest] - curve.tenth[warmest], crossed);
     }
-    return out + "</table>\n";
+    return out + "</table>\n" + between_instants(instants);
 }
 
 }  // namespace diurna

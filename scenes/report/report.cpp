@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
@@ -35,14 +37,16 @@ std::string when(const Prepared& prepared, Instant instant) {
 
 std::string facts(const Prepared& prepared, const JobReport& report) {
     const Plan& plan = report.plan;
+    const Site& site = prepared.world.site;
     const auto row = [](const std::string& key, const std::string& value) {
         return "<tr><td class=\"key\">" + key + "</td><td>" + value + "</td></tr>\n";
     };
     std::string out = "<table>\n";
-    out += row("place",
-               fmt::format("{:.5f}° N, {:.5f}° E, {:.0f} m above the sea",
-                           prepared.world.site.latitude_deg, prepared.world.site.longitude_deg,
-                           prepared.world.sea_level_height));
+    out +=
+        row("place", fmt::format("{:.5f}° {}, {:.5f}° {}, {:.0f} m above the sea",
+                                 std::abs(site.latitude_deg), site.latitude_deg < 0.0 ? 'S' : 'N',
+                                 std::abs(site.longitude_deg), site.longitude_deg < 0.0 ? 'W' : 'E',
+                                 prepared.world.sea_level_height));
     out += row("facets", fmt::format("{} ({} of the ground, from {} posts)", plan.facets,
                                      prepared.world.ground_facets, report.posts));
     out +=
@@ -126,7 +130,8 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         escaped(prepared.scene.file.filename().string()), when(prepared, report.plan.steps.front()),
         when(prepared, report.plan.steps.back()));
     html += "<h2>What was computed</h2>\n" + facts(prepared, report);
-    html += "<h2>The day of each material</h2>\n" + curves_chart(prepared, field.instant, curves) +
+    html += "<h2>The course of each material</h2>\n" +
+            curves_chart(prepared, field.instant, curves) +
             curves_table(field.instant, curves, prepared.scene.terrain.default_material,
                          prepared.scene.time.utc_offset);
     html += "<h2>Pictures</h2>\n";

@@ -52,3 +52,70 @@ TEST_CASE("pictures are taken every so often, at instants and in windows", "[sce
     CHECK_THROWS_WITH(time_of(start + "frame_every_s = 60.0\nframes = [\"05:00-06:00 every 1 h\"]"),
                       Catch::Contains("one of the two"));
 }
+
+namespace {
+
+std::vector<std::string> frames_of(const std::string& keys) {
+    std::vector<std::string> at;
+    for (const Instant frame : time_of(keys).frames) at.push_back(format_instant(frame));
+    return at;
+}
+
+}  // namespace
+
+TEST_CASE("a span goes over the leap day, if there is one", "[scenes][time]") {
+    const auto hours = [](const std::string& from, const std::string& to) {
+        return time_of("start = " + from + "\nend = " + to).duration / 3600.0;
+    };
+    CHECK(hours("2028-02-28T12:00:00Z", "2028-03-01T12:00:00Z") == 48.0);
+    CHECK(hours("2026-02-28T12:00:00Z", "2026-03-01T12:00:00Z") == 24.0);
+    CHECK(hours("2100-02-28T12:00:00Z", "2100-03-01T12:00:00Z") == 24.0);
+    CHECK(frames_of("start = 2028-02-28T00:00:00+01:00\nduration_h = 72.0\n"
+                    "frames = [\"06:00-06:30 every 1 h\"]") ==
+          std::vector<std::string>{"2028-02-28T05:00:00Z", "2028-02-29T05:00:00Z",
+                                   "2028-03-01T05:00:00Z"});
+    CHECK_THROWS_WITH(time_of("start = \"2026-02-29T00:00:00Z\""), Catch::Contains("no such day"));
+}
+
+TEST_CASE("windows are of the scene's clock, whatever day it is in UTC", "[scenes][time]") {
+    // 19 h in the east of America is midnight in Greenwich, 9 h in Japan too.
+    CHECK(frames_of("start = 2026-12-31T12:00:00-05:00\nduration_h = 24.0\n"
+                    "frames = [\"18:30-19:30 every 30 min\"]") ==
+          std::vector<std::string>{"2026-12-31T23:30:00Z", "2027-01-01T00:00:00Z",
+                                   "2027-01-01T00:30:00Z"});
+    CHECK(frames_of("start = 2026-07-15T00:00:00+09:00\nduration_h = 24.0\n"
+                    "frames = [\"08:59-09:01 every 1 min\"]") ==
+          std::vector<std::string>{"2026-07-14T23:59:00Z", "2026-07-15T00:00:00Z",
+                                   "2026-07-15T00:01:00Z"});
+    // A whole day has both its midnights.
+    CHECK(frames_of("start = 2026-07-15T00:00:00-05:00\nduration_h = 24.0\n"
+                    "frames = [\"00:00-24:00 every 12 h\"]") ==
+          std::vector<std::string>{"2026-07-15T05:00:00Z", "2026-07-15T17:00:00Z",
+                                   "2026-07-16T05:00:00Z"});
+    CHECK(time_of("start = 2026-07-15T00:00:00-04:00").utc_offset == -4.0 * 3600.0);
+    CHECK(time_of("start = 2026-07-15T00:00:00+05:45").utc_offset == 5.75 * 3600.0);
+    CHECK(time_of("start = 2026-07-15T00:00:00Z").utc_offset == 0.0);
+}
+
+TEST_CASE("where clocks change, the offset tells the instant", "[scenes][time]") {
+    // The hour from 1 to 2 of 1 November 2026 is twice on clocks in America, and two hours long.
+    CHECK(frames_of("start = 2026-11-01T00:00:00-04:00\nend = 2026-11-02T00:00:00-05:00\n"
+                    "frames = [\"2026-11-01T01:30:00-04:00\", \"2026-11-01T01:30:00-05:00\"]") ==
+          std::vector<std::string>{"2026-11-01T05:30:00Z", "2026-11-01T06:30:00Z"});
+    CHECK(time_of("start = 2026-11-01T00:00:00-04:00\nend = 2026-11-02T00:00:00-05:00").duration ==
+          25.0 * 3600.0);
+    CHECK(time_of("start = 2026-03-29T00:00:00+01:00\nend = 2026-03-30T00:00:00+02:00").duration ==
+          23.0 * 3600.0);  // Europe, forward
+    // Windows stay on the clock of the start.
+    CHECK(frames_of("start = 2026-11-01T00:00:00-04:00\nduration_h = 48.0\n"
+                    "frames = [\"06:00-06:10 every 1 h\"]") ==
+          std::vector<std::string>{"2026-11-01T10:00:00Z", "2026-11-02T10:00:00Z"});
+}
+
+TEST_CASE("a state to go on from is a file, and the only start then", "[scenes][time]") {
+    CHECK_THROWS_WITH(time_of(start + "spin_up = \"state\""), Catch::Contains("no file is given"));
+    CHECK_THROWS_WITH(time_of(start + "state = \"nowhere.nc\""),
+                      Catch::Contains("time.state") && Catch::Contains("no such file"));
+    CHECK_THROWS_WITH(time_of(start + "spin_up = \"steady\"\nstate = \"nowhere.nc\""),
+                      Catch::Contains("does not go on from it"));
+}

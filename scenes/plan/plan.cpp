@@ -20,6 +20,7 @@ constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
 constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
 constexpr double heat_per_facet_step = 0.25e-6;      // all passes and the exchange
 constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
+constexpr double flux_passes = 1.3;                  // of the heat balance, where it is taken down
 constexpr double write_per_value = 0.08e-6;
 constexpr double cast_per_ray = 0.05e-6;
 constexpr double render_per_pixel = 0.3e-6;  // and band
@@ -84,14 +85,20 @@ void estimate(const Scene& scene, const World& world, Plan& plan) {
     }
     const double through = scene.plumes.empty() ? 1.0 : seen_through;
     const double points = double(always_points(scene, world));
+    // Fluxes: one more pass, eight values beside each temperature that is kept.
+    const double kept = double(scene_span(scene).wanted.size());
+    const double day_steps = 86400.0 / scene.time.step + 1.0;  // no more than a day is held
+    const double passes = scene.output.fluxes ? flux_passes : 1.0;
+    const double values = facets * kept * (scene.output.fluxes ? 9.0 : 1.0);
     plan.stages = {
         {"sky view", sky_per_facet * facets / threads},
         {"shadows",
          sunlit * (shadow_per_ground_facet * ground + shadow_per_object_facet * (facets - ground)) /
              threads},
-        {"heat balance",
-         steps * (heat_per_facet_step * facets + heat_per_point / 144.0 * points) / threads},
-        {"write temperatures", write_per_value * facets * (frames + 1.0)},
+        {"heat balance", passes * steps *
+                             (heat_per_facet_step * facets + heat_per_point / 144.0 * points) /
+                             threads},
+        {"write temperatures", write_per_value * values},
         {"views", through * cast_per_ray * double(plan.view_rays) / threads},
         {"frames", frames *
                        (through * render_per_pixel * band_pixels +
@@ -102,7 +109,8 @@ void estimate(const Scene& scene, const World& world, Plan& plan) {
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     // Program and libraries; what a facet has once; six fields of a value for each step; views.
-    plan.memory = 170e6 + facets * (600.0 + 6.0 * 4.0 * steps) + double(plan.pixels) * 160.0;
+    plan.memory = 170e6 + facets * (600.0 + 6.0 * 4.0 * std::min(steps, day_steps)) + 4.0 * values +
+                  double(plan.pixels) * 160.0;
 }
 
 std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {

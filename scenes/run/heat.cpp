@@ -44,7 +44,10 @@ std::string start_told(const SolveInput& input, const SpanOptions& span,
                        const SolveReport& report) {
     if (span.begin == SpanStart::state) return "it adds nothing to what that run had";
     std::string line;
-    if (report.periodic_residual > 0.0) {
+    if (report.periodic_residual > 0.0 && !report.converged) {
+        line = fmt::format("the repeated day has not been found, Newton is {:.1e} K from it; ",
+                           report.periodic_residual);
+    } else if (report.periodic_residual > 0.0) {
         line = fmt::format("Newton's residual of the repeated day is worth {:.1e} K; ",
                            report.estimated_error);
     }

@@ -147,7 +147,7 @@ TEST_CASE("a scene that cannot be used writes nothing", "[command_line]") {
 TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[command_line]") {
     const ScratchFolder folder("job");
     const fs::path scene = folder.path / "scene.toml";
-    write_text(scene, small_scene());
+    write_text(scene, small_scene() + "[output]\nstate = true\n");
     const auto run = [&](const std::string& out, const std::string& more) {
         const Ran ran =
             diurna("run " + scene.string() + " --out " + (folder.path / out).string() + " " + more);
@@ -161,8 +161,9 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
     auto one = contents(folder.path / "one");
     auto two = contents(folder.path / "two");
     auto four = contents(folder.path / "four");
-    // 4 instants x 2 bands, EXR and PNG each; temperatures, annotations, report, manifest.
-    CHECK(one.size() == 16 + 4);
+    // 4 instants x 2 bands, EXR and PNG each; temperatures, state in double precision, annotations,
+    // report, manifest.
+    CHECK(one.size() == 16 + 5);
     for (const std::string timed : {"report.html", "manifest.json"}) {  // they tell seconds
         REQUIRE(one.count(timed) == 1);
         one.erase(timed);

@@ -155,6 +155,15 @@ void append_level(Profile& profile, double height_km, const AirSample& air) {
     insert_level(profile, profile.height_km.size(), height_km, air);
 }
 
+void add_level(Profile& profile, double height_km) {
+    constexpr double same_km = 1e-6;
+    const auto& z = profile.height_km;
+    const auto place = std::lower_bound(z.begin(), z.end(), height_km - same_km);
+    if (place == z.end() || *place <= height_km + same_km) return;
+    insert_level(profile, static_cast<std::size_t>(place - z.begin()), height_km,
+                 air_at(profile, height_km));
+}
+
 void change_level(Profile& profile, std::size_t level, const AirChange& change, double share) {
     constexpr auto water = static_cast<std::size_t>(Gas::water);
     profile.temperature[level] += share * change.warmer;
@@ -167,13 +176,7 @@ Profile with_surface(Profile profile, double ground_km, double temperature,
     constexpr auto water = static_cast<std::size_t>(Gas::water);
     const double top_km = ground_km + depth_km;
     // Levels at the ground and where the change ends, so that the kinks lie where they are meant.
-    for (const double level : {ground_km, top_km}) {
-        const auto place =
-            std::lower_bound(profile.height_km.begin(), profile.height_km.end(), level);
-        if (place == profile.height_km.end() || *place == level) continue;
-        insert_level(profile, static_cast<std::size_t>(place - profile.height_km.begin()), level,
-                     air_at(profile, level));
-    }
+    for (const double level : {ground_km, top_km}) add_level(profile, level);
     const AirSample ground = air_at(profile, ground_km);
     const AirChange change{
         .warmer = temperature - ground.temperature,

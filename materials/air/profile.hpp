@@ -59,6 +59,9 @@ std::pair<double, double> pressure_and_temperature_at(const Profile& profile, do
 /// One of its levels; and a level added on top.
 AirSample sample_of(const Profile& profile, std::size_t level);
 void append_level(Profile& profile, double height_km, const AirSample& air);
+/// A level more, with the air that is there: where a change begins or ends. None above the top, or
+/// where there is one within a millimetre.
+void add_level(Profile& profile, double height_km);
 
 /// How air at one height differs from other air there. Another level may be changed by a share of
 /// it: temperature by the difference, pressure and water by the ratio.

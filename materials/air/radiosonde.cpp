@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/air/sounding_table.hpp"
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
@@ -101,8 +102,10 @@ void add_level(const CsvTable& table, std::size_t row, const Columns& columns, c
     AirSample air = air_at(model, z);
     air.pressure_hPa = p;
     air.temperature = t;
-    air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] =
-        std::max(1e-3, 1e6 * vapour_hPa(table, row, columns.humidity, t, p) / p);
+    if (!table.rows[row][columns.humidity].empty()) {
+        air.mixing_ratio_ppm[static_cast<std::size_t>(Gas::water)] =
+            std::max(1e-3, 1e6 * vapour_hPa(table, row, columns.humidity, t, p) / p);
+    }
     append_level(sonde, z, air);
 }
 
@@ -128,7 +131,7 @@ void add_model_above(const Profile& model, Profile& sonde) {
 
 Profile read_radiosonde(const std::filesystem::path& file, const std::string& above) {
     const Profile model = afgl_profile(above);
-    CsvTable table = read_csv(file);
+    CsvTable table = read_sounding_table(file);
     if (table.rows.size() < 2 || table.rows.size() > 5000) {
         throw InputError(file.string(),
                          fmt::format("found {} levels, expected 2 to 5000", table.rows.size()));
@@ -146,7 +149,8 @@ Profile read_radiosonde(const std::filesystem::path& file, const std::string& ab
 }
 
 Profile named_profile(const std::string& name) {
-    return name.ends_with(".csv") ? read_radiosonde(name) : afgl_profile(name);
+    const bool file = name.ends_with(".csv") || name.ends_with(".txt");
+    return file ? read_radiosonde(name) : afgl_profile(name);
 }
 
 }  // namespace diurna

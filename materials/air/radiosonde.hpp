@@ -7,21 +7,21 @@
 
 namespace diurna {
 
-/// A profile from a radiosonde's table (CSV with a header, '#' comments): levels from the ground
-/// up.
+/// A profile from a radiosonde's table: levels from the ground up. The University of Wyoming's text
+/// list or CSV (materials/air/sounding_table.hpp), or plain CSV with a header and '#' comments:
 ///
 /// height_m or height_km              above the sea; ascending, or descending
 /// pressure_hPa                       optional: else hydrostatic from the lowest level's, which
 ///                                    must then be given in its row (others may be empty)
 /// temperature_C or temperature_K
-/// relative_humidity_percent, dew_point_C or mixing_ratio_g_kg
+/// relative_humidity_percent, dew_point_C or mixing_ratio_g_kg; empty: as in `above` there
 ///
 /// Gases besides water, and everything above the last level, are those of the AFGL profile `above`;
 /// temperature and pressure join it over 5 km. Two levels or more, up to 5000.
 /// Throws InputError with file:line:column for what cannot be.
 Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "US76");
 
-/// An AFGL name, or the path of a radiosonde file where the name ends in ".csv".
+/// An AFGL name, or the path of a radiosonde file where the name ends in ".csv" or ".txt".
 Profile named_profile(const std::string& name);
 
 }  // namespace diurna

@@ -72,3 +72,84 @@ TEST_CASE("what is wrong in a sounding is named with its line", "[materials][pro
     CHECK_THAT(problem(header + "0,1000,20,150\n100,990,20,50\n"), Contains(":2:4"));
     CHECK_THAT(problem("z,pressure_hPa\n0,1000\n1,900\n"), Contains("height_km"));
 }
+
+namespace {
+
+/// As the University of Wyoming's page gives it (type: text list): columns of seven characters,
+/// levels below the ground empty, humidity missing aloft. Numbers made here: temperatures of a
+/// morning's inversion, heights by the hypsometric equation from 180 m.
+const std::string wyoming_list = R"(<HTML>
+<TITLE>University of Wyoming - Radiosonde Data</TITLE>
+<H2>72327 BNA Nashville Observations at 12Z 15 Jul 2026</H2>
+<PRE>
+-----------------------------------------------------------------------------
+   PRES   HGHT   TEMP   DWPT   RELH   MIXR   DRCT   SKNT   THTA   THTE   THTV
+    hPa     m      C      C      %    g/kg    deg   knot     K      K      K 
+-----------------------------------------------------------------------------
+ 1000.0    122                                                               
+  994.0    180   18.2   17.4     95  12.68    200     10  300.0  330.0  302.0
+  985.0    259   22.6   18.8     79  14.00    200     10  300.0  330.0  302.0
+  960.0    483   22.0   17.0     73  12.80    200     10  300.0  330.0  302.0
+  925.0    805   20.4   15.4     73  11.98    200     10  300.0  330.0  302.0
+  850.0   1531   15.6   11.6     77  10.15    200     10  300.0  330.0  302.0
+  700.0   3154    6.8   -3.2     49   4.32    200     10  300.0  330.0  302.0
+  500.0   5834   -9.7  -24.7     28   1.04    200     10  300.0  330.0  302.0
+  300.0   9577  -36.5  -51.5     20   0.11    200     10  300.0  330.0  302.0
+  250.0  10814  -46.1                         260     40
+  200.0  12262  -56.9                         260     40
+</PRE><H3>Station information and sounding indices</H3><PRE>
+                         Station identifier: BNA
+                             Station number: 72327
+                          Station elevation: 180.0
+</PRE>
+)";
+
+}  // namespace
+
+TEST_CASE("a text list of the University of Wyoming is read from its page",
+          "[materials][profile]") {
+    const Profile p = read_radiosonde(file_with(wyoming_list), "MLS");
+    CHECK(p.height_km.front() == Approx(0.180));
+    CHECK(p.temperature.front() == Approx(291.35));
+    CHECK(air_at(p, 0.259).temperature == Approx(295.75));
+    CHECK(air_at(p, 3.154).pressure_hPa == Approx(700.0));
+    // Mixing ratios stand in the list: g/kg, w = 0.622 e / (p − e).
+    for (const auto& [km, g_kg] : {std::pair{0.180, 12.68}, {1.531, 10.15}, {5.834, 1.04}}) {
+        const AirSample air = air_at(p, km);
+        const double e = air.vapour_pressure_hPa();
+        CHECK(622.0 * e / (air.pressure_hPa - e) == Approx(g_kg).epsilon(0.01));
+    }
+    // Hydrostatic: between levels ln p falls by g Δz / R Tv, here with the mean of both ends' Tv.
+    double ln_pressure = std::log(994.0);
+    for (std::size_t i = 1; p.height_km[i] < 12.3; ++i) {
+        double mean = 0.0;
+        for (const std::size_t k : {i - 1, i}) {
+            mean += 0.5 * p.temperature[k] * (1.0 + 0.378 * 1e-6 * p.mixing_ratio_ppm[0][k]);
+        }
+        ln_pressure -= 9.80665 * 1e3 * (p.height_km[i] - p.height_km[i - 1]) / (287.05 * mean);
+        CHECK(p.pressure_hPa[i] == Approx(std::exp(ln_pressure)).epsilon(1e-3));
+    }
+    // Aloft nobody measured vapour: the model's; 5 km above the top all is.
+    CHECK(air_at(p, 12.262).mixing_ratio_ppm[0] ==
+          Approx(air_at(afgl_profile("MLS"), 12.262).mixing_ratio_ppm[0]));
+    CHECK(air_at(p, 20.0).temperature == Approx(air_at(afgl_profile("MLS"), 20.0).temperature));
+}
+
+TEST_CASE("the University of Wyoming's CSV has names of its own", "[materials][profile]") {
+    const Profile p = read_radiosonde(file_with(
+        "time,longitude,latitude,pressure_hPa,geopotential height_m,temperature_C,dew point "
+        "temperature_C,ice point temperature_C,relative humidity_%,humidity wrt ice_%,mixing "
+        "ratio_g/kg,wind direction_degree,wind speed_m/s\n"
+        "2026-07-15 11:00:00,-86.56,36.25,994.0,180,18.2,17.4,,95,,12.68,200,5.0\n"
+        "2026-07-15 11:00:01,-86.56,36.25,993.8,182,18.4,17.5,,95,,12.68,200,5.0\n"
+        "2026-07-15 11:00:20,-86.56,36.25,985.0,259,22.6,18.8,,79,,14.00,200,5.0\n"
+        "2026-07-15 11:10:00,-86.56,36.25,700.0,3154,6.8,-3.2,,49,,4.32,200,5.0\n"));
+    CHECK(air_at(p, 0.259).temperature == Approx(295.75));
+    // A second's rise is no level of its own.
+    CHECK(p.height_km[1] == Approx(0.259));
+}
+
+TEST_CASE("two soundings in one list are refused", "[materials][profile]") {
+    CHECK_THROWS_WITH(read_radiosonde(file_with(wyoming_list + wyoming_list)),
+                      Catch::Contains("2 soundings"));
+}

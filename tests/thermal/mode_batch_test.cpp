@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <span>
 
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
@@ -107,6 +108,50 @@ TEST_CASE("both widths of vectors step the same day to the last digits", "[therm
         run(b, modes_avx512);
         for (std::size_t l = 0; l < lanes; ++l) {
             REQUIRE(std::abs(a.batch.temperature[l] - b.batch.temperature[l]) < 1e-9);
+        }
+    }
+}
+
+// Lanes on their way from one height's air to another's are each as if all had that lane's own.
+TEST_CASE("lanes at heights of their own step as each alone would", "[thermal][modes][heights]") {
+    const MaterialLibrary library = default_material_library();
+    for (const char* name : {"grass", "asphalt", "painted_steel"}) {
+        CAPTURE(name);
+        const ThermalSurface& surface = library[library.find(name)].thermal;
+        Case all(surface, 3.0, 2050.0), high(surface, 3.0, 1400.0);
+        for (AirFilm* air : {&high.before, &high.air}) {
+            air->air_temperature -= 9.0;
+            air->neutral *= 0.9;
+            air->instability *= 1.03;
+            air->heat_capacity *= 0.9;
+        }
+        alignas(64) double up[lanes];
+        for (std::size_t l = 0; l < lanes; ++l) up[l] = double(l) / double(lanes - 1);
+        const std::vector<HeatJump> jumps{{.lane = 5, .share = 0.4, .heat = 150.0},
+                                          {.lane = 30, .share = 0.7, .heat = -80.0}};
+        const auto run = [&](Case& c, const AirOver& before, const AirOver& after) {
+            begin_modes(c.step, before, c.heat_before, surface.emissivity, c.batch);
+            StepRecord record;
+            for (int n = 0; n < 12; ++n) {
+                const AirOver& from = n == 0 ? before : after;
+                advance_modes(c.step,
+                              {.air_before = from,
+                               .air = after,
+                               .heat_before = n == 0 ? c.heat_before : c.heat,
+                               .heat = c.heat,
+                               .jumps = n == 4 ? std::span<const HeatJump>(jumps)
+                                               : std::span<const HeatJump>()},
+                              surface.emissivity, c.batch, record);
+            }
+        };
+        run(all, {all.before, high.before, up}, {all.air, high.air, up});
+        for (std::size_t l = 0; l < lanes; ++l) {
+            Case one(surface, 3.0, 2050.0);
+            const AirFilm before = air_between(one.before, high.before, up[l]);
+            const AirFilm after = air_between(one.air, high.air, up[l]);
+            run(one, before, after);
+            CAPTURE(l);
+            REQUIRE(all.batch.temperature[l] == Approx(one.batch.temperature[l]).margin(2e-7));
         }
     }
 }

@@ -54,7 +54,7 @@ TEST_CASE("sunlight in a canyon is that of all bounces", "[whole][canyon]") {
     sky[1].direct_normal = beam;
     std::vector<float> incident(2 * canyon.facets.size());
     incident_sunlight({.facets = canyon.facets, .views = canyon.views, .optics = optics},
-                      {.sky = sky, .fraction = {}}, incident);
+                      {.sky = {.sky = sky}, .fraction = {}}, incident);
     for (int instant = 0; instant < 2; ++instant) {
         const testing::CanyonLight exact = testing::endless_canyon(
             height, width,

@@ -49,6 +49,53 @@ struct SameAir {
     AirFilm air;
     [[gnu::always_inline]] const AirFilm& operator()(std::size_t) const { return air; }
 };
+/// Air of lanes at heights of their own: on the line between two heights' (air_between). Value by
+/// value, as loops that copy a whole AirFilm do not become vectors.
+template <std::size_t Count>
+struct AirByLane {
+    alignas(64) double temperature[Count], neutral[Count], instability[Count];
+    alignas(64) double heat_capacity[Count], vapour_pressure[Count], latent[Count];
+    double a, c, s, least, resistance, wetness;  // the same at all heights
+    bool plate, quadratic;
+
+    /// up  (lane) share of the way from `low` to `high`
+    AirByLane(const AirFilm& low, const AirFilm& high, const double* up)
+        : a(high.a),
+          c(high.c),
+          s(high.s),
+          least(high.least),
+          resistance(high.resistance),
+          wetness(high.wetness),
+          plate(high.plate),
+          quadratic(high.quadratic) {
+        const auto between = [up](double from, double to, double* lane) {
+#pragma omp simd
+            for (std::size_t l = 0; l < Count; ++l) lane[l] = to + (1.0 - up[l]) * (from - to);
+        };
+        between(low.air_temperature, high.air_temperature, temperature);
+        between(low.neutral, high.neutral, neutral);
+        between(low.instability, high.instability, instability);
+        between(low.heat_capacity, high.heat_capacity, heat_capacity);
+        between(low.vapour_pressure, high.vapour_pressure, vapour_pressure);
+        between(low.latent, high.latent, latent);
+    }
+    [[gnu::always_inline]] AirFilm operator()(std::size_t l) const {
+        return {.air_temperature = temperature[l],
+                .neutral = neutral[l],
+                .instability = instability[l],
+                .a = a,
+                .c = c,
+                .s = s,
+                .least = least,
+                .heat_capacity = heat_capacity[l],
+                .vapour_pressure = vapour_pressure[l],
+                .latent = latent[l],
+                .resistance = resistance,
+                .wetness = wetness,
+                .plate = plate,
+                .quadratic = quadratic};
+    }
+};
 template <bool Plate, bool Wet, std::size_t Count, class Air>
 [[gnu::always_inline]] inline void evaluate(const Air& air_at, const NaturalFilm* natural,
                                             double radiation, const double* temperature,

@@ -23,6 +23,14 @@ struct ModeCoefficients {
     double step;  // [s]
 };
 
+/// The air above that of a kernel's arguments, between which lanes at heights of their own have
+/// theirs: on the line, `up` of the way.
+struct AirAbove {
+    const AirFilm *before = nullptr, *air = nullptr;  // null: all lanes have the arguments'
+    double dew_point_before = 0.0, dew_point = 0.0;   // [K]
+    const double* up = nullptr;                       // (lane) 0 to 1
+};
+
 /// The facets [lane]. `state` [mode][lane] lacks `to · drive` of the step before: it is added with
 /// the next step's own part, which saves a pass over the states.
 struct ModeLanes {
@@ -30,6 +38,7 @@ struct ModeLanes {
     const NaturalFilm* natural;        // of plates; unused for ground
     const double *heat_before, *heat;  // [W m⁻²] at the step's ends
     double *state, *temperature, *drive, *slope;
+    AirAbove above{};
 };
 
 struct ModeOutcome {
@@ -47,6 +56,7 @@ struct SplitLanes {
     const double *heat_before, *heat;             // the jump included in the latter
     double *state, *temperature, *drive, *slope;  // state [mode][split_capacity], whole
     double* to;                                   // scratch, like state
+    AirAbove above{};
 };
 /// Lengths of the parts of a step after a jump of its heat, as shares of what is left of it: what
 /// the true film differs from the modes' follows the surface, which runs fast at first.

@@ -34,15 +34,15 @@ struct ModeWay {
 }
 
 /// By halving the bracket to its end: where Newton swings.
-template <bool Plate, bool Wet>
-void halve(const AirFilm& air, double radiation, double b, const ModeLanes& s, ModeWay& way) {
+template <bool Plate, bool Wet, class Air>
+void halve(const Air& air_at, double radiation, double b, const ModeLanes& s, ModeWay& way) {
     Balance<lanes> at;
     alignas(64) double low[lanes], high[lanes];
     std::fill_n(low, lanes, coldest);
     std::fill_n(high, lanes, hottest);
     for (int i = 0; i < halvings; ++i) {
         for (std::size_t l = 0; l < lanes; ++l) way.temperature[l] = 0.5 * (low[l] + high[l]);
-        evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, way.temperature, at);
+        evaluate<Plate, Wet>(air_at, s.natural, radiation, way.temperature, at);
         for (std::size_t l = 0; l < lanes; ++l) {
             const double t = way.temperature[l];
             const bool colder = at.flux[l] + way.pull[l] - b * t > 0.0;
@@ -53,16 +53,44 @@ void halve(const AirFilm& air, double radiation, double b, const ModeLanes& s, M
     }
 }
 
-template <bool Plate, bool Wet>
+/// What changes with the air over a step: all lanes alike.
+struct SameStep {
+    SameAir at;
+    double warmer_by, dew_point;  // [K] than before; where the balance bends
+    SameStep(const AirFilm& before, const AirFilm& after, const ModeLanes& s)
+        : at{after},
+          warmer_by(after.air_temperature - before.air_temperature),
+          dew_point(s.dew_point) {}
+    [[gnu::always_inline]] double warmer(std::size_t) const { return warmer_by; }
+    [[gnu::always_inline]] double bend(std::size_t) const { return dew_point; }
+};
+/// Each lane by its height.
+struct LaneStep {
+    AirByLane<lanes> at;
+    alignas(64) double warmer_by[lanes], dew_point[lanes];
+    LaneStep(const AirFilm& before, const AirFilm& after, const ModeLanes& s)
+        : at(after, *s.above.air, s.above.up) {
+        const double low = before.air_temperature, high = s.above.before->air_temperature;
+        const double wet_low = s.dew_point, wet_high = s.above.dew_point;
+        const double* const up = s.above.up;
+#pragma omp simd
+        for (std::size_t l = 0; l < lanes; ++l) {
+            warmer_by[l] = at.temperature[l] - (low + up[l] * (high - low));
+            dew_point[l] = wet_low + up[l] * (wet_high - wet_low);
+        }
+    }
+    [[gnu::always_inline]] double warmer(std::size_t l) const { return warmer_by[l]; }
+    [[gnu::always_inline]] double bend(std::size_t l) const { return dew_point[l]; }
+};
+
+template <bool Plate, bool Wet, class Step>
 ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const ModeCoefficients& c,
                           const ModeLanes& s) {
     // Values of its own, which no store through a pointer can change, let the loops become vectors.
-    const AirFilm air = given;
+    const Step air(before, given, s);
     const double radiation = c.emissivity * stefan_boltzmann, response = c.response;
     const double stiffness = 1.0 / response, film = c.film, reference = c.reference;
     const double b = stiffness - film, flux_below = c.flux_below;
-    const double warmer = air.air_temperature - before.air_temperature;
-    const double bend = s.dew_point;
     ModeWay way;
     decay_modes(c, s, way);
     const double base = b * reference + flux_below;
@@ -73,7 +101,7 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
         // sun and air bring now.
         const double t = s.temperature[l], slope = s.slope[l];
         const double brought =
-            s.heat[l] - s.heat_before[l] - (slope + 4.0 * radiation * t * t * t) * warmer;
+            s.heat[l] - s.heat_before[l] - (slope + 4.0 * radiation * t * t * t) * air.warmer(l);
         const double steep = slope + film;
         way.temperature[l] =
             reference + (way.a[l] + response * (s.drive[l] + brought - steep * (t - reference))) /
@@ -84,7 +112,7 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     double largest;
     do {
         largest = 0.0;
-        evaluate<Plate, Wet>(SameAir{air}, s.natural, radiation, way.temperature, at);
+        evaluate<Plate, Wet>(air.at, s.natural, radiation, way.temperature, at);
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < lanes; ++l) {
             const double t = way.temperature[l];
@@ -93,13 +121,13 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
             way.temperature[l] = next;
             way.flux[l] = at.flux[l] + at.slope[l] * correction;
             s.slope[l] = at.slope[l];
-            const double size = size_of<Wet>(correction, t, next, bend);
+            const double size = size_of<Wet>(correction, t, next, air.bend(l));
             largest = size > largest ? size : largest;
         }
         ++outcome.iterations;
     } while (largest > near_enough<Plate> && outcome.iterations < newton_steps);
     outcome.halved = largest > near_enough<Plate>;
-    if (outcome.halved) halve<Plate, Wet>(air, radiation, b, s, way);
+    if (outcome.halved) halve<Plate, Wet>(air.at, radiation, b, s, way);
     double worst = 0.0;
 #pragma omp simd reduction(max : worst)
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -135,15 +163,21 @@ void balance_all(const AirFilm& air, const NaturalFilm* natural, double radiatio
     balance(air, natural, radiation, temperature, flux, slope);
 }
 
-ModeOutcome advance_all(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
-                        const ModeLanes& s) {
+template <class Step>
+ModeOutcome advance_kind(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
+                         const ModeLanes& s) {
     const bool wet = air.wetness > 0.0;
     if (air.plate) {
-        return wet ? advance_lanes<true, true>(before, air, c, s)
-                   : advance_lanes<true, false>(before, air, c, s);
+        return wet ? advance_lanes<true, true, Step>(before, air, c, s)
+                   : advance_lanes<true, false, Step>(before, air, c, s);
     }
-    return wet ? advance_lanes<false, true>(before, air, c, s)
-               : advance_lanes<false, false>(before, air, c, s);
+    return wet ? advance_lanes<false, true, Step>(before, air, c, s)
+               : advance_lanes<false, false, Step>(before, air, c, s);
+}
+ModeOutcome advance_all(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
+                        const ModeLanes& s) {
+    return s.above.up ? advance_kind<LaneStep>(before, air, c, s)
+                      : advance_kind<SameStep>(before, air, c, s);
 }
 
 }  // namespace

@@ -95,11 +95,10 @@ struct SplitPart {
 }
 
 /// Newton to `near` [K], or halving where it does not get there; whether it had to be halved.
-template <bool Plate, bool Wet, class Air>
-[[gnu::always_inline]] inline bool settle_part(const Air& film_at, double radiation, double near,
-                                               const SplitLanes& s, std::size_t first,
-                                               const SplitPart& p) {
-    const double bend_before = s.dew_point_before, bend_after = s.dew_point;
+template <bool Plate, bool Wet, class Air, class Bend>
+[[gnu::always_inline]] inline bool settle_part(const Air& film_at, const Bend& bend_at,
+                                               double radiation, double near, const SplitLanes& s,
+                                               std::size_t first, const SplitPart& p) {
     Balance<split_lanes> at;
     int iterations = 0;
     double largest;
@@ -109,7 +108,7 @@ template <bool Plate, bool Wet, class Air>
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < split_lanes; ++l) {
             const std::size_t k = first + l;
-            const double bend = bend_after + (1.0 - p.at_share[l]) * (bend_before - bend_after);
+            const double bend = bend_at(l);
             const double t = s.temperature[k];
             const double correction =
                 (at.flux[l] + p.pull[l] - p.b[l] * t) / (p.b[l] - at.slope[l]);
@@ -156,42 +155,74 @@ template <bool Plate, bool Wet, class Air>
     }
 }
 
-template <bool Plate, bool Wet>
+/// The air of all lanes of a group, and of each by its height.
+struct SameSplit {
+    SameAir at;
+    double dew_point;  // [K]
+    SameSplit(const AirFilm& air, const AirFilm*, double wet, double, const double*)
+        : at{air}, dew_point(wet) {}
+    [[gnu::always_inline]] double bend(std::size_t) const { return dew_point; }
+};
+struct LaneSplit {
+    AirByLane<split_lanes> at;
+    alignas(64) double dew_point[split_lanes];
+    LaneSplit(const AirFilm& low, const AirFilm* high, double wet_low, double wet_high,
+              const double* up)
+        : at(low, *high, up) {
+        for (std::size_t l = 0; l < split_lanes; ++l) {
+            dew_point[l] = wet_low + up[l] * (wet_high - wet_low);
+        }
+    }
+    [[gnu::always_inline]] double bend(std::size_t l) const { return dew_point[l]; }
+};
+
+template <bool Plate, bool Wet, class Split>
 bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoefficients& c,
                  const SplitLanes& s, std::size_t first) {
     const double radiation = c.emissivity * stefan_boltzmann;
     // Values of their own, which no store through a pointer can change.
-    const AirFilm from = before, to = after;
+    const AirAbove& above = s.above;
+    const double* const up = above.up ? above.up + first : nullptr;
+    const Split from(before, above.before, s.dew_point_before, above.dew_point_before, up);
+    const Split to(after, above.air, s.dew_point, above.dew_point, up);
     SplitPart p;
     bool halved = false;
     const auto film_at = [&](std::size_t l) __attribute__((always_inline)) {
-        return air_between(from, to, p.at_share[l]);
+        return air_between(from.at(l), to.at(l), p.at_share[l]);
+    };
+    const auto bend_at = [&](std::size_t l) __attribute__((always_inline)) {
+        return to.bend(l) + (1.0 - p.at_share[l]) * (from.bend(l) - to.bend(l));
     };
     for (int part = 0; part <= parts_after_jump; ++part) {
         enter_part(c, s, first, part, p);
         decay_part(c, s, first, p);
         guess_part(c, s, first, p);
         const double near = part < parts_after_jump ? near_inside : near_enough<Plate>;
-        const bool more = settle_part<Plate, Wet>(film_at, radiation, near, s, first, p);
+        const bool more = settle_part<Plate, Wet>(film_at, bend_at, radiation, near, s, first, p);
         halved = halved || more;
         leave_part(c, s, first, p);
     }
     return halved;
 }
 
-bool split_some(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
+template <class Split>
+bool split_kind(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
                 const SplitLanes& s) {
     const bool wet = air.wetness > 0.0;
+    const auto group =
+        air.plate ? (wet ? split_group<true, true, Split> : split_group<true, false, Split>)
+                  : (wet ? split_group<false, true, Split> : split_group<false, false, Split>);
     bool halved = false;
     for (std::size_t g = 0; g < s.groups; ++g) {
-        const std::size_t first = g * split_lanes;
-        const bool more = air.plate ? (wet ? split_group<true, true>(before, air, c, s, first)
-                                           : split_group<true, false>(before, air, c, s, first))
-                                    : (wet ? split_group<false, true>(before, air, c, s, first)
-                                           : split_group<false, false>(before, air, c, s, first));
+        const bool more = group(before, air, c, s, g * split_lanes);
         halved = halved || more;
     }
     return halved;
+}
+bool split_some(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
+                const SplitLanes& s) {
+    return s.above.up ? split_kind<LaneSplit>(before, air, c, s)
+                      : split_kind<SameSplit>(before, air, c, s);
 }
 
 }  // namespace

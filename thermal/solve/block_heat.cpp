@@ -12,8 +12,20 @@ BlockHeat::BlockHeat(const SolveState& solve, const Level& level, const Block& b
       kind_(level.kind[block.material]),
       filled_(filled) {
     facet_heat(solve, block, kind_, 0, before_);
-    const double sky = kind_.column.surface.emissivity * kind_.forcing[0].sky_longwave;
-    for (std::size_t l = 0; l < filled; ++l) at_end[l] = before_[l] + sky;
+    std::copy_n(before_, filled, at_end);
+    add_sky(0);
+}
+
+void BlockHeat::add_sky(std::size_t time) {
+    const double emissivity = kind_.column.surface.emissivity;
+    const double low = emissivity * kind_.low(block_, time).sky_longwave;
+    const double more = emissivity * kind_.high(block_, time).sky_longwave - low;
+    const double* const up = block_.up.data();
+    if (block_.up.empty()) {
+        for (std::size_t l = 0; l < filled_; ++l) at_end[l] += low;
+    } else {
+        for (std::size_t l = 0; l < filled_; ++l) at_end[l] += low + up[l] * more;
+    }
 }
 
 void BlockHeat::begin_step(std::size_t i) {
@@ -23,14 +35,14 @@ void BlockHeat::begin_step(std::size_t i) {
     for (const HeatJump& edge : edges_) jump_[edge.lane] = absorptance * edge.heat;
 }
 
-void BlockHeat::begin_substep(int s, double sky_longwave) {
+void BlockHeat::begin_substep(int s, std::size_t time) {
     const int substeps = kind_.column.substeps;
-    const double sky = kind_.column.surface.emissivity * sky_longwave;
     const double share = double(s + 1) / substeps;
     for (std::size_t l = 0; l < filled_; ++l) {
         at_start[l] = at_end[l];
-        at_end[l] = smooth(l, share) + sky;
+        at_end[l] = smooth(l, share);
     }
+    add_sky(time);
     jumps.clear();
     for (const HeatJump& edge : edges_) {
         const double within = edge.share * substeps - s;

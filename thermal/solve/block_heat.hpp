@@ -17,8 +17,9 @@ class BlockHeat {
 
     /// The step that ends at instant i.
     void begin_step(std::size_t i);
-    /// Its substep s, which ends under the sky's longwave [W m⁻²]; `at_start` takes over `at_end`.
-    void begin_substep(int s, double sky_longwave);
+    /// Its substep s, which ends at a time of the material's forcing; `at_start` takes over
+    /// `at_end`.
+    void begin_substep(int s, std::size_t time);
     void end_step();
 
     /// The jumps of sunlight in the step, and by how much they raise a lane's heat.
@@ -33,6 +34,8 @@ class BlockHeat {
     std::vector<HeatJump> jumps;                                            // within the substep
 
  private:
+    void add_sky(std::size_t time);
+
     const SolveState& solve_;
     const Level& level_;
     const Block& block_;

@@ -20,6 +20,13 @@ class SunlightAtOnce {
                    std::span<const std::size_t> instants)
         : scene_(scene), sun_(sun), instants_(instants) {
         incident_.resize(scene.facets.size() * instants.size());
+        for (const std::size_t i : instants) {
+            for (std::size_t tier = 0; tier < sun.sky.tiers; ++tier) {
+                const SkyState& sky = sun.sky.sky[i * sun.sky.tiers + tier];
+                const SkyLight light = sky_light(sky);
+                light_.push_back({light.beam, light.even, sky.global_horizontal()});
+            }
+        }
     }
 
     /// Sun and sky, and ground below the scene's edge.
@@ -27,17 +34,20 @@ class SunlightAtOnce {
         const std::size_t n = instants_.size();
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
             const Eigen::Vector3d normal = scene_.facets.normal[f].cast<double>();
+            const auto at = [&](std::size_t k, double Light::*value) {
+                return sun_.sky.at_facet(light_, k, f, value);
+            };
             for (std::size_t k = 0; k < n; ++k) {
-                const SkyState& sky = sun_.sky[instants_[k]];
+                const SkyState& sky = sun_.sky.sky[instants_[k] * sun_.sky.tiers];
                 // The fraction counts the facet's own turning away already.
                 const double lit = sun_.fraction.empty()
                                        ? 1.0
                                        : sun_.fraction[instants_[k] * scene_.facets.size() + f];
-                double light =
-                    facet_sunlight(sky, normal.dot(sky.to_sun), lit, scene_.views.sky[f]);
+                double light = at(k, &Light::beam) * (std::max(0.0, normal.dot(sky.to_sun)) * lit) +
+                               at(k, &Light::even) * scene_.views.sky[f];
                 if (scene_.exchange) {
                     light += double(scene_.views.below[f]) * scene_.optics.albedo[f] *
-                             sky.global_horizontal();
+                             at(k, &Light::global);
                 }
                 incident_[f * n + k] = float(light);
             }
@@ -49,7 +59,7 @@ class SunlightAtOnce {
         const std::size_t n = instants_.size();
         std::vector<float> scale(n), unsent(incident_.size()), counts(scene_.facets.size());
         for (std::size_t k = 0; k < n; ++k) {
-            scale[k] = float(1.0 / (bound * sun_.sky[instants_[k]].global_horizontal()));
+            scale[k] = float(1.0 / (bound * light_[k * sun_.sky.tiers].global));
         }
         const auto reflect = [&](std::size_t f, const float* light, float* out) {
             float most = 0.0f;
@@ -85,6 +95,10 @@ class SunlightAtOnce {
     const ExchangingFacets& scene_;
     const SunlitInstants& sun_;
     std::span<const std::size_t> instants_;
+    struct Light {
+        double beam, even, global;  // [W m⁻²] facet_sunlight's two parts; on the horizontal
+    };
+    std::vector<Light> light_;  // (instant, tier)
     std::vector<float> incident_;
 };
 
@@ -119,8 +133,8 @@ void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
     const double bound =
         sunlight_bound * (1.0 - double(greatest_sent_on(scene.views, scene.optics.albedo)));
     std::vector<std::size_t> lit;
-    for (std::size_t i = 0; i < sun.sky.size(); ++i) {
-        if (sun.sky[i].global_horizontal() > 0.0) {
+    for (std::size_t i = 0; i < sun.sky.instants(); ++i) {
+        if (sun.sky.sky[i * sun.sky.tiers].global_horizontal() > 0.0) {
             lit.push_back(i);
         } else {
             std::fill_n(incident.begin() + std::ptrdiff_t(i * facets), facets, 0.0f);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -25,9 +26,27 @@ struct ExchangingFacets {
     bool exchange = true;  // else each sees sun and sky alone
 };
 
+/// The sky over facets at heights of their own: at a few heights, in between on the straight line.
+struct SkyOverFacets {
+    std::span<const SkyState> sky;         // (instant, tier)
+    std::size_t tiers = 1;                 // one: the same over all facets
+    std::span<const std::uint16_t> low{};  // (facet) tier below it
+    std::span<const float> share{};        // (facet) of the way to the next
+
+    std::size_t instants() const { return sky.size() / tiers; }
+    /// A value of every sky's, at a facet: (instant, tier) of them.
+    template <class T>
+    double at_facet(const std::vector<T>& of, std::size_t i, std::size_t f,
+                    double T::*value) const {
+        if (tiers == 1) return of[i].*value;
+        const T* const below = &of[i * tiers + low[f]];
+        return below[0].*value + double(share[f]) * (below[1].*value - below[0].*value);
+    }
+};
+
 /// The instants that sunlight is wanted at.
 struct SunlitInstants {
-    std::span<const SkyState> sky;    // (instant)
+    SkyOverFacets sky;
     std::span<const float> fraction;  // (instant, facet) share in the sun; empty: no shadows
 };
 

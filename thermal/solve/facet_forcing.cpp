@@ -5,17 +5,22 @@
 
 namespace diurna {
 
-FacetForcing::FacetForcing(const SolveState& solve, const std::vector<Forcing>& weather,
+FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather,
                            const Block& block, std::size_t lane)
-    : solve_(solve), weather_(weather) {
+    : solve_(solve), weather_(std::move(weather)) {
     const std::size_t facet = block.facet[lane];
     measured_share_ = measured_share(solve.input, solve.input.facets.material[facet]);
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const std::size_t at = i * solve.facets + facet;
-        double longwave = solve.sky[i].longwave_down;
+        double longwave = solve.at_facet(&SkyState::longwave_down, i, facet);
         if (!solve.excess.empty()) longwave += solve.excess[at];
-        if (!solve.tilt.empty()) longwave += solve.tilt[facet] * solve.sky[i].tilted_longwave;
+        if (!solve.tilt.empty())
+            longwave += solve.tilt[facet] * solve.at_facet(&SkyState::tilted_longwave, i, facet);
         sunlight_.push_back(solve.sunlight[at]);
+        if (!solve.tiers.flat()) {
+            weather_[i].air = air_at_height(*solve.input.by_height, weather_[i].air,
+                                            double(solve.input.height[facet]));
+        }
         longwave_.push_back(longwave);
     }
     if (block.jump.empty()) return;

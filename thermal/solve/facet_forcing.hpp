@@ -11,8 +11,8 @@ namespace diurna {
 /// instants of the steps, but for the jumps of sunlight at shadows' edges.
 class FacetForcing {
  public:
-    /// weather  at the solve's instants; it and the solve must outlive this
-    FacetForcing(const SolveState& solve, const std::vector<Forcing>& weather, const Block& block,
+    /// weather  at the solve's instants; the solve must outlive this
+    FacetForcing(const SolveState& solve, std::vector<Forcing> weather, const Block& block,
                  std::size_t lane);
 
     PointForcing operator()(Instant when) const;
@@ -23,7 +23,7 @@ class FacetForcing {
  private:
     const SolveState& solve_;
     double measured_share_ = 0.0;
-    const std::vector<Forcing>& weather_;      // (instant)
+    std::vector<Forcing> weather_;             // (instant) at the facet's height
     std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
     std::vector<HeatJump> jump_;  // of step i from first_jump_[i] to first_jump_[i + 1]
     std::vector<std::size_t> first_jump_;

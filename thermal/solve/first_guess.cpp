@@ -28,16 +28,17 @@ namespace {
 void settle_block(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const std::size_t count = block.facet.size();
-    AirFilm mean = kind.forcing.front().air;
+    AirFilm mean = kind.low(block, 0).air;
     double sky = 0.0, sums[5] = {};
-    for (const StageForcing& forcing : kind.forcing) {
+    for (std::size_t time = 0; time < kind.times; ++time) {
+        const StageForcing forcing = kind.middle(block, time);
         sky += forcing.sky_longwave;
         sums[0] += forcing.air.air_temperature;
         sums[1] += forcing.air.neutral;
         sums[2] += forcing.air.instability;
         sums[3] += forcing.air.vapour_pressure;
     }
-    const double n = double(kind.forcing.size());
+    const double n = double(kind.times);
     mean.air_temperature = sums[0] / n;
     mean.neutral = sums[1] / n;
     mean.instability = sums[2] / n;

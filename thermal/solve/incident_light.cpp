@@ -21,12 +21,22 @@ FacetOptics optics_at(const SolveState& solve, std::size_t i) {
     return optics;
 }
 
+/// The skies at some instants over all facets, at their heights.
+SkyOverFacets sky_over(const SolveState& solve, std::size_t count, std::size_t first) {
+    const std::size_t tiers = solve.tiers.size();
+    if (tiers == 1) return {.sky = std::span(solve.sky).subspan(first, count)};
+    return {.sky = std::span(solve.tier_sky).subspan(first * tiers, count * tiers),
+            .tiers = tiers,
+            .low = solve.tiers.low,
+            .share = solve.tiers.share};
+}
+
 }  // namespace
 
 void shine(SolveState& solve) {
     solve.sunlight.resize(solve.instant.size() * solve.facets);
     const FacetViews* const own = solve.input.sunlight_views;
-    const auto at = [&](const FacetOptics& optics, std::span<const SkyState> sky,
+    const auto at = [&](const FacetOptics& optics, const SkyOverFacets& sky,
                         std::span<const float> fraction, std::span<float> sunlight) {
         incident_sunlight({.facets = solve.input.facets,
                            .views = own ? *own : solve.input.views,
@@ -36,13 +46,13 @@ void shine(SolveState& solve) {
     };
     const std::span<const float> fraction = solve.input.sun.fraction;
     if (solve.input.measured_share.empty()) {
-        at(solve.optics, solve.sky, fraction, solve.sunlight);
+        at(solve.optics, sky_over(solve, solve.sky.size(), 0), fraction, solve.sunlight);
         return;
     }
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const bool measured = !std::isnan(solve.sky[i].albedo);
         const FacetOptics of_instant = measured ? optics_at(solve, i) : FacetOptics{};
-        at(measured ? of_instant : solve.optics, std::span(solve.sky).subspan(i, 1),
+        at(measured ? of_instant : solve.optics, sky_over(solve, 1, i),
            fraction.empty() ? fraction : fraction.subspan(i * solve.facets, solve.facets),
            solve.row(solve.sunlight, i));
     }
@@ -59,11 +69,12 @@ void find_jumps(SolveState& solve) {
             lane_of[solve.block[b].facet[l]] = l;
         }
     }
+    const SkyOverFacets over = sky_over(solve, solve.sky.size(), 0);
+    std::vector<SkyLight> light;
+    for (const SkyState& sky : over.sky) light.push_back(sky_light(sky));
     const auto beam = [&](std::size_t i, std::size_t f) {
-        const SkyState& sky = solve.sky[i];
-        const double cosine = solve.input.facets.normal[f].cast<double>().dot(sky.to_sun);
-        return facet_sunlight(sky, cosine, 1.0, solve.input.views.sky[f]) -
-               facet_sunlight(sky, cosine, 0.0, solve.input.views.sky[f]);
+        const double cosine = solve.input.facets.normal[f].cast<double>().dot(solve.sky[i].to_sun);
+        return std::max(0.0, cosine) * over.at_facet(light, i, f, &SkyLight::beam);
     };
     for (const ShadowEdge& edge : sun.edge) {
         const std::size_t i = edge.step, f = edge.facet;

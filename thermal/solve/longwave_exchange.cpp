@@ -101,18 +101,43 @@ void take_in(SolveState& solve, const Level& level, Field& field) {
     });
 }
 
-/// All of the longwave anew. `change` becomes what arrives now less what did before.
+/// The sky's longwave at the facets' heights beyond that at the weather's, at one instant.
+class SkyBeyond {
+ public:
+    SkyBeyond(const SolveState& solve, std::size_t i) : tiers_(solve.tiers) {
+        if (tiers_.flat()) return;
+        const double here = solve.sky[i].longwave_down;
+        for (std::size_t tier = 0; tier < tiers_.size(); ++tier) {
+            beyond_.push_back(float(solve.tier_sky[i * tiers_.size() + tier].longwave_down - here));
+        }
+    }
+    float operator()(std::size_t f) const {
+        if (beyond_.empty()) return 0.0f;
+        const float* const low = &beyond_[tiers_.low[f]];
+        return low[0] + tiers_.share[f] * (low[1] - low[0]);
+    }
+
+ private:
+    const AirTiers& tiers_;
+    std::vector<float> beyond_;  // (tier)
+};
+
+/// All of the longwave anew. `change` becomes what arrives now less what did before. The sky of a
+/// facet's own height stands above it: what leaves is told beyond the sky at the weather's height,
+/// what arrives beyond that at its own.
 void renew_all(SolveState& solve, const Level& level, Field& field) {
     const std::size_t used = field.used;
+    const bool heights = !solve.tiers.flat();
     for_each_block(solve.facets, facets_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = 0; k < used; ++k) {
             const std::size_t i = k * level.stride;
             const double sky = solve.sky[i].longwave_down;
+            const SkyBeyond beyond(solve, i);
             const float* const kelvin = solve.kelvin.data() + i * solve.facets;
             const float* const excess = solve.excess.data() + i * solve.facets;
             for (std::size_t f = begin; f < end; ++f) {
-                field.leaving[f * used + k] =
-                    leaving_longwave(solve.optics.emissivity[f], sky, kelvin[f], excess[f]);
+                field.leaving[f * used + k] = leaving_longwave(solve.optics.emissivity[f], sky,
+                                                               kelvin[f], excess[f] + beyond(f));
             }
         }
     });
@@ -122,9 +147,13 @@ void renew_all(SolveState& solve, const Level& level, Field& field) {
         }
         for (std::size_t f = begin; f < end; ++f) field.most[f] = 0.0f;
         for (std::size_t k = 0; k < used; ++k) {
+            const SkyBeyond beyond(solve, k * level.stride);
             float* const excess = solve.excess.data() + k * level.stride * solve.facets;
             for (std::size_t f = begin; f < end; ++f) {
                 float& change = field.change[f * used + k];
+                if (heights) {
+                    change -= (1.0f - solve.input.views.sky[f]) * beyond(f);
+                }
                 const float next = change;
                 change -= excess[f];
                 excess[f] = next;

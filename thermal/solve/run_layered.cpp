@@ -104,7 +104,7 @@ class LayeredRun {
     }
 
     void run() {
-        block_.slope.assign(kind_.forcing.size(), 0.0);
+        block_.slope.assign(kind_.times, 0.0);
         block_.record = {};
         put_kelvin(solve_, block_, 0, batch_.temperature.data());
         record_block(solve_, block_, kind_, 0,
@@ -134,7 +134,7 @@ class LayeredRun {
         substep_number_ = s;
         strays_.clear();
         for (std::size_t k = 0; k < 2; ++k) {
-            const StageForcing& forcing = kind_.forcing[stage + k];
+            const StageForcing forcing = kind_.middle(block_, stage + k);
             air_[k] = forcing.air;
             sky_[k] = kind_.column.surface.emissivity * forcing.sky_longwave;
             for (std::size_t l = 0; l < count_; ++l) {

@@ -74,12 +74,12 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
     const ModeStep& step = kind.modes->step;
     const double emissivity = kind.column.surface.emissivity;
     ModeBatch batch = batch_of(*kind.modes, block);
-    block.slope.assign(kind.forcing.size(), 0.0);
+    block.slope.assign(kind.times, 0.0);
     block.steepness.assign(block.stride, 0.0);
     block.record = {};
 
     BlockHeat heat(solve, level, block, batch.units() * lanes);
-    begin_modes(step, kind.forcing[0].air, heat.at_end, emissivity, batch);
+    begin_modes(step, kind.over(block, 0), heat.at_end, emissivity, batch);
     put_kelvin(solve, block, 0, batch.temperature.data());
     record_modes(solve, kind, batch, block, 0,
                  {kind.forcing[0].air, heat.at_end, batch.temperature.data()});
@@ -88,10 +88,10 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
         heat.begin_step(i);
         for (int s = 0; s < kind.column.substeps; ++s) {
             ++at;
-            heat.begin_substep(s, kind.forcing[at].sky_longwave);
+            heat.begin_substep(s, at);
             advance_modes(step,
-                          {.air_before = kind.forcing[at - 1].air,
-                           .air = kind.forcing[at].air,
+                          {.air_before = kind.over(block, at - 1),
+                           .air = kind.over(block, at),
                            .heat_before = heat.at_start,
                            .heat = heat.at_end,
                            .jumps = heat.jumps},

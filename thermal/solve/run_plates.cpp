@@ -38,13 +38,14 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     const BlockStates start(block.start.data(), n, facets, stride);
     BlockStates state(batch.state.data(), n, facets, stride);
     state.noalias() = step.into * start;
-    block.slope.assign(kind.forcing.size(), 0.0);
-    block.back_slope.assign(kind.forcing.size(), 0.0);
+    block.slope.assign(kind.times, 0.0);
+    block.back_slope.assign(kind.times, 0.0);
     block.steepness.assign(block.stride, 0.0);
     StepRecord record;
 
     BlockHeat heat(solve, level, block, lanes);
-    begin_plates(step, surface, kind.forcing[0].air, heat.at_end, batch);
+    StageForcing now = kind.middle(block, 0);
+    begin_plates(step, surface, now.air, heat.at_end, batch);
     put_kelvin(solve, block, 0, batch.temperature[0].data());
     record_plates(solve, kind, batch, block, 0,
                   {kind.forcing[0].air, heat.at_end, batch.temperature[0].data()});
@@ -53,10 +54,12 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
         heat.begin_step(i);
         for (int s = 0; s < substeps; ++s) {
             ++at;
-            heat.begin_substep(s, kind.forcing[at].sky_longwave);
+            const StageForcing before = now;
+            now = kind.middle(block, at);
+            heat.begin_substep(s, at);
             advance_plates(step, surface,
-                           {.air_before = kind.forcing[at - 1].air,
-                            .air = kind.forcing[at].air,
+                           {.air_before = before.air,
+                            .air = now.air,
                             .heat_before = heat.at_start,
                             .heat = heat.at_end,
                             .jumps = heat.jumps},

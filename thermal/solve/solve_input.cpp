@@ -37,6 +37,9 @@ void check(const SolveInput& input, const SolveOptions& options) {
         input.views.others.row.size() != n + 1) {
         throw InputError("thermal solve", "the sky view belongs to another set of facets");
     }
+    if (!input.height.empty() && input.height.size() != n) {
+        throw InputError("thermal solve", "heights belong to another set of facets");
+    }
     if (!input.measured_share.empty() && input.measured_share.size() != input.materials.size()) {
         throw InputError("thermal solve", "shares of measured albedo belong to other materials");
     }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "materials/air/air_by_height.hpp"
 #include "materials/matter/library.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
@@ -72,6 +73,9 @@ struct SolveInput {
     const Weather& weather;
     Site site;
     double elevation = 0.0;  // [m] above the sea, of the weather
+    /// From there (its `station` is `elevation`) to the facets; null: all have the weather's air.
+    const AirByHeight* by_height = nullptr;
+    std::vector<float> height{};  // (facet) [m] above the sea; empty: all at the weather's
     ClearSky clear_sky{};
     /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
     /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.

@@ -133,6 +133,8 @@ void solve_piece(const Piece& piece, Walk& walk) {
                                 .weather = piece.weather ? *piece.weather : given.weather,
                                 .site = given.site,
                                 .elevation = given.elevation,
+                                .by_height = given.by_height,
+                                .height = given.height,
                                 .clear_sky = given.clear_sky,
                                 .measured_share = given.measured_share,
                                 .sunlight_views = given.sunlight_views,

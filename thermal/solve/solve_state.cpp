@@ -13,7 +13,12 @@ SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
       instant(step_instants(how)),
       step(how.duration / double(instant.size() - 1)),
       facets(given.facets.size()),
+      tiers(air_tiers(given.by_height, given.height)),
       optics(facet_optics(given.facets, given.materials)) {}
+
+StageForcing between(const StageForcing& low, const StageForcing& high, double up) {
+    return {air_between(low.air, high.air, up), std::lerp(low.sky_longwave, high.sky_longwave, up)};
+}
 
 double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i) {
     const double measured = measured_albedo(solve.sky[i], kind.measured_share);
@@ -26,12 +31,18 @@ void facet_heat(const SolveState& solve, const Block& block, const Kind& kind, s
                 double* heat) {
     const ThermalSurface& surface = kind.column.surface;
     const double absorptance = absorptance_at(solve, kind, i);
-    const double tilted = surface.emissivity * solve.sky[i].tilted_longwave;
+    const bool flat = solve.tiers.flat();
+    const SkyState* const sky =
+        flat ? &solve.sky[i] : &solve.tier_sky[i * solve.tiers.size() + block.tier];
+    const double tilted = surface.emissivity * sky->tilted_longwave;
+    const double more = flat ? 0.0 : surface.emissivity * sky[1].tilted_longwave - tilted;
     for (std::size_t l = 0; l < block.facet.size(); ++l) {
         const std::size_t at = i * solve.facets + block.facet[l];
         heat[l] = absorptance * solve.sunlight[at] + surface.internal_heat;
         if (!solve.excess.empty()) heat[l] += surface.emissivity * solve.excess[at];
-        if (!solve.tilt.empty()) heat[l] += tilted * solve.tilt[block.facet[l]];
+        if (!solve.tilt.empty()) {
+            heat[l] += (flat ? tilted : tilted + block.up[l] * more) * solve.tilt[block.facet[l]];
+        }
     }
     std::fill(heat + block.facet.size(), heat + block.stride, heat[0]);
 }

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <Eigen/QR>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "thermal/solve/air_tiers.hpp"
 #include "thermal/solve/facet_exchange.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/steppers/material_column.hpp"
@@ -33,7 +35,10 @@ struct Block {
     std::size_t stride;    // lanes of the block, used or not
     std::vector<std::size_t> facet;
     std::vector<NaturalFilm> natural;
-    std::vector<HeatJump> jump;         // of incident sunlight, those of step i from
+    std::size_t tier = 0;        // AirTiers::low of all its facets
+    std::vector<double> up;      // [lane] AirTiers::share; empty where there is one tier
+    double mean_up = 0.0;        // of all lanes: layered columns and plates have one air a block
+    std::vector<HeatJump> jump;  // of incident sunlight, those of step i from
     std::vector<std::uint32_t> jumps;   // (step + 1) jumps[i] to jumps[i + 1]
     std::vector<double> start, change;  // [state][lane] relative; change over the last pass. States
                                         // are nodes' temperatures, or the open column's modes
@@ -75,18 +80,40 @@ struct ModeColumn {
     ModeStep step{};
 };
 
-/// One material of the scene with the forcing its facets share. Layered columns have two stages to
-/// a substep; modes, those of plates too, have one instant at the end of each, and one at the start
-/// of the span.
+/// On the straight line between the forcings of two tiers.
+StageForcing between(const StageForcing& low, const StageForcing& high, double up);
+
+/// One material of the scene with the forcing its facets share at the heights of the solve's tiers.
+/// Layered columns have two stages to a substep; modes, those of plates too, have one instant at
+/// the end of each, and one at the start of the span.
 struct Kind {
     MaterialColumn column;
     std::optional<ModeColumn> modes{};
     std::optional<PlateStep> plate{};   // its states are nodes, as those of layered columns
-    std::vector<StageForcing> forcing;  // (step, substep, stage) or (instant)
-    std::vector<double> slope;          // like `forcing`: mean surface slope, last pass
+    std::size_t times = 0;              // of the forcing
+    std::vector<StageForcing> forcing;  // (tier, time); times are (step, substep, stage) or
+                                        // (instant)
+    std::vector<double> slope;          // (time) mean surface slope, last pass
     std::vector<double> back_slope;     // of plates
     std::size_t facets = 0;
     double measured_share = 0.0;  // SolveInput::measured_share
+
+    /// Of the block's tier at a time; of the tier above it; of the middle of its facets.
+    const StageForcing& low(const Block& block, std::size_t time) const {
+        return forcing[block.tier * times + time];
+    }
+    const StageForcing& high(const Block& block, std::size_t time) const {
+        return forcing[(block.tier + (block.up.empty() ? 0 : 1)) * times + time];
+    }
+    StageForcing middle(const Block& block, std::size_t time) const {
+        return block.up.empty() ? low(block, time)
+                                : between(low(block, time), high(block, time), block.mean_up);
+    }
+    /// The air over a block's lanes.
+    AirOver over(const Block& block, std::size_t time) const {
+        if (block.up.empty()) return low(block, time).air;
+        return {low(block, time).air, high(block, time).air, block.up.data()};
+    }
 };
 
 /// Whether a material's facets are stepped in modes.
@@ -109,12 +136,14 @@ struct SolveState {
     std::vector<Instant> instant;  // = step_instants(options)
     double step;                   // [s]
     std::size_t facets;
+    AirTiers tiers;
     FacetOptics optics;
-    std::vector<SkyState> sky;    // (instant)
-    std::vector<float> sunlight;  // (instant, facet) incident
-    std::vector<float> excess;    // (instant, facet) terrain longwave; empty without exchange
-    std::vector<float> tilt;      // (facet) tilted_sky_excess; empty where the sky is even
-    std::vector<float> kelvin;    // (instant, facet)
+    std::vector<SkyState> sky;       // (instant) at the weather's height
+    std::vector<SkyState> tier_sky;  // (instant, tier); empty where there is one tier
+    std::vector<float> sunlight;     // (instant, facet) incident
+    std::vector<float> excess;       // (instant, facet) terrain longwave; empty without exchange
+    std::vector<float> tilt;         // (facet) tilted_sky_excess; empty where the sky is even
+    std::vector<float> kelvin;       // (instant, facet)
     std::vector<Block> block;
     HeatRecord* record = nullptr;  // of the pass on its way, if it is to be taken down
 
@@ -122,6 +151,12 @@ struct SolveState {
     SolveState(const SolveInput& given, const SolveOptions& how, const SkySeries& sky_series);
 
     std::size_t steps() const { return instant.size() - 1; }
+    /// A flux of the sky at an instant, at a facet's height.
+    double at_facet(double SkyState::*flux, std::size_t i, std::size_t f) const {
+        if (tiers.flat()) return sky[i].*flux;
+        const SkyState* const low = &tier_sky[i * tiers.size() + tiers.low[f]];
+        return std::lerp(low[0].*flux, low[1].*flux, double(tiers.share[f]));
+    }
     std::span<float> row(std::vector<float>& field, std::size_t i) const {
         return {field.data() + i * facets, facets};
     }

@@ -18,6 +18,7 @@
 #include "thermal/solve/periodic_newton.hpp"
 #include "thermal/solve/point_facets.hpp"
 #include "thermal/solve/time_level.hpp"
+#include "thermal/weather/sky_by_height.hpp"
 
 namespace diurna {
 
@@ -30,30 +31,49 @@ double seconds_since(Clock::time_point then) {
 /// [s] of all threads of this process, so far
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 
-/// Cuts the facets into blocks by material. Returns the materials in the order of Block::material.
+/// Which slice of height a facet's block may hold: of columns in modes a whole tier, of others,
+/// which have one air a block, two metres of it.
+std::size_t slice_of(const SolveState& solve, std::size_t f, bool modes) {
+    if (solve.tiers.flat()) return 0;
+    const double gap = solve.tiers.height[1] - solve.tiers.height[0];
+    const double slices = modes ? 1.0 : std::ceil(gap / 2.0);
+    const double within = std::min(slices - 1.0, std::floor(slices * solve.tiers.share[f]));
+    return static_cast<std::size_t>(solve.tiers.low[f] * slices + within);
+}
+
+/// The way of a block's facets from their tier to the next, lanes filled up.
+void tell_heights(const SolveState& solve, Block& block) {
+    if (solve.tiers.flat()) return;
+    for (const std::size_t f : block.facet) block.up.push_back(solve.tiers.share[f]);
+    for (const double up : block.up) block.mean_up += up / double(block.up.size());
+    block.up.resize(block.stride, block.up.front());
+}
+
+/// Cuts the facets into blocks by material, and by height where that makes a difference. Returns
+/// the materials in the order of Block::material.
 std::vector<MaterialId> group_by_material(SolveState& solve) {
     std::map<std::size_t, std::size_t> place_of;
     std::vector<MaterialId> materials;
-    std::vector<std::size_t> open;  // (material) block still taking facets
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> open;  // still taking facets
     for (std::size_t f = 0; f < solve.facets; ++f) {
         const MaterialId id = solve.input.facets.material[f];
         const auto [place, is_new] = place_of.try_emplace(index(id), materials.size());
         const std::size_t m = place->second;
-        if (is_new) {
-            materials.push_back(id);
-            open.push_back(0);
-        }
-        if (is_new || solve.block[open[m]].facet.size() == solve.block[open[m]].stride) {
-            open[m] = solve.block.size();
-            const ThermalSurface& surface = solve.input.materials[id].thermal;
+        if (is_new) materials.push_back(id);
+        const bool modes = in_modes(solve.options, solve.input.materials[id].thermal);
+        const auto [last, none] = open.try_emplace({m, slice_of(solve, f, modes)}, 0);
+        if (none || solve.block[last->second].facet.size() == solve.block[last->second].stride) {
+            last->second = solve.block.size();
             Block& block = solve.block.emplace_back();
             block.material = m;
-            block.stride = in_modes(solve.options, surface) ? mode_lanes : lanes;
+            block.stride = modes ? mode_lanes : lanes;
+            block.tier = solve.tiers.flat() ? 0 : solve.tiers.low[f];
         }
-        Block& block = solve.block[open[m]];
+        Block& block = solve.block[last->second];
         block.facet.push_back(f);
         block.natural.push_back(natural_film(solve.input.facets.normal[f].z()));
     }
+    for (Block& block : solve.block) tell_heights(solve, block);
     return materials;
 }
 
@@ -100,6 +120,14 @@ void light_up(SolveState& solve) {
     SunPath path(solve.input.site);
     for (const Instant when : solve.instant) {
         solve.sky.push_back(solve.series.at(when, path.at(when)));
+        if (solve.tiers.flat()) continue;
+        const Forcing now = solve.series.weather().at(when);
+        const AirByHeight& rule = *solve.input.by_height;
+        for (const double height : solve.tiers.height) {
+            solve.tier_sky.push_back(sky_at_height(solve.sky.back(), now,
+                                                   air_at_height(rule, now.air, height), rule,
+                                                   height, solve.input.clear_sky));
+        }
     }
     solve.tilt = tilts(solve);
     shine(solve);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
+#include "thermal/weather/sky_by_height.hpp"
 
 namespace diurna {
 
@@ -31,6 +32,28 @@ ModeColumn mode_column(const SolveState& solve, const ThermalSurface& surface, d
     return modes;
 }
 
+/// Air and sky over a material at some times and all tiers.
+void drive(const SolveState& solve, const std::vector<Instant>& when, Kind& kind) {
+    const Weather& weather = solve.series.weather();
+    kind.times = when.size();
+    kind.forcing.resize(solve.tiers.size() * kind.times);
+    for (std::size_t i = 0; i < kind.times; ++i) {
+        const Forcing now = weather.at(when[i]);
+        const SkyState sky = solve.series.dark(when[i]);
+        for (std::size_t tier = 0; tier < solve.tiers.size(); ++tier) {
+            const double height = solve.tiers.height[tier];
+            const bool flat = solve.tiers.flat();
+            const AirByHeight* const rule = solve.input.by_height;
+            const AirState air = flat ? now.air : air_at_height(*rule, now.air, height);
+            kind.forcing[tier * kind.times + i] = {
+                air_film(kind.column.surface, kind.column.louis, air, now.wind_speed),
+                flat ? sky.longwave_down
+                     : sky_at_height(sky, now, air, *rule, height, solve.input.clear_sky)
+                           .longwave_down};
+        }
+    }
+}
+
 }  // namespace
 
 Level make_level(const SolveState& solve, const std::vector<MaterialId>& materials,
@@ -56,13 +79,8 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
                                            .refinement = solve.options.refinement,
                                            .grid = thin ? plate_grid : solve.options.grid},
                                           finer ? &finer->kind[m].column.louis : nullptr);
-            const auto add = [&](Instant when) {
-                const Forcing forcing = weather.at(when);
-                const SkyState sky = solve.series.dark(when);
-                kind.forcing.push_back({air_film(kind.column.surface, kind.column.louis,
-                                                 forcing.air, forcing.wind_speed),
-                                        sky.longwave_down});
-            };
+            std::vector<Instant> when;
+            const auto add = [&](Instant time) { when.push_back(time); };
             if (in_modes(solve.options, kind.column.surface)) {
                 kind.modes = finer ? finer->kind[m].modes
                                    : mode_column(solve, kind.column.surface, kind.column.reference);
@@ -86,8 +104,9 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
                     }
                 }
             }
-            kind.slope.assign(kind.forcing.size(), 0.0);
-            kind.back_slope.assign(kind.plate ? kind.forcing.size() : 0, 0.0);
+            drive(solve, when, kind);
+            kind.slope.assign(kind.times, 0.0);
+            kind.back_slope.assign(kind.plate ? kind.times : 0, 0.0);
         },
         1);
     for (const Block& block : solve.block) level.kind[block.material].facets += block.facet.size();

@@ -21,6 +21,16 @@ double bend_of(const AirFilm& air) {
     return air.wetness > 0.0 ? dew_point(air.vapour_pressure) : 0.0;
 }
 
+/// What the kernels need of the air above, for lanes from `up` on.
+AirAbove above(const ModeForcing& forcing, const double* up) {
+    if (!forcing.air.up) return {};
+    return {.before = forcing.air_before.high,
+            .air = forcing.air.high,
+            .dew_point_before = bend_of(*forcing.air_before.high),
+            .dew_point = bend_of(*forcing.air.high),
+            .up = up};
+}
+
 /// Of a lane's first mode in ModeBatch::state.
 std::size_t place(const ModeStep& step, std::size_t lane) {
     return lane / lanes * step.modes() * lanes + lane % lanes;
@@ -31,7 +41,7 @@ struct Strays {
     std::size_t count = 0;
     std::size_t lane[split_capacity];
     NaturalFilm natural[split_capacity];
-    alignas(64) double share[split_capacity], jump[split_capacity];
+    alignas(64) double share[split_capacity], jump[split_capacity], up[split_capacity];
     alignas(64) double heat_before[split_capacity], heat[split_capacity];
     alignas(64) double temperature[split_capacity], drive[split_capacity], slope[split_capacity];
     alignas(64) double state[most_modes * split_capacity], to[most_modes * split_capacity];
@@ -43,6 +53,7 @@ struct Strays {
         natural[k] = batch.natural[l];
         share[k] = edge.share;
         jump[k] = edge.heat;
+        up[k] = forcing.air.up ? forcing.air.up[l] : 0.0;
         heat_before[k] = forcing.heat_before[l];
         heat[k] = forcing.heat[l];
         temperature[k] = batch.temperature[l];
@@ -58,7 +69,7 @@ struct Strays {
         const std::size_t groups = (count + split_lanes - 1) / split_lanes, last = count - 1;
         for (std::size_t k = count; k < groups * split_lanes; ++k) {
             natural[k] = natural[last];
-            for (double* column : {share, jump, heat_before, heat, temperature, drive, slope}) {
+            for (double* column : {share, jump, up, heat_before, heat, temperature, drive, slope}) {
                 column[k] = column[last];
             }
             for (std::size_t m = 0; m < modes; ++m) {
@@ -101,10 +112,10 @@ void split_strays(const ModeStep& step, const ModeForcing& forcing, double emiss
                   Strays& strays, StepRecord& record) {
     const std::size_t groups = strays.fill(step.modes());
     const bool halved =
-        kernel().split(forcing.air_before, forcing.air, step.coefficients(emissivity),
+        kernel().split(forcing.air_before.low, forcing.air.low, step.coefficients(emissivity),
                        {.groups = groups,
-                        .dew_point_before = bend_of(forcing.air_before),
-                        .dew_point = bend_of(forcing.air),
+                        .dew_point_before = bend_of(forcing.air_before.low),
+                        .dew_point = bend_of(forcing.air.low),
                         .natural = strays.natural,
                         .share = strays.share,
                         .jump = strays.jump,
@@ -114,7 +125,8 @@ void split_strays(const ModeStep& step, const ModeForcing& forcing, double emiss
                         .temperature = strays.temperature,
                         .drive = strays.drive,
                         .slope = strays.slope,
-                        .to = strays.to});
+                        .to = strays.to,
+                        .above = above(forcing, strays.up)});
     record.bisections += halved ? strays.count : 0;
 }
 
@@ -122,11 +134,12 @@ void split_strays(const ModeStep& step, const ModeForcing& forcing, double emiss
 void advance_units(const ModeStep& step, const ModeForcing& forcing, double emissivity,
                    ModeBatch& batch, StepRecord& record) {
     const ModeCoefficients coefficients = step.coefficients(emissivity);
-    const double bend = bend_of(forcing.air);
+    const double bend = bend_of(forcing.air.low);
+    AirAbove high = above(forcing, forcing.air.up);
     for (std::size_t u = 0; u < batch.units(); ++u) {
         const std::size_t first = u * lanes;
         const ModeOutcome outcome =
-            kernel().advance(forcing.air_before, forcing.air, coefficients,
+            kernel().advance(forcing.air_before.low, forcing.air.low, coefficients,
                              {.dew_point = bend,
                               .natural = batch.natural.data() + first,
                               .heat_before = forcing.heat_before + first,
@@ -134,7 +147,9 @@ void advance_units(const ModeStep& step, const ModeForcing& forcing, double emis
                               .state = batch.state.data() + first * step.modes(),
                               .temperature = batch.temperature.data() + first,
                               .drive = batch.drive.data() + first,
-                              .slope = batch.slope.data() + first});
+                              .slope = batch.slope.data() + first,
+                              .above = high});
+        if (high.up) high.up += lanes;
         record.count(outcome.iterations, outcome.halved ? std::min(lanes, batch.count - first) : 0);
         record.worst_closure = std::max(record.worst_closure, outcome.closure);
     }
@@ -189,7 +204,7 @@ void ModeBatch::resize(std::size_t modes, std::size_t facets) {
     state.assign(units() * modes * lanes, 0.0);
 }
 
-void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
+void begin_modes(const ModeStep& step, const AirOver& air, const double* heat, double emissivity,
                  ModeBatch& batch) {
     for (std::size_t l = 0; l < batch.units() * lanes; ++l) {
         const std::size_t first = l / lanes * lanes;
@@ -205,7 +220,7 @@ void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, d
         for (std::size_t m = 0; m < step.modes(); ++m) theta += step.surface[m] * x[m * lanes];
         const double t = theta + step.reference;
         const HeatBalance balance =
-            heat_balance(air, batch.natural[l], emissivity, {.absorbed_solar = heat[l]}, t);
+            heat_balance(air.at(l), batch.natural[l], emissivity, {.absorbed_solar = heat[l]}, t);
         batch.temperature[l] = t;
         batch.slope[l] = -step.film;  // a first guess
         // The flux from below drives the modes as one into the surface does; it rides along.

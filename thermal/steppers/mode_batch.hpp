@@ -46,7 +46,7 @@ struct ModeBatch {
 };
 
 /// Sets temperature and drive from the state.
-void begin_modes(const ModeStep& step, const AirFilm& air, const double* heat, double emissivity,
+void begin_modes(const ModeStep& step, const AirOver& air, const double* heat, double emissivity,
                  ModeBatch& batch);
 
 /// One step. The lanes whose heat jumps, and where the surface is quick those whose heat did so in

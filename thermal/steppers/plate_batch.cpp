@@ -36,7 +36,7 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
         // Part 0 leads to the jump, the others from there to the step's end.
         const double end = jump.share + left * part_after_jump[part];
         const double length = (end - begin) * step.step;
-        const AirFilm air = air_between(forcing.air_before, forcing.air, end);
+        const AirFilm air = air_between(forcing.air_before.low, forcing.air.low, end);
         const TwoAirs airs(surface, air);
         if (part == 1) drive[0] += jump.heat;
         Faces faces{.base = {},
@@ -125,7 +125,7 @@ template <bool Plate, bool Wet>
 bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing& forcing,
                   const Bases& base, PlateBatch& batch, StepRecord& record) {
     // Values of its own, which no store through a pointer can change, let the loops become vectors.
-    const AirFilm air = forcing.air;
+    const AirFilm air = forcing.air.low;
     const double film0 = step.film[0], film1 = step.film[1], reference = step.reference;
     const double r0 = step.response[0], r1 = step.response[1], r2 = step.response[2];
     const double emissivity0 = airs.emissivity[0], emissivity1 = airs.emissivity[1];
@@ -243,7 +243,7 @@ template <bool Plate, bool Wet>
 void advance(const PlateStep& step, const ThermalSurface& surface, const ModeForcing& forcing,
              PlateBatch& batch, StepRecord& record) {
     const std::vector<Stray> strays = run_strays<Plate, Wet>(step, surface, forcing, batch, record);
-    const TwoAirs airs(surface, forcing.air);
+    const TwoAirs airs(surface, forcing.air.low);
     const Bases base = decay_modes(step, batch);
     if (!solve_drives<Plate, Wet>(step, airs, forcing, base, batch, record)) {
         solve_one_by_one<Plate, Wet>(step, airs, forcing.heat, base, batch, record);
@@ -290,8 +290,8 @@ void begin_plates(const PlateStep& step, const ThermalSurface& surface, const Ai
 
 void advance_plates(const PlateStep& step, const ThermalSurface& surface,
                     const ModeForcing& forcing, PlateBatch& batch, StepRecord& record) {
-    const bool wet = forcing.air.wetness > 0.0;
-    if (forcing.air.plate) {
+    const bool wet = forcing.air.low.wetness > 0.0;
+    if (forcing.air.low.plate) {
         (wet ? advance<true, true> : advance<true, false>)(step, surface, forcing, batch, record);
     } else {
         (wet ? advance<false, true> : advance<false, false>)(step, surface, forcing, batch, record);

@@ -13,7 +13,7 @@ namespace diurna {
 // Thin plates with air behind (ThermalSurface::back), stepped exactly but for their films'
 // curvature: what thermal/steppers/mode_batch.hpp is for ground, with two faces.
 
-/// Up to `lanes` plates of one material side by side.
+/// Up to `lanes` plates of one material side by side, under one air (ModeForcing's `low`).
 struct PlateBatch {
     std::size_t count = 0;
     std::vector<double> state;  // [mode][lane]

@@ -140,19 +140,20 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
     return sky;
 }
 
+SkyLight sky_light(const SkyState& sky) {
+    const double sine = sky.to_sun.z();
+    if (!(sine > 0.0)) return {.beam = 0.0, .even = sky.diffuse_horizontal};
+    // Circumsolar light is that of a beam; near the horizon its strength is bounded.
+    const double circumsolar =
+        sky.diffuse_horizontal * sky.anisotropy * std::min(1.0, sine / least_sine);
+    return {.beam = sky.direct_normal + circumsolar / sine,
+            .even = sky.diffuse_horizontal - circumsolar};
+}
+
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,
                       double sky_view) {
-    const double sine = sky.to_sun.z();
-    const double seen = std::max(0.0, sun_cosine) * sun_fraction;
-    double beam = 0.0, even = sky.diffuse_horizontal;
-    if (sine > 0.0) {
-        // Circumsolar light is that of a beam; near the horizon its strength is bounded.
-        const double circumsolar =
-            sky.diffuse_horizontal * sky.anisotropy * std::min(1.0, sine / least_sine);
-        beam = (sky.direct_normal + circumsolar / sine) * seen;
-        even -= circumsolar;
-    }
-    return beam + even * sky_view;
+    const SkyLight light = sky_light(sky);
+    return light.beam * (std::max(0.0, sun_cosine) * sun_fraction) + light.even * sky_view;
 }
 
 }  // namespace diurna

@@ -35,6 +35,13 @@ SkyState sky_state(const Site& site, double elevation, Instant instant, const Fo
 SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
                    const ClearSky& clear = {});
 
+/// What the sky sends as if from the sun, on a plane facing it, and evenly from all over it
+/// [W m⁻²]: Hay & Davies 1980.
+struct SkyLight {
+    double beam = 0.0, even = 0.0;
+};
+SkyLight sky_light(const SkyState& sky);
+
 /// Sunlight on a facet [W m⁻²] without what other facets reflect, Hay & Davies 1980: the beam and
 /// the circumsolar part of the diffuse light come from the sun's direction and share its shadow,
 /// the rest comes evenly from the sky in view.

@@ -45,6 +45,7 @@ struct Weather {
                                    // is the mean of; 0, or the whole empty: its value there
     double wind_height = 10.0;     // [m] above the ground (above zero-plane displacement)
     double air_height = 2.0;       // [m] of temperature and humidity
+    double height = 0.0;           // [m] above the sea, of the ground where it was measured
     std::string note{};            // what is absent and therefore modelled, one line; or empty
 
     Forcing at(Instant when) const;

@@ -1,0 +1,59 @@
+#include "thermal/weather/sky_by_height.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+// A sun on the horizon divides next to nothing by next to nothing.
+constexpr double least_ratio = 0.5, most_ratio = 2.0, least_light = 0.1;  // [], [], [W m⁻²]
+
+double ratio(double there, double here) {
+    return here > least_light ? std::clamp(there / here, least_ratio, most_ratio) : 1.0;
+}
+
+double formula(const AirState& air, const Forcing& now, const ClearSky& clear) {
+    return std::isnan(now.cloud_fraction)
+               ? clear_longwave(air, clear.longwave)
+               : cloudy_longwave(air, now.cloud_fraction, clear.longwave);
+}
+
+void thin_out(const Forcing& now, const AirState& there, const AirByHeight& rule, double height,
+              const ClearSky& clear, SkyState& sky) {
+    // Water above a place goes with the vapour near its ground.
+    ClearSky above = clear;
+    above.precipitable_water_cm *= precipitable_water_cm(there) / precipitable_water_cm(now.air);
+    const Sunlight low = clear_sunlight(sky.sun, now.air, rule.station, clear);
+    const Sunlight high = clear_sunlight(sky.sun, there, height, above);
+    const double sine = sky.to_sun.z();
+    const double global = ratio(high.direct_normal * sine + high.diffuse_horizontal,
+                                low.direct_normal * sine + low.diffuse_horizontal);
+    const double clearness = low.direct_normal > least_light
+                                 ? std::min(1.0, sky.direct_normal / low.direct_normal)
+                                 : 0.0;
+    sky.direct_normal *= ratio(high.direct_normal, low.direct_normal);
+    sky.diffuse_horizontal *=
+        std::lerp(global, ratio(high.diffuse_horizontal, low.diffuse_horizontal), clearness);
+    sky.anisotropy = std::min(
+        1.0, sky.direct_normal * sky.sun.distance_au * sky.sun.distance_au / solar_constant);
+}
+
+}  // namespace
+
+SkyState sky_at_height(const SkyState& station, const Forcing& now, const AirState& there,
+                       const AirByHeight& rule, double height, const ClearSky& clear) {
+    SkyState sky = station;
+    const double here = formula(now.air, now, clear);
+    if (here > 0.0) sky.longwave_down *= formula(there, now, clear) / here;
+    sky.tilted_longwave *= power4(there.temperature / now.air.temperature);
+    if (sky.to_sun.z() > 0.0 && sky.global_horizontal() > 0.0) {
+        thin_out(now, there, rule, height, clear, sky);
+    }
+    return sky;
+}
+
+}  // namespace diurna

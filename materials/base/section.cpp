@@ -149,6 +149,24 @@ double Section::number_or(const std::string& key, const char* says, Or<double> f
     return checked_number(key, fallback.value, range);
 }
 
+Section::NumberOrWord Section::number_or_word(const std::string& key, const char* says,
+                                              Or<double> fallback, Range range,
+                                              const std::vector<std::string>& words) const {
+    const std::string told = or_said(fallback.said, number_text(fallback.value));
+    if (!ask(key, says, Key::Kind::number, {.fallback = told, .range = range, .words = words})) {
+        return {fallback.value};
+    }
+    const toml::node& node = *node_of(table_, key);
+    if (!node.is_string()) return {checked_number(key, fallback.value, range)};
+    const std::string word = node.as_string()->get();
+    if (std::find(words.begin(), words.end(), word) != words.end()) return {std::nan(""), word};
+    mistake(key,
+            fmt::format("found \"{}\", expected {} or {}", word, range_text(range),
+                        fmt::join(words, ", ")),
+            did_you_mean(word, words));
+    return {fallback.value};
+}
+
 double Section::checked_number(const std::string& key, double fallback, Range range) const {
     const toml::node& node = *node_of(table_, key);
     double value = fallback;

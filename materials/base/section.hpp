@@ -67,6 +67,13 @@ class Section {
     double number(const std::string& key, const char* says, Range range = {}) const;
     double number_or(const std::string& key, const char* says, Or<double> fallback,
                      Range range = {}) const;
+    /// A number, or one of the given words: the other is NaN or "".
+    struct NumberOrWord {
+        double number;
+        std::string word{};
+    };
+    NumberOrWord number_or_word(const std::string& key, const char* says, Or<double> fallback,
+                                Range range, const std::vector<std::string>& words) const;
     int integer_or(const std::string& key, const char* says, Or<int> fallback, Range range) const;
     std::string text(const std::string& key, const char* says) const;
     std::string text_or(const std::string& key, const char* says, Or<std::string> fallback) const;

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <stdexcept>
+
+#include "materials/air/radiosonde.hpp"
 #include "materials/atmosphere/path_file.hpp"
 
 namespace diurna {
@@ -32,6 +34,23 @@ void read_table(const Section& section, const Reading& reading, AirInput& air) {
     }
 }
 
+void read_sounding(const Section& section, const Reading& reading, AirInput& air) {
+    air.sounding_file = reading.file(
+        section, "sounding",
+        "a radiosonde's levels in place of the profile, which goes on above them: the list of the "
+        "University of Wyoming, or CSV with height, pressure, temperature and humidity as in "
+        "materials/air/radiosonde.hpp; the same at every instant but for what the weather "
+        "makes of its lowest 1.5 km");
+    if (air.vacuum) section.mistake("sounding", "a vacuum has none");
+    if (air.vacuum || !std::filesystem::is_regular_file(air.sounding_file)) return;
+    try {
+        air.sounding =
+            std::make_shared<const Profile>(read_radiosonde(air.sounding_file, air.profile));
+    } catch (const InputError& error) {
+        section.mistake("sounding", error.mistakes().front().line());
+    }
+}
+
 }  // namespace
 
 AirInput read_air(const Section& section, const Reading& reading) {
@@ -39,7 +58,9 @@ AirInput read_air(const Section& section, const Reading& reading) {
     profiles.push_back("vacuum");
     AirInput air;
     air.profile = section.word_or(
-        "profile", "AFGL's, its lowest 1.5 km made to meet the weather; vacuum: no air",
+        "profile",
+        "AFGL's; along the ground its air is the weather's, and up to 1.5 km above it that fades; "
+        "vacuum: no air",
         air.profile, profiles);
     air.vacuum = air.profile == "vacuum";
     air.aerosol =
@@ -50,15 +71,20 @@ AirInput read_air(const Section& section, const Reading& reading) {
     air.cloud_base_km =
         section.number_or("cloud_base_km", "above the ground, of the weather's cloud",
                           air.cloud_base_km, {0.05, 15.0});
+    if (section.has("sounding")) read_sounding(section, reading, air);
     air.drives_heat = section.flag_or("drives_heat",
                                       "sun and sky of the heat balance that nobody measured come "
-                                      "from this air, not from the broadband formulas",
-                                      air.drives_heat);
+                                      "from this air, not from the broadband formulas; by itself "
+                                      "true where there is a sounding",
+                                      air.sounding != nullptr);
     if (air.vacuum && air.drives_heat) {
         section.mistake("drives_heat",
                         "a vacuum has neither sky nor air to drive the heat balance");
     }
     if (section.has("table")) read_table(section, reading, air);
+    if (section.has("table") && section.has("sounding")) {
+        section.mistake("sounding", "a table of paths is air of its own");
+    }
     return air;
 }
 

@@ -5,16 +5,19 @@
 #include <span>
 #include <string>
 
+#include "materials/air/profile.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
 #include "scenes/input/checked_names.hpp"
 
 namespace diurna {
 
-/// The air between surface and eye: an AFGL profile made to meet the weather at the ground, or
-/// none, or a table of paths from a file, the same at every instant.
+/// The air between surface and eye: an AFGL profile or a radiosonde's, made to meet the weather at
+/// the ground, or none, or a table of paths from a file, the same at every instant.
 struct AirInput {
     std::filesystem::path table_file;             // "": no table
     std::shared_ptr<const TabulatedPaths> table;  // null: none
+    std::filesystem::path sounding_file;          // "": no radiosonde
+    std::shared_ptr<const Profile> sounding;      // null: none
     bool vacuum = false;
     std::string profile = "MLS";
     std::string aerosol = "rural";

@@ -18,7 +18,7 @@
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 #include "thermal/weather/clear_sky.hpp"
-#include "thermal/weather_file/read_weather.hpp"
+#include "thermal/weather_file/weather_section.hpp"
 
 /// The whole input of a job as plain values: what a scene file says, with units converted, ranges
 /// checked and file names resolved. Places are east, north [m] from the site.
@@ -28,6 +28,7 @@ struct WeatherInput {
     std::filesystem::path file;
     WeatherOptions options;       // but for place and span, which are those of the scene
     std::string measured_over{};  // a material; "": the only one
+    HeightKeys by_height{};
 };
 
 struct Scene {

@@ -36,6 +36,14 @@ WeatherInput read_weather_input(const Section& section, const Reading& reading) 
             .measured_over = read_measured_over(section, reading.materials.known)};
 }
 
+/// What becomes of it at other heights.
+void read_heights(const Section& section, const AirInput& air, WeatherInput& weather) {
+    weather.by_height = read_height_keys(section, air.sounding != nullptr, weather.options);
+    if (weather.by_height.by_profile && air.vacuum) {
+        section.mistake("lapse", "a vacuum has no profile");
+    }
+}
+
 /// Names, and how finely the scene is sampled.
 void read_about(const Section& about, Scene& scene) {
     const std::string folder = scene.file.parent_path().filename().string();
@@ -103,11 +111,12 @@ Scene read_scene(const Document& document) {
     }
     scene.terrain = read_terrain(root.required_section("terrain", "elevation, and what covers it"),
                                  root, reading, scene.site);
-    scene.weather = read_weather_input(
-        root.required_section("weather", "what drives the heat balance"), reading);
+    const Section weather = root.required_section("weather", "what drives the heat balance");
+    scene.weather = read_weather_input(weather, reading);
     scene.sky = read_sky(root.section("sky", sky_says));
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere, reading);
+    read_heights(weather, scene.air, scene.weather);
     scene.time = read_time(root.required_section("time", "the span, its steps and pictures"),
                            reading.folder);
     scene.output =

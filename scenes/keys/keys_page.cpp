@@ -35,7 +35,7 @@ std::string heading(const std::string& table) {
 std::string type_of(const KeyEntry& entry) {
     switch (entry.kind) {
         case Key::Kind::number:
-            return "number";
+            return entry.words.empty() ? "number" : "number or word";
         case Key::Kind::whole:
             return "whole number";
         case Key::Kind::text:
@@ -76,6 +76,9 @@ std::string range_of(const KeyEntry& entry) {
         texts.push_back(above   ? fmt::format("{:.10g} or more", range.least)
                         : below ? fmt::format("at most {:.10g}", range.most)
                                 : fmt::format("{:.10g} to {:.10g}", range.least, range.most));
+    }
+    if (entry.kind == Key::Kind::number) {
+        texts.insert(texts.end(), entry.words.begin(), entry.words.end());
     }
     return fmt::format("{}", fmt::join(texts, " or "));
 }

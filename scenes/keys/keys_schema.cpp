@@ -68,7 +68,8 @@ Json value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& entry) {
         case Key::Kind::number: {
             Json schema = number;
             add_range(entry.ranges, schema);
-            return schema;
+            if (entry.words.empty()) return schema;
+            return {{"anyOf", Json::array({schema, Json{{"enum", entry.words}}})}};
         }
         case Key::Kind::whole: {
             Json schema{{"type", "integer"}};

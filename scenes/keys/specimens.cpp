@@ -62,6 +62,7 @@ range_um = [3.7, 4.9]
 tmpc = "air_temperature degC"
 [atmosphere]
 table = "air.tp7"
+sounding = "sonde.txt"
 [[observer]]  # stands, looks at a place
 look_at_m = [0.0, 0.0]
 [[observer]]  # flies, behind a lens

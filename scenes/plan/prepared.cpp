@@ -6,6 +6,7 @@
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/ground.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/plumes.hpp"
 #include "scenes/world/textures.hpp"
@@ -67,6 +68,9 @@ Prepared prepare(Scene scene) {
         notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
                                     dem.voids, dem.height.size(), world.filled_facets,
                                     world.ground_facets));
+    }
+    if (std::string note = height_note(scene, world, weather); !note.empty()) {
+        notes.push_back(std::move(note));
     }
     if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {

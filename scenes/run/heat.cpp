@@ -11,6 +11,7 @@
 #include "materials/matter/passed_light.hpp"
 #include "scenes/run/state_owner.hpp"
 #include "scenes/run/sun_exposure.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/local_time.hpp"
@@ -111,13 +112,16 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
         return sun;
     };
     const MeasuredAlbedo albedo = measured_albedo(prepared.scene, prepared.world, prepared.weather);
+    const AirByHeight by_height = air_by_height(prepared.scene, prepared.weather);
     const SolveInput input{.facets = prepared.world.surfaces(),
                            .views = views,
                            .sun = none,
                            .materials = prepared.scene.materials,
                            .weather = prepared.weather,
                            .site = prepared.world.site,
-                           .elevation = prepared.world.sea_level_height,
+                           .elevation = prepared.weather.height,
+                           .by_height = &by_height,
+                           .height = facet_heights(prepared.world),
                            .clear_sky = prepared.scene.sky,
                            .measured_share = albedo.share,
                            .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};

@@ -20,6 +20,7 @@ std::vector<fs::path> input_files(const Scene& scene) {
     files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
     if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
     if (!scene.air.table_file.empty()) files.push_back(scene.air.table_file);
+    if (!scene.air.sounding_file.empty()) files.push_back(scene.air.sounding_file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     for (const ObjectInput& object : scene.terrain.objects) files.push_back(object.file);
     for (const BandInput& band : scene.bands) {

@@ -39,12 +39,13 @@ Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& s
         std::string("sun and longwave that were not measured come from the scene's atmosphere");
     driven.instant = driven_instants(scene, weather);
     driven.sample.resize(driven.instant.size());
-    const double ground_km = world.sea_level_height / 1000.0;
+    const double ground_km = weather.height / 1000.0;
+    const HeightSpan ground = heights_of_surfaces(world);
     const auto fill = [&](std::size_t i) {
         const Instant instant = driven.instant[i];
         const SunPosition sun = sun_position(world.site, instant);
         const GroundFluxes flux = ground_fluxes(
-            atmosphere_at(scene, world, weather, instant),
+            atmosphere_over(scene, world, weather, ground, instant),
             {.zenith_deg = 90.0 - sun.elevation_deg, .distance_au = sun.distance_au}, ground_km);
         Forcing forcing = weather.at(instant);
         if (std::isnan(forcing.shortwave_down) && std::isnan(forcing.direct_normal)) {
@@ -79,12 +80,18 @@ AskedSpan used_span(const TimeInput& time) {
 
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
                          Instant instant) {
+    return atmosphere_over(scene, world, weather, heights_of_surfaces(world), instant);
+}
+
+Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather& weather,
+                           const HeightSpan& ground, Instant instant) {
     const AirInput& air = scene.air;
     if (air.vacuum) return Vacuum{};
     const Forcing forcing = weather.at(instant);
     const double ground_km = world.sea_level_height / 1000.0;
-    Profile profile = with_surface(afgl_profile(air.profile), ground_km, forcing.air.temperature,
-                                   forcing.air.vapour_pressure / 100.0);
+    Profile profile =
+        profile_over(air.sounding ? *air.sounding : afgl_profile(air.profile),
+                     air_by_height(scene, weather), forcing.air, ground.low, ground.high);
     if (air.table) return Tabulated{air.table, std::make_shared<const Profile>(std::move(profile))};
     BandModel model;
     model.profile = std::move(profile);
@@ -110,20 +117,14 @@ void check_table(const Scene& scene, const World& world, const std::vector<Obser
                                             what, low, high, least, most));
     };
     const double sea_km = world.sea_level_height / 1000.0;
-    const auto height_km = [&](const auto& p) {
-        const Eigen::Vector3d at = p.template cast<double>();
-        const double sag = at.head<2>().squaredNorm() / (2e3 * earth_radius_km);
-        return sea_km + 1e-3 * (at.z() + sag);
-    };
-    double low = sea_km, high = sea_km, farthest = 0.0;
-    for (const Eigen::Vector3f& vertex : world.facets.vertex) {
-        low = std::min(low, height_km(vertex));
-        high = std::max(high, height_km(vertex));
-    }
+    const HeightSpan ground = heights_of_surfaces(world);
+    const double low = std::min(sea_km, 1e-3 * ground.low);
+    const double high = std::max(sea_km, 1e-3 * ground.high);
+    double farthest = 0.0;
     inside("surfaces lie", low, high, span.least_to_km, span.most_to_km);
     inside("surfaces that see the sky lie", low, high, span.least_sky_km, span.most_sky_km);
     for (const Observer& observer : observers) {
-        const double eye_km = height_km(observer.position);
+        const double eye_km = 1e-3 * height_above_sea(world, observer.position);
         inside("observers look", eye_km, eye_km, span.least_from_km, span.most_from_km);
         inside("observers see the sky", eye_km, eye_km, span.least_sky_km, span.most_sky_km);
         for (const Eigen::Vector3f& vertex : world.facets.vertex) {
@@ -153,8 +154,9 @@ Weather scene_weather(const Scene& scene, const World& world) {
     options.site = world.site;
     options.asked = used_span(scene.time);
     Weather weather = read_weather(scene.weather.file, options);
-    const SkySeries series(std::move(weather), world.site, world.sea_level_height, scene.sky,
-                           scene.time.start, scene.time.end());
+    const double height = weather.height;
+    const SkySeries series(std::move(weather), world.site, height, scene.sky, scene.time.start,
+                           scene.time.end());
     return scene.air.drives_heat ? driven_by_air(scene, world, series) : series.weather();
 }
 

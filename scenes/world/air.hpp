@@ -2,15 +2,20 @@
 
 #include "materials/atmosphere/atmosphere.hpp"
 #include "scenes/input/scene.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/world.hpp"
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
 
-/// The air between surface and eye at an instant: the scene's profile, made to have the weather's
-/// temperature and humidity at the ground, with the weather's rain and cloud.
+/// The air between surface and eye at an instant: the scene's profile, made to have along the
+/// ground the air that the heat balance has there (materials/air/air_by_height.hpp), with the
+/// weather's rain and cloud.
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
                          Instant instant);
+/// The same where it is known from where to where surfaces lie.
+Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather& weather,
+                           const HeightSpan& ground, Instant instant);
 
 /// Throws InputError unless a table of paths holds the heights of the scene's surfaces and
 /// observers and the lengths of its lines of sight. Scenes without one pass.

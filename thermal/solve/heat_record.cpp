@@ -36,7 +36,7 @@ void record_block(SolveState& solve, const Block& block, const Kind& kind, std::
         const std::size_t facet = block.facet[l];
         const double sun = absorptance * solve.sunlight[i * solve.facets + facet];
         HeatBalance balance = heat_balance(
-            surfaces.air, block.natural[l], surface.emissivity,
+            surfaces.air.at(l), block.natural[l], surface.emissivity,
             {.absorbed_solar = sun, .internal = surface.internal_heat}, surfaces.temperature[l]);
         balance.longwave_in = surfaces.heat[l] - sun - surface.internal_heat;
         balance.conducted = surfaces.taken.empty() ? -balance.sum() : -surfaces.taken[l];

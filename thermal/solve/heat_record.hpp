@@ -6,6 +6,7 @@
 
 #include "thermal/heat_flux_field.hpp"
 #include "thermal/solve/solve_state.hpp"
+#include "thermal/steppers/mode_forcing.hpp"
 #include "thermal/surface/heat_balance.hpp"
 
 namespace diurna {
@@ -33,7 +34,7 @@ class HeatRecord {
 
 /// What a block's surfaces meet at the end of a step.
 struct BlockSurfaces {
-    const AirFilm& air;
+    AirOver air;
     const double* heat;               // [lane] absorbed sun and longwave, internal [W m⁻²]
     const double* temperature;        // [lane] [K]
     std::span<const double> taken{};  // [lane] by the columns below [W m⁻²]; none: at the start of

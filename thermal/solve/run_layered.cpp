@@ -108,7 +108,7 @@ class LayeredRun {
         block_.record = {};
         put_kelvin(solve_, block_, 0, batch_.temperature.data());
         record_block(solve_, block_, kind_, 0,
-                     {kind_.forcing[0].air, heat_.at_end, batch_.temperature.data()});
+                     {kind_.middle(block_, 0).air, heat_.at_end, batch_.temperature.data()});
         std::size_t stage = 0;
         for (std::size_t i = level_.stride; i <= solve_.steps(); i += level_.stride) {
             heat_.begin_step(i);

@@ -82,7 +82,7 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
     begin_modes(step, kind.over(block, 0), heat.at_end, emissivity, batch);
     put_kelvin(solve, block, 0, batch.temperature.data());
     record_modes(solve, kind, batch, block, 0,
-                 {kind.forcing[0].air, heat.at_end, batch.temperature.data()});
+                 {kind.over(block, 0), heat.at_end, batch.temperature.data()});
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
@@ -102,7 +102,7 @@ void run_modes(SolveState& solve, const Level& level, Block& block) {
         heat.end_step();
         put_kelvin(solve, block, i, batch.temperature.data());
         record_modes(solve, kind, batch, block, i,
-                     {kind.forcing[at].air, heat.at_end, batch.temperature.data()});
+                     {kind.over(block, at), heat.at_end, batch.temperature.data()});
     }
     end_modes(step, batch);
     block.slope[0] = block.slope[at];  // of a span that repeats

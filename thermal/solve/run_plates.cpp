@@ -48,7 +48,7 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     begin_plates(step, surface, now.air, heat.at_end, batch);
     put_kelvin(solve, block, 0, batch.temperature[0].data());
     record_plates(solve, kind, batch, block, 0,
-                  {kind.forcing[0].air, heat.at_end, batch.temperature[0].data()});
+                  {now.air, heat.at_end, batch.temperature[0].data()});
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
@@ -73,7 +73,7 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
         heat.end_step();
         put_kelvin(solve, block, i, batch.temperature[0].data());
         record_plates(solve, kind, batch, block, i,
-                      {kind.forcing[at].air, heat.at_end, batch.temperature[0].data()});
+                      {now.air, heat.at_end, batch.temperature[0].data()});
     }
     block.slope[0] = block.slope[at];  // of a span that repeats
     block.back_slope[0] = block.back_slope[at];

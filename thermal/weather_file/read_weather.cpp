@@ -149,7 +149,8 @@ void tell_place(WeatherTable& table, const WeatherOptions& options) {
                                           table.place->latitude_deg, table.place->longitude_deg));
     }
     const double up = table.place->height - options.elevation;
-    if (std::abs(up) > far_up_m) {
+    const bool told = options.height || options.at_station;  // whoever asks goes by the height
+    if (std::abs(up) > far_up_m && !told) {
         table.notes.push_back(fmt::format("the station lies {:.0f} m {}", std::abs(up),
                                           up > 0.0 ? "higher" : "lower"));
     }
@@ -183,7 +184,12 @@ Weather read_weather(const std::filesystem::path& file, const WeatherOptions& op
     check_cover(table, stamps, options.asked);
     tell_place(table, options);
     fill_gaps(table, options.on_gap, options.asked, options.site);
-    return weather_series(table, stamps, options.elevation);
+    const bool carried = options.at_station && table.place && std::isfinite(table.place->height);
+    const double height =
+        options.height.value_or(carried ? table.place->height : options.elevation);
+    Weather weather = weather_series(table, stamps, height);
+    weather.height = height;
+    return weather;
 }
 
 }  // namespace diurna

@@ -18,7 +18,11 @@ struct WeatherOptions {
     std::optional<Stamp> interval{};
     std::optional<double> wind_height{};  // [m]; none: the format's, else 10
     std::optional<double> air_height{};   // [m]; none: the format's, else 2
-    double elevation = 0.0;               // [m] above the sea: pressure where the file has none
+    double elevation = 0.0;               // [m] above the sea, of the place it is to stand for
+    /// [m] above the sea, of the ground below the instruments; none: what the file says of its
+    /// station if `at_station`, else `elevation`. Pressure that the file lacks is that height's.
+    std::optional<double> height{};
+    bool at_station = false;
     std::vector<DeclaredColumn> columns{};
     OnGap on_gap = OnGap::refuse;
     AskedSpan asked{};           // what must be covered; none: nothing in particular

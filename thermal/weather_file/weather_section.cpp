@@ -63,6 +63,26 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
     return options;
 }
 
+HeightKeys read_height_keys(const Section& section, bool sounded, WeatherOptions& options) {
+    constexpr double per_km = 1e-3;
+    options.at_station = true;
+    options.height = height_or(
+        section, "height_m",
+        "above the sea, of the ground where the weather was measured: air, sky and sun "
+        "are taken from there to the height of each facet",
+        "the file's (EPW, TMY3, SURFRAD, BSRN), else the ground's at the site", {-500.0, 9000.0});
+    const auto lapse = section.number_or_word(
+        "lapse",
+        "of the air along the ground and along lines of sight, K per km upward, or \"profile\": as "
+        "that of [atmosphere], inversions included, moved to meet the weather at its station, "
+        "less so up to 1.5 km above; 0: all ground has the station's air, pressure, sky and sun",
+        {-6.5, "-6.5; with a sounding profile"}, {-15.0, 30.0}, {"profile"});
+    HeightKeys keys;
+    keys.by_profile = lapse.word == "profile" || (sounded && !section.has("lapse"));
+    if (lapse.word.empty()) keys.lapse = per_km * lapse.number;
+    return keys;
+}
+
 std::string read_measured_over(const Section& section, const std::vector<std::string>& materials) {
     return section.name_or("measured_over",
                            "whose albedo measured shortwave_up over shortwave_down is, in place of "

@@ -19,6 +19,15 @@ inline constexpr const char* weather_file_says =
 /// lowest_wind  [m] least height that wind may be measured at
 WeatherOptions read_weather_options(const Section& section, double lowest_wind);
 
+/// How air changes with height from the weather's: the keys `height_m`, which goes into the
+/// options, and `lapse`.
+struct HeightKeys {
+    double lapse = -6.5e-3;   // [K m⁻¹]
+    bool by_profile = false;  // after the air's profile instead
+};
+/// sounded  there is a radiosonde's profile, which is followed unless a lapse is told
+HeightKeys read_height_keys(const Section& section, bool sounded, WeatherOptions& options);
+
 /// `measured_over` of [weather]: the name of the material below the pyranometers; "" if it is not
 /// told.
 std::string read_measured_over(const Section& section, const std::vector<std::string>& materials);

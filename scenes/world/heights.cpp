@@ -1,0 +1,72 @@
+#include "scenes/world/heights.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "materials/base/parallel.hpp"
+
+namespace diurna {
+
+double height_above_sea(const World& world, const Eigen::Vector3d& place) {
+    return world.sea_level_height + level_height(place);
+}
+
+std::vector<float> facet_heights(const World& world) {
+    const FacetSet& surfaces = world.surfaces();
+    std::vector<float> height(surfaces.size());
+    for_each_index(surfaces.size(), [&](std::size_t f) {
+        height[f] = float(height_above_sea(world, surfaces.centroid[f].cast<double>()));
+    });
+    return height;
+}
+
+HeightSpan heights_of_surfaces(const World& world) {
+    HeightSpan span{world.sea_level_height, world.sea_level_height};
+    bool first = true;
+    for (const Eigen::Vector3f& vertex : world.facets.vertex) {
+        const double height = height_above_sea(world, vertex.cast<double>());
+        span.low = first ? height : std::min(span.low, height);
+        span.high = first ? height : std::max(span.high, height);
+        first = false;
+    }
+    return span;
+}
+
+AirByHeight air_by_height(const Scene& scene, const Weather& weather) {
+    AirByHeight rule{.station = weather.height, .lapse = scene.weather.by_height.lapse};
+    if (scene.weather.by_height.by_profile) {
+        rule.profile = scene.air.sounding
+                           ? scene.air.sounding
+                           : std::make_shared<const Profile>(afgl_profile(scene.air.profile));
+    }
+    return rule;
+}
+
+std::string height_note(const Scene& scene, const World& world, const Weather& weather) {
+    constexpr double level = 50.0, far_below = 100.0;  // [m]
+    const HeightSpan span = heights_of_surfaces(world);
+    const double up = span.high - weather.height, down = weather.height - span.low;
+    if (up < level && down < level) return "";
+    const AirByHeight rule = air_by_height(scene, weather);
+    if (rule.same_everywhere()) {
+        return fmt::format(
+            "all ground from {:.0f} to {:.0f} m has the air of the weather's "
+            "station at {:.0f} m: weather.lapse is 0",
+            span.low, span.high, weather.height);
+    }
+    std::string note = fmt::format(
+        "air, sky and sun of ground from {:.0f} to {:.0f} m are taken there from the weather's "
+        "station at {:.0f} m, {}; wind as it is",
+        span.low, span.high, weather.height,
+        rule.profile ? "after the profile" : fmt::format("{:g} K/km", 1e3 * rule.lapse));
+    if (down > far_below) {
+        note += fmt::format(
+            "; ground lies up to {:.0f} m below the station: cold pools of still, clear nights are "
+            "not modelled",
+            down);
+    }
+    return note;
+}
+
+}  // namespace diurna

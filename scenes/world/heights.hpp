@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "materials/air/air_by_height.hpp"
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+// Heights above the sea, and what the air of a scene does with them.
+
+/// Height [m] above the sea of a place in the world's frame, which is a plane that touches the
+/// earth at the site.
+double height_above_sea(const World& world, const Eigen::Vector3d& place);
+
+/// Of every surface's middle: (facet of World::surfaces()).
+std::vector<float> facet_heights(const World& world);
+
+/// The lowest and the highest corner of all surfaces [m]; the site's where there are none.
+struct HeightSpan {
+    double low, high;
+};
+HeightSpan heights_of_surfaces(const World& world);
+
+/// From the weather's station to any height, as the scene's [weather] says: for facets and for
+/// lines of sight.
+AirByHeight air_by_height(const Scene& scene, const Weather& weather);
+
+/// What a reader should know of it: how far the surfaces lie from the station, and that hollows
+/// far below it keep no cold air of their own. Empty on level ground.
+std::string height_note(const Scene& scene, const World& world, const Weather& weather);
+
+}  // namespace diurna

@@ -50,6 +50,7 @@ struct Sample {
             facets.material.push_back(all.material[f]);
             view.sky.push_back(whole.sky[f]);
             view.below.push_back(whole.below[f]);
+            view.shares.push_back(whole.shares[f]);
         }
         view.others.row.assign(wanted + 1, 0);
         std::vector<std::uint32_t> asked;
@@ -95,6 +96,7 @@ struct Sample {
             facets.material.push_back(facets.material[k % n]);
             view.sky.push_back(view.sky[k % n]);
             view.below.push_back(view.below[k % n]);
+            view.shares.push_back(view.shares[k % n]);
         }
         view.others.row.assign(n * times + 1, 0);
         for (std::size_t i = 0; i < once.instant.size(); ++i) {

@@ -35,6 +35,9 @@ FacetViews for_all_levels(const TextureLevels& texture_levels, const FacetViews&
     if (!solid.rays.empty()) {
         for (const std::uint32_t f : texture_levels.origin) all.rays.push_back(solid.rays[f]);
     }
+    if (!solid.shares.empty()) {
+        for (const std::uint32_t f : texture_levels.origin) all.shares.push_back(solid.shares[f]);
+    }
     const ViewFactors& from = solid.others;
     if (from.row.empty()) return all;
     ViewFactors& to = all.others;

@@ -41,10 +41,22 @@ void BlockRays::ask_whether(std::size_t count) {
     std::array<std::uint8_t, 16> blocked;
     scene_.occluded(packet_, static_cast<int>(count), blocked);
     for (std::size_t k = 0; k < count; ++k) {
-        if (!blocked[k]) escaped(owners_[k], packet_.direction_z[k]);
+        if (blocked[k]) {
+            cover(k, 1.0f);
+        } else {
+            escaped(owners_[k], packet_.direction_z[k]);
+        }
         blocked_.put(packet_, k, owners_[k], blocked[k] && nearest_);
     }
     if (blocked_.size >= 16) ask_which(16);
+}
+
+void BlockRays::cover(std::size_t k, float share) {
+    if (packet_.direction_z[k] < 0.0f) return;
+    const SkyVector at =
+        sky_functions_at({packet_.direction_x[k], packet_.direction_y[k], packet_.direction_z[k]});
+    SkyVector& sum = covered[owners_[k]];
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += share * at[i];
 }
 
 void BlockRays::ask_which(std::size_t count) {
@@ -54,6 +66,7 @@ void BlockRays::ask_which(std::size_t count) {
     for (std::size_t k = 0; k < count; ++k) {
         if (nearest[k] == index(no_facet)) {
             escaped(owners_[k], packet_.direction_z[k]);
+            cover(k, -1.0f);
             continue;
         }
         if (scene_.to_follow(nearest[k])) {
@@ -73,6 +86,7 @@ void BlockRays::follow(std::size_t k) {
     for (const RayScene::Met& met : met_) {
         if (met.facet == no_facet) {
             escaped(owners_[k], packet_.direction_z[k], double{met.share});
+            cover(k, -met.share);
         } else if (met.back) {
             hidden[owners_[k]] += double{met.share};
         } else {

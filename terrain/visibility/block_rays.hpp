@@ -6,6 +6,7 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray_scene.hpp"
+#include "terrain/visibility/sky_basis.hpp"
 #include "terrain/visibility/sky_bound.hpp"
 
 namespace diurna {
@@ -51,6 +52,8 @@ class BlockRays {
 
     // (facet of the block) rays; `hidden`: that met the back of a sheet
     std::array<double, facets_per_block> sky{}, below{}, hidden{};
+    // (facet of the block) Σ over what is hidden of the sky above the horizontal, ray by ray
+    std::array<SkyVector, facets_per_block> covered{};
     std::vector<std::uint32_t> owner;  // (hit) facet of the block, rising
     struct Seen {
         FacetId facet;
@@ -65,6 +68,8 @@ class BlockRays {
     void escaped(std::uint32_t from, float up, double share = 1.0) {
         (up >= 0.0f ? sky : below)[from] += share;
     }
+    /// Counts a share of the packet's k-th ray, if it goes up, for sky that is hidden.
+    void cover(std::size_t k, float share);
     /// The k-th ray of the packet, through what lets light pass.
     void follow(std::size_t k);
     void ask_whether(std::size_t count);

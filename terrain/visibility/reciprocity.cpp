@@ -8,6 +8,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/random.hpp"
+#include "terrain/visibility/sky_basis.hpp"
 
 namespace diurna {
 
@@ -195,7 +196,13 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
         ++report.passes;
     }
     // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`.
+    const std::vector<float> sky = views.sky;
     const std::vector<double> shrink = areas.shrink_to_fit(views.sky);
+    for (std::size_t f = 0; f < views.shares.size(); ++f) {
+        if (views.sky[f] == sky[f]) continue;
+        views.shares[f] =
+            with_sky_view(views.shares[f], facets.normal[f], double{sky[f]}, double{views.sky[f]});
+    }
 
     ViewFactors& factors = views.others;
     factors.row = pairs.first;

@@ -12,6 +12,7 @@
 #include "terrain/relief/horizon.hpp"
 #include "terrain/relief/sky_slice.hpp"
 #include "terrain/relief/sun_disc.hpp"
+#include "terrain/visibility/sky_basis.hpp"
 
 namespace diurna {
 
@@ -192,6 +193,8 @@ FacetViews ReliefVisibility::facet_views(const FacetViewOptions& options) const 
             }
             const float sky = std::clamp(marched.seen[f] / sky_azimuths, 0.0f, 1.0f);
             const float rest = 1.0f - views.sky[f];
+            views.shares[f] = with_sky_view(views.shares[f], facets_.normal[f],
+                                            double{views.sky[f]}, double{sky});
             views.sky[f] = sky;
             if (rest <= 0.0f) {
                 views.below[f] = 1.0f - sky;

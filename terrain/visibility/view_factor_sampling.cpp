@@ -8,6 +8,7 @@
 #include "materials/base/parallel.hpp"
 #include "terrain/visibility/block_rays.hpp"
 #include "terrain/visibility/hemisphere_rays.hpp"
+#include "terrain/visibility/sky_basis.hpp"
 #include "terrain/visibility/sky_bound.hpp"
 
 namespace diurna {
@@ -56,6 +57,20 @@ ViewFactors joined(const std::vector<FactorRows>& blocks, std::size_t facets) {
     return factors;
 }
 
+/// The open plane's, less what rays found hidden. Rays that miss the horizontal by chance count for
+/// what lies just above it.
+///
+/// covered  Σ of what is hidden over rays of this weight
+SkyShares open_shares(const Eigen::Vector3f& normal, const SkyVector& covered, double weight,
+                      double sky_view) {
+    const SkyVector open = open_plane(normal);
+    SkyShares shares;
+    for (std::size_t k = 1; k < sky_functions; ++k) {
+        shares[k - 1] = static_cast<float>(double{open[k]} - weight * double{covered[k]});
+    }
+    return with_sky_view(shares, normal, double{open[0]} - weight * double{covered[0]}, sky_view);
+}
+
 }  // namespace
 
 FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
@@ -74,6 +89,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
     views.sky.resize(facets.size());
     views.below.resize(facets.size());
     views.hidden.resize(facets.size());
+    views.shares.resize(facets.size());
     std::vector<FactorRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
@@ -101,6 +117,8 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
             views.sky[f] = static_cast<float>(weight * found.sky[f - begin]);
             views.below[f] = static_cast<float>(weight * found.below[f - begin]);
             views.hidden[f] = static_cast<float>(weight * found.hidden[f - begin]);
+            views.shares[f] = open_shares(facets.normal[f], found.covered[f - begin], weight,
+                                          double{views.sky[f]});
         }
     });
     views.others = joined(blocks, facets.size());

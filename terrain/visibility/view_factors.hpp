@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -15,18 +16,22 @@ struct ViewFactors {
     std::vector<float> factor;
 };
 
+/// A facet's shares of the functions of sky_basis.hpp but the first, of which it is the sky view.
+using SkyShares = std::array<float, 15>;
+
 /// What each facet sees through its own hemisphere, cosine-weighted about its own normal.
 /// `sky` + Σ row of `others` + `below` = 1, where `below` is what leaves the scene's edge under
 /// the horizontal: far ground not modelled, to be taken as ground like the facet's own
 /// surroundings. Where backs of sheets are seen, `hidden` is in the sum too: it is as warm as the
-/// facet itself and sends no sunlight. Sampled by view_factor_sampling.hpp, made reciprocal by
-/// reciprocity.hpp.
+/// facet itself and sends no sunlight. `shares` tell where in the sky it is open. Sampled by
+/// view_factor_sampling.hpp, made reciprocal by reciprocity.hpp.
 struct FacetViews {
     std::vector<float> sky;    // 0 to 1: the sky view factor
     std::vector<float> below;  // 0 to 1
     ViewFactors others;
     std::vector<float> hidden = {};        // 0 to 1, by the backs of sheets; empty: none
     std::vector<std::uint16_t> rays = {};  // (facet) that this comes from; empty: as many of each
+    std::vector<SkyShares> shares = {};    // (facet); empty: as behind a ring of one height
 };
 
 }  // namespace diurna

@@ -163,8 +163,10 @@ FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& co
                  .step = o.step,
                  .heat = {},
                  .jump = {}};
+    const OpenSky open{.view = double{sample.view.sky[f]},
+                       .horizon = horizon_view(sky_of(sample.view, sample.facets, f))};
     const auto light = [&](std::size_t i, double fraction) {
-        return facet_sunlight(sky[i], normal.dot(sky[i].to_sun), fraction, sample.view.sky[f]);
+        return facet_sunlight(sky[i], normal.dot(sky[i].to_sun), fraction, open);
     };
     for (std::size_t i = 0; i < sun.instant.size(); ++i) {
         sky.push_back(sky_state(sample.prepared.world.site, sample.prepared.world.sea_level_height,

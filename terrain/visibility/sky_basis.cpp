@@ -126,6 +126,7 @@ SkyVector open_plane(const Eigen::Vector3f& normal) {
 
 SkyVector plane_behind_ring(const Eigen::Vector3f& normal, double sky_view) {
     const Lean lean(normal);
+    sky_view = std::min(sky_view, 0.5 * (1.0 + std::cos(lean.slope)));
     Even sum{};
     each_ring(std::cos(lean.slope), std::sin(lean.slope), [&](const Even& ring) {
         const double share =

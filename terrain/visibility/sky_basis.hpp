@@ -41,7 +41,8 @@ SkyVector sky_functions_at(const Eigen::Vector3f& direction);
 /// T_k of a plane with nothing before it but the ground below the horizontal. Within 2e-5.
 SkyVector open_plane(const Eigen::Vector3f& normal);
 /// The same with a ring of one height all around that leaves it this sky view, 0 to that of the
-/// open plane: what is usual where only a sky view is known. Not fast. Within 2e-4.
+/// open plane (more counts as that): what is usual where only a sky view is known. Not fast. Within
+/// 2e-4.
 SkyVector plane_behind_ring(const Eigen::Vector3f& normal, double sky_view);
 
 /// T_k with another sky view: more is hidden of what was hidden already, or less of it; where

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
-#include "thermal/weather/tilted_sky.hpp"
+#include "thermal/weather/sky_shape.hpp"
 
 namespace diurna {
 
@@ -11,10 +11,11 @@ PointWeather::PointWeather(const PointJob& job)
     : job_(job),
       series_(job.weather, job.site, job.elevation, job.clear_sky, job.start, job.end),
       sun_(job.site),
-      normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
-      tilted_(job.clear_sky.longwave_by_direction
-                  ? tilted_sky_excess(radians(job.slope_deg), job.sky_view)
-                  : 0.0) {}
+      normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)) {
+    const SkyVector sky = plane_behind_ring(normal_.cast<float>(), job.sky_view);
+    open_ = {.view = job.sky_view, .horizon = horizon_view(sky)};
+    if (job.clear_sky.longwave_by_direction) tilted_ = tilted_sky_excess(sky);
+}
 
 PointForcing PointWeather::operator()(Instant when) {
     const Forcing forcing = series_.weather().at(when);
@@ -27,7 +28,7 @@ PointForcing PointWeather::operator()(Instant when) {
                    .longwave_in = job_.sky_view * sky.longwave_down + tilted_ * sky.tilted_longwave,
                    .own_view = hidden};
     if (std::isnan(sky.plane_of_array)) {
-        f.sunlight = facet_sunlight(sky, normal_.dot(sky.to_sun), 1.0, job_.sky_view);
+        f.sunlight = facet_sunlight(sky, normal_.dot(sky.to_sun), 1.0, open_);
         f.own_light = hidden * sky.global_horizontal();
     } else {
         f.sunlight = sky.plane_of_array;

@@ -25,7 +25,8 @@ class PointWeather {
     SkySeries series_;
     SunPath sun_;
     Eigen::Vector3d normal_;
-    double tilted_;  // tilted_sky_excess
+    OpenSky open_{};
+    double tilted_ = 0.0;  // tilted_sky_excess
 };
 
 }  // namespace diurna

@@ -24,7 +24,7 @@ class SunlightAtOnce {
             for (std::size_t tier = 0; tier < sun.sky.tiers; ++tier) {
                 const SkyState& sky = sun.sky.sky[i * sun.sky.tiers + tier];
                 const SkyLight light = sky_light(sky);
-                light_.push_back({light.beam, light.even, sky.global_horizontal()});
+                light_.push_back({light.beam, light.even, light.horizon, sky.global_horizontal()});
             }
         }
     }
@@ -37,14 +37,19 @@ class SunlightAtOnce {
             const auto at = [&](std::size_t k, double Light::*value) {
                 return sun_.sky.at_facet(light_, k, f, value);
             };
+            const OpenSky open{.view = double{scene_.views.sky[f]},
+                               .horizon = horizon_view(sky_of(scene_.views, scene_.facets, f))};
             for (std::size_t k = 0; k < n; ++k) {
                 const SkyState& sky = sun_.sky.sky[instants_[k] * sun_.sky.tiers];
                 // The fraction counts the facet's own turning away already.
                 const double lit = sun_.fraction.empty()
                                        ? 1.0
                                        : sun_.fraction[instants_[k] * scene_.facets.size() + f];
-                double light = at(k, &Light::beam) * (std::max(0.0, normal.dot(sky.to_sun)) * lit) +
-                               at(k, &Light::even) * scene_.views.sky[f];
+                const double seen = std::max(0.0, normal.dot(sky.to_sun)) * lit;
+                double light = facet_sunlight({.beam = at(k, &Light::beam),
+                                               .even = at(k, &Light::even),
+                                               .horizon = at(k, &Light::horizon)},
+                                              seen, open);
                 if (scene_.exchange) {
                     light += double(scene_.views.below[f]) * scene_.optics.albedo[f] *
                              at(k, &Light::global);
@@ -96,7 +101,7 @@ class SunlightAtOnce {
     const SunlitInstants& sun_;
     std::span<const std::size_t> instants_;
     struct Light {
-        double beam, even, global;  // [W m⁻²] facet_sunlight's two parts; on the horizontal
+        double beam, even, horizon, global;  // [W m⁻²] sky_light's parts; on the horizontal
     };
     std::vector<Light> light_;  // (instant, tier)
     std::vector<float> incident_;

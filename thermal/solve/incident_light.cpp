@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
-#include "thermal/weather/tilted_sky.hpp"
+#include "thermal/weather/sky_shape.hpp"
 
 namespace diurna {
 
@@ -94,13 +94,11 @@ std::vector<float> tilts(const SolveState& solve) {
     const bool even = std::all_of(solve.sky.begin(), solve.sky.end(),
                                   [](const SkyState& sky) { return sky.tilted_longwave == 0.0; });
     if (even) return {};
-    const TiltedSky table;
     std::vector<float> tilt(solve.facets);
     for_each_index(
         solve.facets,
         [&](std::size_t f) {
-            tilt[f] =
-                float(table.excess(solve.input.facets.normal[f].z(), solve.input.views.sky[f]));
+            tilt[f] = float(tilted_sky_excess(sky_of(solve.input.views, solve.input.facets, f)));
         },
         4096);
     return tilt;

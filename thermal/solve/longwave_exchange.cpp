@@ -136,8 +136,15 @@ void renew_all(SolveState& solve, const Level& level, Field& field) {
             const float* const kelvin = solve.kelvin.data() + i * solve.facets;
             const float* const excess = solve.excess.data() + i * solve.facets;
             for (std::size_t f = begin; f < end; ++f) {
-                field.leaving[f * used + k] = leaving_longwave(solve.optics.emissivity[f], sky,
-                                                               kelvin[f], excess[f] + beyond(f));
+                // What falls on it beyond the sky: of neighbours, of a sky that differs by height
+                // and by direction.
+                const double tilt =
+                    solve.tilt.empty()
+                        ? 0.0
+                        : solve.at_facet(&SkyState::tilted_longwave, i, f) * solve.tilt[f];
+                field.leaving[f * used + k] =
+                    leaving_longwave(solve.optics.emissivity[f], sky, kelvin[f],
+                                     excess[f] + beyond(f) + float(tilt));
             }
         }
     });

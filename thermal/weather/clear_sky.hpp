@@ -21,7 +21,7 @@ struct ClearSky {
     double linke_turbidity = not_measured;        // at air mass 2; a number chooses Ineichen
     Separation separation = Separation::engerer2;  // of global sun that alone was measured
     LongwaveFormula longwave = LongwaveFormula::dilley_obrien;
-    /// The sky is brighter towards the horizon, which tilted facets see (tilted_sky_excess).
+    /// The sky is brighter towards the horizon, which tilted facets see (sky_shape.hpp).
     bool longwave_by_direction = true;
 };
 

@@ -126,7 +126,8 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
     } else if (sky.to_sun.z() > 0.0) {
         model_sun(forcing, pressure, elevation, clear, sky);
     }
-    sky.anisotropy = std::clamp(sky.direct_normal / top, 0.0, 1.0);
+    sky.split =
+        perez_split(sky.direct_normal, sky.diffuse_horizontal, 90.0 - sky.sun.elevation_deg, top);
     take_longwave(forcing, clear, sky);
 
     // Below 5 W/m² two pyranometers' offsets are larger than the albedo they would give.
@@ -141,19 +142,25 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
 }
 
 SkyLight sky_light(const SkyState& sky) {
-    const double sine = sky.to_sun.z();
-    if (!(sine > 0.0)) return {.beam = 0.0, .even = sky.diffuse_horizontal};
+    const double sine = sky.to_sun.z(), diffuse = sky.diffuse_horizontal;
+    const double horizon = diffuse * sky.split.horizon;
+    if (!(sine > 0.0)) return {.beam = 0.0, .even = diffuse, .horizon = horizon};
     // Circumsolar light is that of a beam; near the horizon its strength is bounded.
     const double circumsolar =
-        sky.diffuse_horizontal * sky.anisotropy * std::min(1.0, sine / least_sine);
+        diffuse * sky.split.circumsolar * std::min(1.0, sine / least_sine);
     return {.beam = sky.direct_normal + circumsolar / sine,
-            .even = sky.diffuse_horizontal - circumsolar};
+            .even = diffuse - circumsolar,
+            .horizon = horizon};
+}
+
+double facet_sunlight(const SkyLight& light, double seen, const OpenSky& open) {
+    return light.beam * seen +
+           std::max(0.0, light.even * open.view + light.horizon * open.horizon);
 }
 
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,
-                      double sky_view) {
-    const SkyLight light = sky_light(sky);
-    return light.beam * (std::max(0.0, sun_cosine) * sun_fraction) + light.even * sky_view;
+                      const OpenSky& open) {
+    return facet_sunlight(sky_light(sky), std::max(0.0, sun_cosine) * sun_fraction, open);
 }
 
 }  // namespace diurna

@@ -6,6 +6,7 @@
 #include "terrain/place/site.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/clear_sky.hpp"
+#include "thermal/weather/sky_shape.hpp"
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
@@ -16,7 +17,7 @@ struct SkyState {
     Eigen::Vector3d to_sun;                // unit, east-north-up
     double direct_normal = 0.0;            // beam on a plane facing the sun [W m⁻²]
     double diffuse_horizontal = 0;         // [W m⁻²]
-    double anisotropy = 0.0;               // Hay & Davies: direct over extraterrestrial, 0 to 1
+    DiffuseSplit split{};                  // of the diffuse light
     double longwave_down = 0.0;            // on the horizontal [W m⁻²]
     double tilted_longwave = 0.0;          // what tilted_sky_excess multiplies [W m⁻²]
     double albedo = not_measured;          // measured up over down, replaces the material's
@@ -35,20 +36,30 @@ SkyState sky_state(const Site& site, double elevation, Instant instant, const Fo
 SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
                    const ClearSky& clear = {});
 
-/// What the sky sends as if from the sun, on a plane facing it, and evenly from all over it
-/// [W m⁻²]: Hay & Davies 1980.
+/// What a facet sees of the sky: its view, 0 to 1, and what of the horizon (sky_shape.hpp).
+struct OpenSky {
+    double view = 1.0, horizon = 0.0;
+};
+
+/// What the sky sends as if from the sun, on a plane facing it, evenly from all over it, and what a
+/// wall receives more of a sky brighter towards the horizon [W m⁻²]: as Perez and others split it
+/// (1990).
 struct SkyLight {
-    double beam = 0.0, even = 0.0;
+    double beam = 0.0, even = 0.0, horizon = 0.0;
 };
 SkyLight sky_light(const SkyState& sky);
 
-/// Sunlight on a facet [W m⁻²] without what other facets reflect, Hay & Davies 1980: the beam and
-/// the circumsolar part of the diffuse light come from the sun's direction and share its shadow,
-/// the rest comes evenly from the sky in view.
+/// Sunlight on a facet [W m⁻²] without what other facets reflect: the beam and the circumsolar part
+/// of the diffuse light come from the sun's direction and share its shadow, a part comes from the
+/// horizon, the rest evenly from the sky in view.
+///
+/// - seen: normal · to_sun, not below 0, times the share of facet and disc not in shadow
+double facet_sunlight(const SkyLight& light, double seen, const OpenSky& open);
+/// The same of a sky.
 ///
 /// - sun_cosine: normal · to_sun
 /// - sun_fraction: share of facet and disc not in shadow, 0 to 1
-/// - sky_view: cosine-weighted, 0 to 1
-double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction, double sky_view);
+double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,
+                      const OpenSky& open);
 
 }  // namespace diurna

@@ -59,14 +59,13 @@ struct RowWorth {
                     root * reflectance * light[static_cast<std::size_t>(origin)];
             }
         }
+        for (std::size_t k = 0; k < layout.skies && has(terms, Term::sky); ++k) {
+            const std::vector<double>& sky = from(band.sky.spectrum[k], origin);
+            if (!sky.empty()) row[at(layout.sky() + k)] += w * reflectance * sky[n];
+        }
+        if (!has(terms, Term::sun) || origin != Origin::sunlight) return;
         for (std::size_t h = 0; h < band.incident.size(); ++h) {
-            const IncidentLight& light = band.incident[h];
-            if (has(terms, Term::sky)) {
-                row[at(layout.sky() + h)] += w * reflectance * light.sky_from(origin, n);
-            }
-            if (has(terms, Term::sun) && origin == Origin::sunlight) {
-                row[at(layout.sun() + h)] += w * reflectance * light.sun[n];
-            }
+            row[at(layout.sun() + h)] += w * reflectance * band.incident[h].from_sun(n);
         }
     }
 };
@@ -105,7 +104,7 @@ Eigen::MatrixXd transmittances(const PathTable& path, std::size_t band, std::siz
 EyeTable::EyeTable(const PathTable& path, std::size_t band_index, const BandLight& band,
                    const TermSet& terms)
     : ranges_(path.grid().ranges), heights_(path.grid().heights), table_(band.optics.size()) {
-    const EyeRow layout(band.basis);
+    const EyeRow layout(band);
     width_ = layout.width();
     const std::size_t nodes = path.nodes();
     std::array<Eigen::MatrixXd, origin_count> transmittance;

@@ -1,6 +1,7 @@
 #include "render/eye/eye_tables.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "materials/base/parallel.hpp"
 
@@ -26,7 +27,7 @@ EyeTables::EyeTables(const PathTable& path, const SceneLight& light, const Optio
     const TemperatureExtent& extent = light.state.extent;
     const std::size_t per_band = options.by_term ? term_count : 1;
     for (std::size_t b = 0; b < bands.size(); ++b) {
-        rows_.emplace_back(bands[b].basis);
+        rows_.emplace_back(bands[b]);
         for (std::size_t t = 0; t < per_band; ++t) {
             tables_.emplace_back(path, b, bands[b], options.by_term ? only(t) : all_terms);
         }
@@ -36,7 +37,7 @@ EyeTables::EyeTables(const PathTable& path, const SceneLight& light, const Optio
     for (std::size_t b = 0; b < bands.size(); ++b) {
         for (const float t : {extent.coldest, extent.hottest}) {
             const std::vector<float> row =
-                rows_[b].standing_for(light.tables, b, t, t == extent.hottest);
+                rows_[b].standing_for(light.tables, bands[b], b, t, t == extent.hottest);
             auto whole = tables_[b * per_band].radiance_of(row);
             for (std::size_t k = 1; k < per_band; ++k) {
                 add_up(tables_[b * per_band + k].radiance_of(row), whole);
@@ -63,6 +64,7 @@ void EyeTables::look(const View& view, const SceneLight& light, std::size_t begi
     const Radiosity& radiosity = light.radiosity;
     const std::size_t columns = tables_.size(), per_band = columns_of_band();
     std::vector<float> black(tables.lanes), arriving(tables.lanes);
+    std::array<float, SkyModes::most> sky;
     std::vector<std::vector<float>> row;  // (band)(slot, number) of the facets of a few targets
     for (const EyeRow& r : rows_) row.emplace_back(GridPlaces::most * r.width(), 0.0f);
     GridPlaces places;
@@ -82,9 +84,9 @@ void EyeTables::look(const View& view, const SceneLight& light, std::size_t begi
                 radiosity.arriving(i, black.data(), arriving.data());
                 const std::array<float, 3> up = height_weights(lit.height[i]);
                 for (std::size_t b = 0; b < rows_.size(); ++b) {
-                    rows_[b].fill(&black[tables.first[b]], &arriving[tables.first[b]],
-                                  lit.sky_view[i], light.state.sunlight[i], up,
-                                  &row[b][slots * rows_[b].width()]);
+                    light.band[b].sky.of(lit.sky_view[i], light.state.uneven[i], up, sky.data());
+                    rows_[b].fill(&black[tables.first[b]], &arriving[tables.first[b]], sky.data(),
+                                  light.state.sunlight[i], up, &row[b][slots * rows_[b].width()]);
                 }
                 ++slots;
             }

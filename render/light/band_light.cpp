@@ -22,6 +22,7 @@ std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceIn
                         incident_light(input, lit.height_km[h], band.node_um, of.sun_field());
                 },
                 1);
+            of.sky = sky_modes(band, of.incident);
             of.optics = node_optics(band, input.materials, lit.material_used);
             of.probe = probes(band, of.channels, input, of.incident[1], extent);
             of.basis = scene_basis(band, of.optics, of.incident, lit.bounds[b].surrounded, extent);

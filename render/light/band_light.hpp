@@ -11,6 +11,7 @@
 #include "render/light/lit_facets.hpp"
 #include "render/light/node_optics.hpp"
 #include "render/light/scene_basis.hpp"
+#include "render/light/sky_modes.hpp"
 #include "render/light/spectral_basis.hpp"
 
 namespace diurna {
@@ -19,13 +20,14 @@ namespace diurna {
 struct BandLight {
     Band band;
     Channels channels = {};
-    std::optional<SunField> scattered = {};      // sunlight scattered by the air
+    std::optional<ScatteredSun> scattered = {};  // sunlight scattered by the air
     std::array<IncidentLight, 3> incident = {};  // at the heights of LitFacets
+    SkyModes sky = {};                           // of these
     std::vector<NodeOptics> optics = {};         // (material)
     std::vector<Probe> probe = {};               // probes()
     SpectralBasis basis = {};
 
-    const SunField* sun_field() const { return scattered ? &*scattered : nullptr; }
+    const ScatteredSun* sun_field() const { return scattered ? &*scattered : nullptr; }
 };
 /// - extent: of the temperatures of the facets lit
 std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceInput& input,

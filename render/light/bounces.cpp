@@ -13,7 +13,9 @@ namespace {
 /// Of light of sun and sky that a white surface would send back, from above [W m⁻² sr⁻¹].
 double sunlit(const BandLight& band) {
     const IncidentLight& highest = band.incident[2];
-    return band_sum_nodes(band.band, highest.sun) / std::numbers::pi +
+    return (band_sum_nodes(band.band, highest.sun) +
+            (band.scattered ? band_sum_nodes(band.band, highest.aureole) : 0.0)) /
+               std::numbers::pi +
            (band.scattered ? band_sum_nodes(band.band, highest.sky) : 0.0);
 }
 

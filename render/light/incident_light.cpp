@@ -1,26 +1,35 @@
 #include "render/light/incident_light.hpp"
 
 #include <algorithm>
-#include <numbers>
+#include <utility>
 
 namespace diurna {
 
 LightByOrigin IncidentLight::sun_by_origin() const {
     LightByOrigin light;
-    from(light, Origin::sunlight) = sun;
-    return light;
-}
-
-LightByOrigin IncidentLight::sky_by_origin() const {
-    LightByOrigin light;
-    from(light, Origin::sunlight) = scattered;
-    for (std::size_t n = 0; n < sky.size(); ++n) {
-        from(light, Origin::sky_heat).push_back(sky_from(Origin::sky_heat, n));
+    for (std::size_t n = 0; n < sun.size(); ++n) {
+        from(light, Origin::sunlight).push_back(from_sun(n));
     }
     return light;
 }
 
-std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<const double> node_um) {
+LightByOrigin IncidentLight::sky_on(double sky_view, const UnevenView& uneven) const {
+    LightByOrigin light;
+    for (const Origin origin : {Origin::sunlight, Origin::sky_heat}) {
+        if (origin == Origin::sunlight && scattered.empty()) continue;
+        for (std::size_t n = 0; n < sky.size(); ++n) {
+            double sum = sky_view * sky_from(origin, n);
+            for (std::size_t k = 0; k < uneven.size(); ++k) {
+                sum += double{uneven[k]} * uneven_from(k, origin, n);
+            }
+            from(light, origin).push_back(sum);
+        }
+    }
+    return light;
+}
+
+std::optional<ScatteredSun> scattered_sun(const RadianceInput& input,
+                                          std::span<const double> node_um) {
     const double no_sunlight_um = input.moon ? moonlight_ends_um : 5.0;
     const auto* model = std::get_if<BandModel>(&input.atmosphere);
     if (model == nullptr || input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0 ||
@@ -28,18 +37,21 @@ std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<cons
                      [&](double um) { return um < no_sunlight_um; })) {
         return std::nullopt;
     }
-    return SunField(*model,
-                    {.zenith_deg = input.sun_zenith_deg,
-                     .distance_au = input.sun_distance_au,
-                     .moon = input.moon},
-                    node_um);
+    return ScatteredSun(SunField(*model,
+                                 {.zenith_deg = input.sun_zenith_deg,
+                                  .distance_au = input.sun_distance_au,
+                                  .moon = input.moon},
+                                 node_um),
+                        input);
 }
 
 IncidentLight incident_light(const RadianceInput& input, double height_km,
-                             std::span<const double> node_um, const SunField* scattered) {
+                             std::span<const double> node_um, const ScatteredSun* scattered) {
+    HeatOfSky heat = heat_of_sky(input.atmosphere, height_km, node_um);
     IncidentLight light{.sun = std::vector<double>(node_um.size(), 0.0),
-                        .sky = mean_sky_at_nodes(input.atmosphere, height_km, node_um, 8),
-                        .scattered = {}};
+                        .sky = std::move(heat.mean),
+                        .scattered = {},
+                        .uneven_heat = std::move(heat.uneven)};
     if (!input.sun_fraction.empty()) {
         light.sun = solar_at_nodes(input.atmosphere, height_km, input.sun_zenith_deg,
                                    input.sun_distance_au, node_um);
@@ -48,11 +60,18 @@ IncidentLight incident_light(const RadianceInput& input, double height_km,
         light.sun[n] *= moon_over_sun(node_um[n], *input.moon);
     }
     if (scattered != nullptr) {
+        const SunlitShape& shape = scattered->shape;
         const SunFlux flux = scattered->flux(height_km);
         light.scattered.resize(node_um.size());
+        light.aureole.resize(node_um.size());
+        for (std::vector<double>& c : light.uneven_scattered) c.resize(node_um.size());
         for (std::size_t n = 0; n < node_um.size(); ++n) {
-            light.scattered[n] = flux.down[n] * std::numbers::inv_pi;
+            light.scattered[n] = flux.down[n] * shape.mean[n];
+            light.aureole[n] = flux.down[n] * shape.aureole[n];
             light.sky[n] += light.scattered[n];
+            for (std::size_t k = 0; k < uneven_functions; ++k) {
+                light.uneven_scattered[k][n] = flux.down[n] * shape.uneven[k][n];
+            }
         }
     }
     return light;

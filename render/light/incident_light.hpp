@@ -1,12 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "materials/atmosphere/sun_field.hpp"
+#include "render/light/directional_sky.hpp"
 #include "render/light/origin.hpp"
 #include "render/light/radiance_input.hpp"
 
@@ -17,6 +18,13 @@ struct IncidentLight {
     std::vector<double> sun;  // (node) irradiance on a plane facing the sun [W m⁻² µm⁻¹]
     std::vector<double> sky;  // (node) cosine-weighted mean radiance [W m⁻² sr⁻¹ µm⁻¹]
     std::vector<double> scattered;  // (node) sunlight in `sky`; empty: none
+    /// (node) Sunlight scattered so little that it comes from the sun itself, on a plane facing it;
+    /// not in `sky`. Empty: none.
+    std::vector<double> aureole = {};
+    /// How heat and scattered sunlight differ by direction about their means, (function)(node) as
+    /// directional_sky.hpp has it; empty: no more.
+    std::array<std::vector<double>, 3> uneven_heat = {};
+    std::array<std::vector<double>, uneven_functions> uneven_scattered = {};
 
     /// Radiance of `sky` from an origin at a node.
     double sky_from(Origin origin, std::size_t node) const {
@@ -25,18 +33,33 @@ struct IncidentLight {
                : origin == Origin::sky_heat ? std::max(0.0, sky[node] - sunlit)
                                             : 0.0;
     }
-    LightByOrigin sky_by_origin() const;
+    /// Coefficient of an uneven function of light from an origin at a node.
+    double uneven_from(std::size_t function, Origin origin, std::size_t node) const {
+        const auto at = [node](const std::vector<double>& c) { return c.empty() ? 0.0 : c[node]; };
+        if (origin == Origin::sunlight) return at(uneven_scattered[function]);
+        const bool has = origin == Origin::sky_heat && function < uneven_heat.size();
+        return has ? at(uneven_heat[function]) : 0.0;
+    }
+    /// Sun and aureole at a node.
+    double from_sun(std::size_t node) const {
+        return sun[node] + (aureole.empty() ? 0.0 : aureole[node]);
+    }
+    /// Radiance that arrives at a facet from the sky, as its mean over the whole hemisphere.
+    LightByOrigin sky_on(double sky_view, const UnevenView& uneven) const;
+    LightByOrigin sky_by_origin() const { return sky_on(1.0, {}); }
     LightByOrigin sun_by_origin() const;
 };
 /// The mean is ∫ L cosθ dΩ / π = ∫₀¹ L d(cos²θ), by eight points of Gauss and Legendre.
 ///
 /// scattered  of the same nodes, or null: `sky` is then the heat of air and clouds alone
 IncidentLight incident_light(const RadianceInput& input, double height_km,
-                             std::span<const double> node_um, const SunField* scattered = nullptr);
+                             std::span<const double> node_um,
+                             const ScatteredSun* scattered = nullptr);
 
 /// Sunlight scattered by the scene's air at a band's nodes. Empty where there is none: without sun,
 /// with the sun below the horizon, beyond 5 µm, in a vacuum and in a table of paths.
-std::optional<SunField> scattered_sun(const RadianceInput& input, std::span<const double> node_um);
+std::optional<ScatteredSun> scattered_sun(const RadianceInput& input,
+                                          std::span<const double> node_um);
 
 /// Sunlit share × cosine / π [sr⁻¹]: times irradiance and reflectance, the radiance of sunlight.
 ///

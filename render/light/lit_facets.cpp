@@ -171,6 +171,7 @@ LitState lit_state(const RadianceInput& input, const LitFacets& lit) {
     LitState state;
     state.temperature.resize(n);
     state.sunlight.assign(n, 0.0f);
+    state.uneven.resize(n);
     if (n == 0) return state;
     const Eigen::Vector3f to_sun = input.to_sun.cast<float>();
     constexpr std::size_t grain = 8192;
@@ -186,6 +187,7 @@ LitState lit_state(const RadianceInput& input, const LitFacets& lit) {
                     fmt::format("has a temperature of {} K, expected 1 to 5000", temperature));
             }
             state.temperature[i] = temperature;
+            state.uneven[i] = uneven_view(input, lit.facet[i]);
             extent.coldest = std::min(extent.coldest, temperature);
             extent.hottest = std::max(extent.hottest, temperature);
             if (!input.sun_fraction.empty() && input.sun_fraction[f] > 0.0f) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/radiation/band.hpp"
+#include "render/light/directional_sky.hpp"
 #include "render/light/radiance_input.hpp"
 
 namespace diurna {
@@ -65,6 +66,7 @@ struct TemperatureExtent {
 struct LitState {
     std::vector<float> temperature;  // [K]
     std::vector<float> sunlight;     // sunlit share × cosine / π [sr⁻¹]
+    std::vector<UnevenView> uneven;  // of the sky, about the sun
     TemperatureExtent extent;
 };
 /// Throws InputError if a temperature is not finite or outside 1 to 5000 K.

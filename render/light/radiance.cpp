@@ -19,7 +19,7 @@ namespace {
 struct LightMemo {
     const RadianceInput& input;
     std::span<const double> node_um;
-    const SunField* scattered;
+    const ScatteredSun* scattered;
     std::map<long, IncidentLight> known;
 
     const IncidentLight& step(long k) {
@@ -31,12 +31,18 @@ struct LightMemo {
         const double u = height_km / 4e-3, below = std::floor(u), t = u - below;
         const IncidentLight &low = step(std::lround(below)), &high = step(std::lround(below) + 1);
         IncidentLight light = low;
-        for (std::size_t n = 0; n < node_um.size(); ++n) {
-            light.sun[n] += t * (high.sun[n] - low.sun[n]);
-            light.sky[n] += t * (high.sky[n] - low.sky[n]);
+        const auto mix = [&](std::vector<double>& value, const std::vector<double>& next) {
+            for (std::size_t n = 0; n < value.size(); ++n) value[n] += t * (next[n] - value[n]);
+        };
+        mix(light.sun, high.sun);
+        mix(light.sky, high.sky);
+        mix(light.scattered, high.scattered);
+        mix(light.aureole, high.aureole);
+        for (std::size_t k = 0; k < light.uneven_heat.size(); ++k) {
+            mix(light.uneven_heat[k], high.uneven_heat[k]);
         }
-        for (std::size_t n = 0; n < light.scattered.size(); ++n) {
-            light.scattered[n] += t * (high.scattered[n] - low.scattered[n]);
+        for (std::size_t k = 0; k < light.uneven_scattered.size(); ++k) {
+            mix(light.uneven_scattered[k], high.uneven_scattered[k]);
         }
         return light;
     }
@@ -65,12 +71,11 @@ TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
     const double behind = temperature_behind(material, temperature);
     const double sky_view = input.views.sky[f], sunlight = sunlight_on(input, facet);
     const IncidentLight light = memo.at(input.height_km(facet));
-    std::vector<double> emitted(nodes), shone_through(nodes), reflectance(nodes), of_sky(nodes),
-        of_sun(nodes), black(nodes);
+    std::vector<double> emitted(nodes), shone_through(nodes), reflectance(nodes), of_sun(nodes),
+        black(nodes);
     for (std::size_t n = 0; n < nodes; ++n) {
         const SurfaceOptics optics = optics_at(material, node_um[n]);
         reflectance[n] = optics.reflectance;
-        of_sky[n] = optics.reflectance * sky_view;
         of_sun[n] = optics.reflectance * sunlight;
         black[n] = (1.0 - sky_view) * planck(node_um[n], temperature);
         emitted[n] = optics.emissivity * planck(node_um[n], temperature);
@@ -84,7 +89,7 @@ TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
     term(Term::emitted) = from_surface(std::move(emitted));
     term(Term::behind) = from_surface(std::move(shone_through));
     add(term(Term::sun), of_sun, light.sun_by_origin());
-    add(term(Term::sky), of_sky, light.sky_by_origin());
+    add(term(Term::sky), reflectance, light.sky_on(sky_view, uneven_view(input, facet)));
     add(term(Term::surroundings), reflectance, around);
     return terms;
 }
@@ -123,8 +128,8 @@ double sunlight_on(const RadianceInput& input, FacetId facet) {
 
 TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
                                   std::span<const double> node_um, int bounces,
-                                  const SunField* scattered) {
-    std::optional<SunField> own;
+                                  const ScatteredSun* scattered) {
+    std::optional<ScatteredSun> own;
     if (scattered == nullptr) own = scattered_sun(input, node_um);
     LightMemo memo{
         .input = input, .node_um = node_um, .scattered = own ? &*own : scattered, .known = {}};
@@ -132,7 +137,8 @@ TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
 }
 
 NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
-                          std::span<const double> node_um, int bounces, const SunField* scattered) {
+                          std::span<const double> node_um, int bounces,
+                          const ScatteredSun* scattered) {
     NodeTerms sums;
     const TermsByOrigin terms = radiosity_by_origin(input, facet, node_um, bounces, scattered);
     for (std::size_t t = 0; t < term_count; ++t) {
@@ -170,7 +176,7 @@ LightByOrigin onward_shares(const RadianceInput& input, const SightLine& line, d
 
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                const FacetSight& sight, int segments,
-                                               const SunField* scattered) {
+                                               const ScatteredSun* scattered) {
     const double height_km = input.above_sea_km(sight.height);
     const SightLine line =
         chord(input.above_sea_km(sight.observer_height), height_km, 1e-3 * sight.range, segments);

@@ -23,7 +23,8 @@ using NodeTerms = std::array<std::vector<double>, term_count>;
 ///
 ///     J = ε B(T) + ρ [f cosθ E_sun / π + V L_sky + Σ F_j J_j] + τ B(T_behind)
 ///
-/// L_sky is the mean of air, clouds and the sunlight they scatter (diffuse irradiance / π).
+/// V L_sky stands for what the open sky of the facet sends, air, clouds and the sunlight they
+/// scatter, by direction (directional_sky.hpp); what is scattered next to the sun is in E_sun.
 ///
 /// V is the sky view, F its row of view factors, scaled to 1 − V (so that ground beyond the scene's
 /// edge looks like the surroundings that are there; like the facet itself if there are none). J_j
@@ -36,13 +37,13 @@ using NodeTerms = std::array<std::vector<double>, term_count>;
 /// - returns: Term::path is zero
 NodeTerms radiosity_terms(const RadianceInput& input, FacetId facet,
                           std::span<const double> node_um, int bounces = 2,
-                          const SunField* scattered = nullptr);
+                          const ScatteredSun* scattered = nullptr);
 
 /// The same taken apart by where the light was before: (term)(origin)(node).
 using TermsByOrigin = std::array<LightByOrigin, term_count>;
 TermsByOrigin radiosity_by_origin(const RadianceInput& input, FacetId facet,
                                   std::span<const double> node_um, int bounces = 2,
-                                  const SunField* scattered = nullptr);
+                                  const ScatteredSun* scattered = nullptr);
 
 /// Share of the light of each origin at a place that arrives at the eye, (origin)(node), both of
 /// its ways taken for one path:
@@ -65,7 +66,7 @@ struct FacetSight {
 /// share of it, and what that air sends itself.
 std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const Band& band,
                                                const FacetSight& sight, int segments = 0,
-                                               const SunField* scattered = nullptr);
+                                               const ScatteredSun* scattered = nullptr);
 
 /// sunlight_on() of a facet of the scene.
 double sunlight_on(const RadianceInput& input, FacetId facet);

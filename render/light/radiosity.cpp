@@ -63,7 +63,7 @@ Radiosity::Radiosity(const LitFacets& lit, const LitState& state, const Radiosit
     if (tables.lanes > most_lanes) throw InputError("render", "too many bands at a time");
     for_each_block(lit.facet.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (lit_.is_source[i]) first_bounce(i, &radiosity_[i * tables_.lanes]);
+            if (lit_.is_source[i]) first_bounce(i, bands, &radiosity_[i * tables_.lanes]);
         }
     });
     follow_bounces(bands, bounces);
@@ -124,7 +124,7 @@ void Radiosity::follow_bounces(std::span<const BandLight> bands,
 }
 
 /// Own heat, sky and sun; black surroundings. Eight lanes at a time stay in registers.
-void Radiosity::first_bounce(std::size_t i, float* out) const {
+void Radiosity::first_bounce(std::size_t i, std::span<const BandLight> bands, float* out) const {
     const std::size_t n = tables_.lanes;
     const auto& material = tables_.material[index(lit_.material[i])];
     float t = 0.0f;
@@ -134,9 +134,19 @@ void Radiosity::first_bounce(std::size_t i, float* out) const {
     const float open = lit_.sky_view[i], sunlight = state_.sunlight[i];
     for (std::size_t k = 0; k < n; k += lane_count) {
         Lane all = cubic(emitted + k, n, t) + (1.0f - open) * cubic(reflected + k, n, t);
-        all += open * at_height(material.sky, up, k);
         if (sunlight > 0.0f) all += sunlight * at_height(material.sun, up, k);
         Eigen::Map<Lane>(out + k) = all;
+    }
+    std::array<float, SkyModes::most> sky;
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+        bands[b].sky.of(open, state_.uneven[i], up, sky.data());
+        const std::size_t first = tables_.first[b], width = tables_.first[b + 1] - first;
+        const float* modes = material.sky[b].data();
+        for (std::size_t m = 0; m < bands[b].sky.size(); ++m, modes += width) {
+            float* to = out + first;
+#pragma omp simd
+            for (std::size_t k = 0; k < width; ++k) to[k] += sky[m] * modes[k];
+        }
     }
 }
 

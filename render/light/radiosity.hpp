@@ -42,7 +42,7 @@ class Radiosity {
     int bounces() const { return bounces_; }            // followed, the first included
 
  private:
-    void first_bounce(std::size_t lit, float* out) const;
+    void first_bounce(std::size_t lit, std::span<const BandLight> bands, float* out) const;
     /// Adds ρ times the light that arrives.
     void reflect(std::size_t lit, const float* light, float* out) const;
     /// Puts by what a facet reflects of its surroundings beyond black ones.

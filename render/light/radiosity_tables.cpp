@@ -84,9 +84,8 @@ RadiosityTables empty_tables(std::span<const BandLight> bands, const Temperature
         auto& material = tables.material[m];
         material.emitted.assign(values, 0.0f);
         material.reflected.assign(values, 0.0f);
-        for (auto* part : {&material.sky, &material.sun}) {
-            for (auto& height : *part) height.assign(tables.lanes, 0.0f);
-        }
+        for (auto& height : material.sun) height.assign(tables.lanes, 0.0f);
+        material.sky.resize(bands.size());
         material.reflection.resize(bands.size());
     }
     return tables;
@@ -120,11 +119,13 @@ void fill(const BandLight& band, const NodeOptics& optics, const Eigen::MatrixXd
     lay_out(emitted, first, tables.lanes, material.emitted);
     lay_out(black * reflect.transpose(), first, tables.lanes, material.reflected);
     for (std::size_t h = 0; h < 3; ++h) {
-        const IncidentLight& light = band.incident[h];
-        const LightByOrigin sky = times(reflectance, light.sky_by_origin());
-        const LightByOrigin sun = times(reflectance, light.sun_by_origin());
-        lay_out(project(basis, sky), first, material.sky[h]);
+        const LightByOrigin sun = times(reflectance, band.incident[h].sun_by_origin());
         lay_out(project(basis, sun), first, material.sun[h]);
+    }
+    material.sky[b].assign(band.sky.size() * width, 0.0f);
+    for (std::size_t k = 0; k < band.sky.size(); ++k) {
+        lay_out(project(basis, times(reflectance, band.sky.spectrum[k])), k * width,
+                material.sky[b]);
     }
     material.reflection[b].assign(basis.size() * width, 0.0f);
     for (std::size_t in = 0; in < basis.size(); ++in) {

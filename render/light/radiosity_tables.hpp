@@ -34,8 +34,10 @@ struct RadiosityTables {
     struct OfMaterial {
         // (cell, power, lane) cubics in temperature: ε B with what shines through, and ρ B
         std::vector<float> emitted, reflected;
-        // (lane) at the three heights: ρ × mean radiance of the sky, ρ × irradiance of the sun
-        std::array<std::vector<float>, 3> sky, sun;
+        // (lane) at the three heights: ρ × irradiance of the sun
+        std::array<std::vector<float>, 3> sun;
+        // (band)(mode of the sky, lane) ρ × its spectrum
+        std::vector<std::vector<float>> sky;
         // (band)(mode in, lane out) multiplication by ρ
         std::vector<std::vector<float>> reflection;
     };

@@ -27,13 +27,18 @@ Spectra black_bodies(const Band& band, const TemperatureExtent& extent) {
     return black;
 }
 
-/// Light of sky and sun reflected once by a material, at the least and the greatest height.
+/// Light of sky and sun reflected once by a material, at the least and the greatest height, and of
+/// the sky that walls see.
 std::vector<LightByOrigin> reflected_once(const NodeOptics& optics, const ThreeHeights& incident) {
     std::vector<LightByOrigin> once;
     for (const std::size_t h : {std::size_t{0}, std::size_t{2}}) {
         once.push_back(times(optics.reflectance, incident[h].sky_by_origin()));
         once.push_back(times(optics.reflectance, incident[h].sun_by_origin()));
         for (double& x : from(once.back(), Origin::sunlight)) x /= std::numbers::pi;
+    }
+    for (const bool sunward : {false, true}) {
+        const LightByOrigin wall = incident[1].sky_on(0.5, uneven_view_of_wall(sunward));
+        once.push_back(times(optics.reflectance, wall));
     }
     return once;
 }
@@ -44,9 +49,9 @@ double greatest_sunlit(const Band& band, std::span<const NodeOptics> optics,
     double sunlit = 0.0;
     for (const NodeOptics& a : optics) {
         if (a.reflectance.empty()) continue;
-        const auto once = reflected_once(a, incident);
-        for (std::size_t k = 1; k < once.size(); k += 2) {
-            sunlit = std::max(sunlit, band_sum_nodes(band, from(once[k], Origin::sunlight)));
+        for (const LightByOrigin& light : reflected_once(a, incident)) {
+            const std::vector<double>& sun = from(light, Origin::sunlight);
+            if (!sun.empty()) sunlit = std::max(sunlit, band_sum_nodes(band, sun));
         }
     }
     return sunlit;

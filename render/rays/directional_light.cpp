@@ -61,12 +61,14 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
             double{sunlight});
     }
     const std::array<float, 3> up = height_weights(tables.lit.height[i]);
-    const auto& sun = tables.sun;
+    const auto at_height = [&up](const std::array<std::vector<float>, 3>& sun, std::size_t c) {
+        return up[0] * sun[0][c] + up[1] * sun[1][c] + up[2] * sun[2][c];
+    };
     for (std::size_t c = 0; c < n; ++c) {
         const float mean = table.mean_diffuse(c);
         const float slant = mean > 0.0f ? towards_sun.diffuse(c) / mean : 0.0f;
-        light[c] = (at.diffuse(c) * slant * sunlight + glint * half_way.mirrored(c)) *
-                   (up[0] * sun[0][c] + up[1] * sun[1][c] + up[2] * sun[2][c]);
+        light[c] = at.diffuse(c) * slant * sunlight * at_height(tables.sun_and_aureole, c) +
+                   glint * half_way.mirrored(c) * at_height(tables.sun, c);
     }
 }
 

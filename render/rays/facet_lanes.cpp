@@ -27,7 +27,7 @@ class BandRows {
         room_behind_ = !optics_.room.empty() && !material.see_through;
         up_ = height_weights(lit.height[i]);
         temperature_ = light.state.temperature[i];
-        open_ = double{lit.sky_view[i]};
+        band.sky.of(lit.sky_view[i], light.state.uneven[i], up_, sky_.data());
         sunlight_ = double{light.state.sunlight[i]};
         Eigen::VectorXd modes(static_cast<Eigen::Index>(arriving.size()));
         for (std::size_t k = 0; k < arriving.size(); ++k) {
@@ -53,9 +53,12 @@ class BandRows {
         double of_sun = 0.0;
         for (std::size_t h = 0; h < 3; ++h) {
             const double up = w * double{up_[h]};
-            of_sun += up * sunlight_ * band_.incident[h].sun[k];
+            of_sun += up * sunlight_ * band_.incident[h].from_sun(k);
+        }
+        for (std::size_t m = 0; m < band_.sky.size(); ++m) {
             for (std::size_t o = 0; o < origin_count; ++o) {
-                sky[o] += up * open_ * band_.incident[h].sky_from(static_cast<Origin>(o), k);
+                const std::vector<double>& mode = band_.sky.spectrum[m][o];
+                if (!mode.empty()) sky[o] += w * double{sky_[m]} * mode[k];
             }
         }
         sum[0] += heat;
@@ -81,7 +84,8 @@ class BandRows {
     bool room_behind_ = false;
     std::array<float, 3> up_{};
     float temperature_ = 0.0f;
-    double open_ = 0.0, sunlight_ = 0.0;
+    double sunlight_ = 0.0;
+    std::array<float, SkyModes::most> sky_{};
     Eigen::VectorXd arriving_;  // a sum of modes
 };
 

@@ -54,7 +54,7 @@ std::vector<double> mean_diffuse(const Material& material, const Band& band) {
 class NodeSum {
  public:
     NodeSum(const Hops& hops, std::size_t pixel, std::span<const Plume> plumes, const Band& band,
-            const RadianceInput& input, const SunField* scattered)
+            const RadianceInput& input, const ScatteredSun* scattered)
         : list_(hops.of(pixel)),
           plumes_(plumes),
           band_(band),
@@ -211,8 +211,8 @@ class NodeSum {
         const Material& of = material(hop);
         const Eigen::Vector3d normal = input_.facets.normal[hop.what].cast<double>();
         const Eigen::Vector3d eye = -hop.direction.cast<double>();
-        const std::vector<double> sun =
-            incident_light(input_, input_.height_km(facet), band_.node_um, scattered_).sun;
+        const IncidentLight light =
+            incident_light(input_, input_.height_km(facet), band_.node_um, scattered_);
         const auto lit = optics_of(of, band_, normal.dot(input_.to_sun));
         const auto half_way = optics_of(of, band_, (eye + input_.to_sun).normalized().dot(eye));
         const std::vector<double> mean = mean_diffuse(of, band_);
@@ -222,9 +222,10 @@ class NodeSum {
                    : 0.0;
         for (std::size_t n = 0; n < nodes(); ++n) {
             if (mean[n] > 0.0) {
-                sent[n] += seen[n].diffuse * lit[n].diffuse / mean[n] * sunlight * sun[n];
+                sent[n] +=
+                    seen[n].diffuse * lit[n].diffuse / mean[n] * sunlight * light.from_sun(n);
             }
-            sent[n] += half_way[n].mirrored * glint * sunlight * sun[n];
+            sent[n] += half_way[n].mirrored * glint * sunlight * light.sun[n];
         }
     }
 
@@ -232,7 +233,7 @@ class NodeSum {
     std::span<const Plume> plumes_;
     const Band& band_;
     const RadianceInput& input_;
-    const SunField* scattered_;
+    const ScatteredSun* scattered_;
     double eye_km_;
     std::vector<std::vector<double>> passed_;  // (hop)(node)
     std::vector<PathSpectrum> air_;            // (hop) before it
@@ -241,7 +242,7 @@ class NodeSum {
 }  // namespace
 
 double hop_radiance(const Hops& hops, std::size_t pixel, std::span<const Plume> plumes,
-                    const Band& band, const RadianceInput& input, const SunField* scattered) {
+                    const Band& band, const RadianceInput& input, const ScatteredSun* scattered) {
     return NodeSum(hops, pixel, plumes, band, input, scattered).sum();
 }
 

@@ -14,6 +14,6 @@ namespace diurna {
 /// itself does not call it; the tests do.
 double hop_radiance(const Hops& hops, std::size_t pixel, std::span<const Plume> plumes,
                     const Band& band, const RadianceInput& input,
-                    const SunField* scattered = nullptr);
+                    const ScatteredSun* scattered = nullptr);
 
 }  // namespace diurna

@@ -105,6 +105,9 @@ void HopTables::fill_materials() {
     for (std::size_t h = 0; h < sun.size(); ++h) {
         sun[h] = lanes.side_by_side(
             [&](std::size_t b) { return sums(band[b], band[b].incident[h].sun); });
+        sun_and_aureole[h] = lanes.side_by_side([&](std::size_t b) {
+            return sums(band[b], from(band[b].incident[h].sun_by_origin(), Origin::sunlight));
+        });
     }
     angle.resize(input.materials.size());
     room.resize(input.materials.size());

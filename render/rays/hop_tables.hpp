@@ -48,8 +48,9 @@ struct HopTables {
     std::vector<std::vector<float>> room;        // (material)(lane) τ B of the room behind
     std::vector<std::vector<float>> absorption;  // (plume)(lane) [m⁻¹]
     std::vector<std::vector<float>> glow;        // (plume)(lane) B(T)
-    std::array<std::vector<float>, 3> sun;       // (height of LitFacets)(lane) irradiance
-    std::vector<BackgroundChannels> from_eye;    // (band), where some hop sees it
+    /// (height of LitFacets)(lane) irradiance of the sun, and with what is scattered next to it
+    std::array<std::vector<float>, 3> sun, sun_and_aureole;
+    std::vector<BackgroundChannels> from_eye;  // (band), where some hop sees it
     MirroredBackground mirrored;
     /// (band) sunlight scattered before places on the line of sight
     std::vector<std::optional<ScatteredPath>> scattered_path;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <numeric>
+#include <utility>
 
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
@@ -253,7 +254,33 @@ TEST_CASE("a plane under the sky reflects the direct and the scattered sunlight"
         return sum;
     };
     CHECK(leaving(0) == Approx(reflectance * (direct + diffuse) / std::numbers::pi).epsilon(1e-4));
-    CHECK(leaving(1) == Approx(reflectance * diffuse / std::numbers::pi).epsilon(1e-4));
+    // In shadow without what of the sky within 12° of the sun is brighter than at 12° from it: here
+    // summed over directions.
+    const SunField field(std::get<BandModel>(summer), {.zenith_deg = 50.0}, band.node_um);
+    const auto sky_at = [&](double from_sun_deg, double turn) {
+        const Eigen::Vector3d sun = direction(0.0, 40.0), up = direction(180.0, 50.0);
+        const double a = radians(from_sun_deg);
+        const Eigen::Vector3d way =
+            std::cos(a) * sun +
+            std::sin(a) * (std::cos(turn) * up + std::sin(turn) * Eigen::Vector3d::UnitX());
+        return std::pair{
+            way.z(),
+            band_sum_nodes(band, field.sky(input.ground_height_km, degrees(std::acos(way.z())),
+                                           degrees(std::atan2(way.x(), way.y()))))};
+    };
+    double aureole = 0.0;
+    constexpr int rings = 24, sectors = 16;
+    for (int j = 0; j < sectors; ++j) {
+        const double turn = 2.0 * std::numbers::pi * (j + 0.5) / sectors;
+        const double edge = sky_at(12.0, turn).second;
+        for (int i = 0; i < rings; ++i) {
+            const double ring = std::cos(radians(0.5 * i)) - std::cos(radians(0.5 * (i + 1)));
+            const auto [cosine, radiance] = sky_at(0.5 * (i + 0.5), turn);
+            aureole += ring * 2.0 * std::numbers::pi / sectors * cosine * (radiance - edge);
+        }
+    }
+    CHECK(aureole > 0.02 * diffuse);
+    CHECK(leaving(1) == Approx(reflectance * (diffuse - aureole) / std::numbers::pi).epsilon(0.01));
 }
 
 TEST_CASE("sunlight is scattered by day, below 5 µm, and in air alone",

@@ -70,10 +70,10 @@ std::vector<Band> two_bands() {
 
 /// A pixel's radiance by the reference: node by node, sighting by sighting.
 double reference(const Morning& world, const View& view, const Observer& observer, const Band& band,
-                 const std::optional<SunField>& scattered, std::size_t pixel,
+                 const std::optional<ScatteredSun>& scattered, std::size_t pixel,
                  std::array<double, term_count>* terms = nullptr) {
     const RadianceInput input = world.input();
-    const SunField* field = scattered ? &*scattered : nullptr;
+    const ScatteredSun* field = scattered ? &*scattered : nullptr;
     const double eye_km = input.ground_height_km + 1e-3 * view.observer_height;
     const auto width = static_cast<std::size_t>(view.width);
     const Eigen::Vector3d to =

@@ -35,8 +35,8 @@ Material plate(const char* name, double albedo, bool scheduled = false) {
     return material;
 }
 
-/// σT⁴ [W m⁻²] of four plates under an even sky of 300 W/m² of sunlight, day and night, of which the
-/// ground below the pyranometer reflects 120, and 250 W/m² of longwave: of albedo 0.1, 0.3, 0.1
+/// σT⁴ [W m⁻²] of four plates under an even sky of 300 W/m² of sunlight, day and night, of which
+/// the ground below the pyranometer reflects 120, and 250 W/m² of longwave: of albedo 0.1, 0.3, 0.1
 /// stepped by itself, and a black one that half sees the sky, half the first. The sun is deep down,
 /// where none of that light counts as coming from round it.
 std::array<double, 4> exitance(const std::vector<double>& share) {

@@ -44,7 +44,8 @@ TEST_CASE("solver and camera receive the same light from one air, clouds include
     const IncidentLight without = incident_light(input, height_km, solar.node_um, nullptr);
     CHECK(band_sum_nodes(solar, with.sun) == Approx(flux.sun_direct).epsilon(1e-4));
     const double diffuse =
-        std::numbers::pi * (band_sum_nodes(solar, with.sky) - band_sum_nodes(solar, without.sky));
+        std::numbers::pi * (band_sum_nodes(solar, with.sky) - band_sum_nodes(solar, without.sky)) +
+        band_sum_nodes(solar, with.aureole) * std::cos(radians(sun.zenith_deg));
     CHECK(diffuse == Approx(flux.sun_diffuse).epsilon(1e-6));
 
     // Eight angles here, four there; beyond 28 um both have the air near by.

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "materials/atmosphere/sun_field.hpp"
+#include "render/light/radiance_input.hpp"
+#include "terrain/visibility/sky_basis.hpp"
+
+namespace diurna {
+
+// The sky's light by direction, in the even functions of terrain/visibility/sky_basis.hpp with the
+// sun (or moon) towards x, about what open level ground takes of them:
+//
+//     L(ω) = L_mean + Σ c_k (f_k(ω) − T_k of level ground),    k = 1 to 9
+//
+// so that level ground receives the mean, and a facet V L_mean + Σ c_k u_k, u_k its UnevenView.
+
+inline constexpr std::size_t uneven_functions = even_sky_functions - 1;
+using UnevenView = std::array<float, uneven_functions>;
+
+/// T_k of a facet less its sky view times those of level ground; all 0 on open level ground.
+UnevenView uneven_view(const RadianceInput& input, FacetId facet);
+/// Of a wall on open ground that faces the sun, or away from it.
+UnevenView uneven_view_of_wall(bool sunward);
+
+/// Heat of air and clouds at a height [W m⁻² sr⁻¹ µm⁻¹], (node).
+struct HeatOfSky {
+    std::vector<double> mean;  // L_mean, ∫₀¹ L d(cos²θ) by eight of Gauss's points
+    std::array<std::vector<double>, 3> uneven;  // c_k of the first functions; the others are none
+};
+HeatOfSky heat_of_sky(const Atmosphere& atmosphere, double height_km,
+                      std::span<const double> node_um);
+
+/// How scattered sunlight is spread, as shares of its irradiance on level ground, (node). Round the
+/// sun it peaks too sharply for the functions: what within 12° is brighter than there counts as
+/// coming from the sun itself.
+struct SunlitShape {
+    std::vector<double> aureole;                                 // on a plane facing the sun
+    std::vector<double> mean;                                    // L_mean of the rest [sr⁻¹]
+    std::array<std::vector<double>, uneven_functions> uneven{};  // its c_k [sr⁻¹]
+};
+SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input);
+
+/// Sunlight scattered by the scene's air, and how that of the sky is spread.
+struct ScatteredSun : SunField {
+    ScatteredSun(SunField field, const RadianceInput& input)
+        : SunField(std::move(field)), shape(sunlit_shape(*this, input)) {}
+    SunlitShape shape;
+};
+
+}  // namespace diurna

@@ -1,0 +1,82 @@
+#include "render/light/sky_modes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t heights = 3, numbers = 1 + uneven_functions;
+constexpr double usual_uneven = 0.3;  // what facets have of an uneven function, at most or so
+constexpr double least = 1e-5;        // of the sky's light
+
+/// The light of a height and number, sunlight above heat, times √weight.
+Eigen::VectorXd column(const Band& band, const IncidentLight& light, std::size_t number) {
+    const std::size_t nodes = band.node_um.size();
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(Eigen::Index(2 * nodes));
+    for (std::size_t part = 0; part < 2; ++part) {
+        const Origin origin = part == 0 ? Origin::sunlight : Origin::sky_heat;
+        for (std::size_t n = 0; n < nodes; ++n) {
+            const double value = number == 0
+                                     ? light.sky_from(origin, n)
+                                     : usual_uneven * light.uneven_from(number - 1, origin, n);
+            c[Eigen::Index(part * nodes + n)] = std::sqrt(band.weight[n]) * value;
+        }
+    }
+    return c;
+}
+
+}  // namespace
+
+void SkyModes::of(float sky_view, const UnevenView& uneven, const std::array<float, 3>& up,
+                  float* out) const {
+    std::array<float, heights * numbers> own;
+    for (std::size_t h = 0; h < heights; ++h) {
+        own[h * numbers] = up[h] * sky_view;
+        for (std::size_t k = 0; k < uneven_functions; ++k) {
+            own[h * numbers + 1 + k] = up[h] * uneven[k];
+        }
+    }
+    Eigen::Map<Eigen::VectorXf>(out, share.rows()) =
+        share * Eigen::Map<const Eigen::VectorXf>(own.data(), Eigen::Index(own.size()));
+}
+
+SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& incident) {
+    const std::size_t nodes = band.node_um.size();
+    Eigen::MatrixXd light(Eigen::Index(2 * nodes), Eigen::Index(heights * numbers));
+    for (std::size_t h = 0; h < heights; ++h) {
+        for (std::size_t k = 0; k < numbers; ++k) {
+            light.col(Eigen::Index(h * numbers + k)) = column(band, incident[h], k);
+        }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(light.transpose() * light);
+    const double greatest = parts.eigenvalues().maxCoeff();
+    SkyModes modes;
+    std::vector<Eigen::Index> kept;
+    for (Eigen::Index k = parts.eigenvalues().size(); k-- > 0;) {
+        if (greatest > 0.0 && parts.eigenvalues()[k] > least * least * greatest) kept.push_back(k);
+    }
+    modes.share.resize(Eigen::Index(kept.size()), light.cols());
+    for (const Eigen::Index k : kept) {
+        const Eigen::VectorXd way = parts.eigenvectors().col(k), spectrum = light * way;
+        const auto row = Eigen::Index(modes.spectrum.size());
+        for (Eigen::Index i = 0; i < way.size(); ++i) {
+            const double scale = i % Eigen::Index(numbers) == 0 ? 1.0 : 1.0 / usual_uneven;
+            modes.share(row, i) = static_cast<float>(scale * way[i]);
+        }
+        LightByOrigin& of = modes.spectrum.emplace_back();
+        for (std::size_t part = 0; part < 2; ++part) {
+            auto& values = from(of, part == 0 ? Origin::sunlight : Origin::sky_heat);
+            for (std::size_t n = 0; n < nodes; ++n) {
+                const double root = std::sqrt(band.weight[n]);
+                values.push_back(root > 0.0 ? spectrum[Eigen::Index(part * nodes + n)] / root
+                                            : 0.0);
+            }
+        }
+    }
+    return modes;
+}
+
+}  // namespace diurna

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "materials/radiation/band.hpp"
+#include "render/light/incident_light.hpp"
+
+namespace diurna {
+
+/// A few spectra that the light of the sky on every facet of a scene is a sum of in a band, by its
+/// sky view, its view of the uneven sky and its height: principal components of the sky's mean and
+/// of its functions' coefficients at three heights, to 1e-5 of the whole.
+struct SkyModes {
+    static constexpr std::size_t most = 3 * (1 + uneven_functions);
+    std::vector<LightByOrigin> spectrum;  // (mode) [W m⁻² sr⁻¹ µm⁻¹]
+    Eigen::MatrixXf share;                // (mode, height × function) of a facet's numbers
+
+    std::size_t size() const { return spectrum.size(); }
+    /// What a facet has of each.
+    ///
+    /// - up: weights of the three heights
+    void of(float sky_view, const UnevenView& uneven, const std::array<float, 3>& up,
+            float* out) const;
+};
+
+/// - incident: at the three heights of LitFacets
+SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& incident);
+
+}  // namespace diurna

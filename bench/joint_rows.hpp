@@ -46,7 +46,7 @@ inline std::string canyon_light() {
     sky[0].diffuse_horizontal = diffuse;
     std::vector<float> incident(canyon.facets.size());
     incident_sunlight({.facets = canyon.facets, .views = canyon.views, .optics = optics},
-                      {.sky = sky, .fraction = {}}, incident);
+                      {.sky = {.sky = sky}, .fraction = {}}, incident);
     const CanyonLight exact = endless_canyon(
         height, width, [](int, double open) { return diffuse * open; }, [](int) { return albedo; },
         [](int) { return 0.0; });

@@ -146,16 +146,14 @@ SkyLight sky_light(const SkyState& sky) {
     const double horizon = diffuse * sky.split.horizon;
     if (!(sine > 0.0)) return {.beam = 0.0, .even = diffuse, .horizon = horizon};
     // Circumsolar light is that of a beam; near the horizon its strength is bounded.
-    const double circumsolar =
-        diffuse * sky.split.circumsolar * std::min(1.0, sine / least_sine);
+    const double circumsolar = diffuse * sky.split.circumsolar * std::min(1.0, sine / least_sine);
     return {.beam = sky.direct_normal + circumsolar / sine,
             .even = diffuse - circumsolar,
             .horizon = horizon};
 }
 
 double facet_sunlight(const SkyLight& light, double seen, const OpenSky& open) {
-    return light.beam * seen +
-           std::max(0.0, light.even * open.view + light.horizon * open.horizon);
+    return light.beam * seen + std::max(0.0, light.even * open.view + light.horizon * open.horizon);
 }
 
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,

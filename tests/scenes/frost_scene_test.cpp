@@ -26,6 +26,9 @@ Prepared january() {
     }
     write_text(folder.path / "january.csv", weather);
     std::string scene = with(small_scene(), "radius_m = 4000.0", "radius_m = 1000.0");
+    scene = with(scene, "place_m = [2000.0, 1100.0]", "place_m = [200.0, 110.0]");
+    const std::size_t hangar = scene.find("[[building]]");
+    scene.erase(hangar, scene.find("[weather]") - hangar);
     const std::string july = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv";
     scene = with(scene, july, (folder.path / "january.csv").string());
     write_text(folder.path / "scene.toml",

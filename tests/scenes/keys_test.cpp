@@ -146,7 +146,14 @@ TEST_CASE("the page tells type, unit, default, range and on what a key depends",
 
 TEST_CASE("no reader asks for a key that the page does not have", "[scenes][keys]") {
     // keys_of_page.hpp holds every document against the page.
-    for (const fs::path& file : samples("scene.toml")) read_scene(file);
+    for (const fs::path& file : samples("scene.toml")) {
+        // Measured weather is made by a script of the scene's, from a file that is not ours.
+        std::vector<std::string> in_its_place;
+        if (!fs::exists(file.parent_path() / "weather.csv")) {
+            in_its_place = {"weather.file=\"../jacksboro/weather.csv\""};
+        }
+        read_scene(file, in_its_place);
+    }
     for (const fs::path& file : samples("column.toml")) read_column_job(file);
     default_material_library();
 }

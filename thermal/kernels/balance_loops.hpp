@@ -28,12 +28,21 @@ constexpr int halvings = 56;      // of the bracket 1 to 5000 K, to its last bit
 template <bool Plate>
 constexpr double near_enough = Plate ? 1e-8 : 1e-4;
 
-/// A correction that leads across the bend proves nothing of what is left, unless it is tiny.
+/// Where a wet surface's balance bends [K]: at the dew point, and as warm as the air, where the
+/// film changes with the root of the difference and vapour with it.
+struct Bends {
+    double dew_point, air;
+};
+/// A correction that leads across the dew point, or is not small beside what is left to the air's
+/// temperature, proves nothing of what is left, unless it is tiny.
 template <bool Wet>
-[[gnu::always_inline]] inline double size_of(double correction, double t, double next,
-                                             double bend) {
+[[gnu::always_inline]] inline double size_of(double correction, double t, double next, Bends bend) {
     double size = std::abs(correction);
-    if (Wet) size = (t - bend) * (next - bend) < 0.0 ? 1e3 * size : size;
+    if (Wet) {
+        const double across = (t - bend.dew_point) * (next - bend.dew_point);
+        const double from_air = std::abs(next - bend.air);
+        size *= across < 0.0 || from_air < 20.0 * size ? 1e3 : 1.0;
+    }
     // Comparisons with NaN are false: it counts as far away.
     return size < 1e9 ? size : 1e9;
 }

@@ -62,7 +62,9 @@ struct SameStep {
           warmer_by(after.air_temperature - before.air_temperature),
           dew_point(s.dew_point) {}
     [[gnu::always_inline]] double warmer(std::size_t) const { return warmer_by; }
-    [[gnu::always_inline]] double bend(std::size_t) const { return dew_point; }
+    [[gnu::always_inline]] Bends bend(std::size_t) const {
+        return {dew_point, at.air.air_temperature};
+    }
 };
 /// Each lane by its height.
 struct LaneStep {
@@ -80,7 +82,9 @@ struct LaneStep {
         }
     }
     [[gnu::always_inline]] double warmer(std::size_t l) const { return warmer_by[l]; }
-    [[gnu::always_inline]] double bend(std::size_t l) const { return dew_point[l]; }
+    [[gnu::always_inline]] Bends bend(std::size_t l) const {
+        return {dew_point[l], at.temperature[l]};
+    }
 };
 
 template <bool Plate, bool Wet, class Step>

@@ -108,7 +108,7 @@ template <bool Plate, bool Wet, class Air, class Bend>
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < split_lanes; ++l) {
             const std::size_t k = first + l;
-            const double bend = bend_at(l);
+            const Bends bend = bend_at(l);
             const double t = s.temperature[k];
             const double correction =
                 (at.flux[l] + p.pull[l] - p.b[l] * t) / (p.b[l] - at.slope[l]);
@@ -161,7 +161,9 @@ struct SameSplit {
     double dew_point;  // [K]
     SameSplit(const AirFilm& air, const AirFilm*, double wet, double, const double*)
         : at{air}, dew_point(wet) {}
-    [[gnu::always_inline]] double bend(std::size_t) const { return dew_point; }
+    [[gnu::always_inline]] Bends bend(std::size_t) const {
+        return {dew_point, at.air.air_temperature};
+    }
 };
 struct LaneSplit {
     AirByLane<split_lanes> at;
@@ -173,7 +175,9 @@ struct LaneSplit {
             dew_point[l] = wet_low + up[l] * (wet_high - wet_low);
         }
     }
-    [[gnu::always_inline]] double bend(std::size_t l) const { return dew_point[l]; }
+    [[gnu::always_inline]] Bends bend(std::size_t l) const {
+        return {dew_point[l], at.temperature[l]};
+    }
 };
 
 template <bool Plate, bool Wet, class Split>
@@ -191,7 +195,10 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
         return air_between(from.at(l), to.at(l), p.at_share[l]);
     };
     const auto bend_at = [&](std::size_t l) __attribute__((always_inline)) {
-        return to.bend(l) + (1.0 - p.at_share[l]) * (from.bend(l) - to.bend(l));
+        const double back = 1.0 - p.at_share[l];
+        const Bends begin = from.bend(l), end = to.bend(l);
+        return Bends{end.dew_point + back * (begin.dew_point - end.dew_point),
+                     end.air + back * (begin.air - end.air)};
     };
     for (int part = 0; part <= parts_after_jump; ++part) {
         enter_part(c, s, first, part, p);

@@ -210,6 +210,8 @@ void PointFacets::run(const Level& level, Point& p) const {
     }
     p.kelvin.resize(instants);
     const bool periodic = solve_.options.periodic;
+    double before = 1e9;
+    bool plain = false;
     for (int pass = 0; pass < most_passes; ++pass) {
         const std::vector<double> start = facet.u;
         const Standing stood = facet.standing;
@@ -227,7 +229,11 @@ void PointFacets::run(const Level& level, Point& p) const {
             break;
         }
         p.residual = facet.change_since(start);
-        p.move = facet.close_period(start, map);
+        // Where a front of freezing passes other nodes than it did, the map before misleads: a
+        // plain pass brings it on its way.
+        plain = !plain && p.residual > 0.5 * before && !facet.column.linear();
+        before = p.residual;
+        p.move = plain ? p.residual : facet.close_period(start, map);
         if (p.residual <= solve_.options.tolerance && p.move <= 0.01 &&
             apart(facet.standing, stood) <= settled_water) {
             break;

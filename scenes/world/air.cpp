@@ -11,6 +11,7 @@
 #include "materials/base/units.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
+#include "thermal/weather/apparent_sun.hpp"
 #include "thermal/weather/sky_series.hpp"
 
 namespace diurna {
@@ -44,9 +45,10 @@ Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& s
     const auto fill = [&](std::size_t i) {
         const Instant instant = driven.instant[i];
         const SunPosition sun = sun_position(world.site, instant);
+        const SunPosition seen = apparent_sun(sun, weather.air_at(instant), weather.height);
         const GroundFluxes flux = ground_fluxes(
             atmosphere_over(scene, world, weather, ground, instant),
-            {.zenith_deg = 90.0 - sun.elevation_deg, .distance_au = sun.distance_au}, ground_km);
+            {.zenith_deg = 90.0 - seen.elevation_deg, .distance_au = seen.distance_au}, ground_km);
         Forcing forcing = weather.at(instant);
         if (std::isnan(forcing.shortwave_down) && std::isnan(forcing.direct_normal)) {
             forcing.direct_normal = flux.sun_direct;

@@ -36,26 +36,32 @@ std::vector<Instant> every_half_hour(double from_h, double to_h) {
     return wanted;
 }
 
-SpanResult walk(const World& world, double from_h, double to_h, SpanStart begin) {
-    const SunExposure none;
-    const auto exposure = [&](const std::vector<Instant>& instants) {
+SolveInput input_of(const World& world) {
+    static const SunExposure none;
+    return {.facets = world.facets,
+            .views = world.view,
+            .sun = none,
+            .materials = world.materials,
+            .weather = world.weather,
+            .site = tennessee,
+            .elevation = 400.0};
+}
+
+ExposureOf exposure_of(const World& world) {
+    return [&world](const std::vector<Instant>& instants) {
         return shadows(world.facets, world.rays, tennessee,
                        {.start = instants.front(),
                         .duration = seconds_between(instants.front(), instants.back())});
     };
+}
+
+SpanResult walk(const World& world, double from_h, double to_h, SpanStart begin) {
     SpanOptions options;
     options.start = later(june, hour * from_h);
     options.end = later(june, hour * to_h);
     options.begin = begin;
     options.wanted = every_half_hour(from_h, to_h);
-    return solve_span({.facets = world.facets,
-                       .views = world.view,
-                       .sun = none,
-                       .materials = world.materials,
-                       .weather = world.weather,
-                       .site = tennessee,
-                       .elevation = 400.0},
-                      exposure, options);
+    return solve_span(input_of(world), exposure_of(world), options);
 }
 
 /// [K] the largest difference between a day and another span at the same hours, from one hour of
@@ -192,19 +198,8 @@ SpanOptions two_days(SpanStart begin, int days_before) {
 TEST_CASE("what the start is worth is told", "[thermal][span][start]") {
     World world(8);
     world.weather = waves();
-    const SunExposure none;
-    const SolveInput input{.facets = world.facets,
-                           .views = world.view,
-                           .sun = none,
-                           .materials = world.materials,
-                           .weather = world.weather,
-                           .site = tennessee,
-                           .elevation = 400.0};
-    const auto exposure = [&](const std::vector<Instant>& instants) {
-        return shadows(world.facets, world.rays, tennessee,
-                       {.start = instants.front(),
-                        .duration = seconds_between(instants.front(), instants.back())});
-    };
+    const SolveInput input = input_of(world);
+    const ExposureOf exposure = exposure_of(world);
     const TemperatureField truth =
         solve_span(input, exposure, two_days(SpanStart::weather, 120)).temperature;
     for (const auto& [begin, days] :
@@ -229,14 +224,7 @@ TEST_CASE("what the start is worth is told", "[thermal][span][start]") {
 
 TEST_CASE("a start of which nothing better is known says so", "[thermal][span][start]") {
     World world(2);
-    const SunExposure none;
-    SolveInput input{.facets = world.facets,
-                     .views = world.view,
-                     .sun = none,
-                     .materials = world.materials,
-                     .weather = world.weather,
-                     .site = tennessee,
-                     .elevation = 400.0};
+    SolveInput input = input_of(world);
     SpanOptions options = two_days(SpanStart::known, 3);
     options.end = later(june, day);
     options.wanted = {options.start, options.end};
@@ -254,19 +242,8 @@ TEST_CASE("a start of which nothing better is known says so", "[thermal][span][s
 TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span][state]") {
     World world(6);
     world.weather = waves();
-    const SunExposure none;
-    const SolveInput input{.facets = world.facets,
-                           .views = world.view,
-                           .sun = none,
-                           .materials = world.materials,
-                           .weather = world.weather,
-                           .site = tennessee,
-                           .elevation = 400.0};
-    const auto exposure = [&](const std::vector<Instant>& instants) {
-        return shadows(world.facets, world.rays, tennessee,
-                       {.start = instants.front(),
-                        .duration = seconds_between(instants.front(), instants.back())});
-    };
+    const SolveInput input = input_of(world);
+    const ExposureOf exposure = exposure_of(world);
     const SpanResult whole = solve_span(input, exposure, two_days(SpanStart::weather, 1));
     SpanOptions first = two_days(SpanStart::weather, 1);
     first.end = later(june, day);

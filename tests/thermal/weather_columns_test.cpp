@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "tests/support/refused_weather.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/weather_file/read_weather.hpp"
 
@@ -12,26 +13,7 @@
 // numbers read off them by hand, through published conversions.
 
 using namespace diurna;
-
-namespace {
-
-/// What a file of this name and text is refused with; "" if it is not.
-std::string message_of(const std::filesystem::path& file, const std::string& text,
-                       const WeatherOptions& options = {}) {
-    write_text(file, text);
-    try {
-        read_weather(file, options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-}  // namespace
+using namespace diurna::testing;
 
 TEST_CASE("ERA5 CSV: joules of an hour, components of wind, a dew point",
           "[thermal][weather_file]") {
@@ -130,9 +112,9 @@ TEST_CASE("columns of other names are read in the units they are declared in",
     const std::string text =
         "#DEBUG: header of the archive\n"
         "station,valid,tmpf,dwpf,relh,sknt,p01i,alti,skyc1\n"
-        "KXXX,2025-07-01 11:53,68.00,50.00,M,10.00,0.10,29.92,FEW\n"
-        "KXXX,2025-07-01 12:53,77.00,50.00,40.0,M,T,30.02,SCT\n"
-        "KXXX,2025-07-01 13:53,86.00,50.00,30.0,20.00,M,29.92,SCT\n";
+        "KTYS,2025-07-01 11:53,68.00,50.00,M,10.00,0.10,29.92,FEW\n"
+        "KTYS,2025-07-01 12:53,77.00,50.00,40.0,M,T,30.02,SCT\n"
+        "KTYS,2025-07-01 13:53,86.00,50.00,30.0,20.00,M,29.92,SCT\n";
     const std::vector<DeclaredColumn> columns{
         declared("valid", "time UTC"),       declared("tmpf", "air_temperature degF"),
         declared("dwpf", "dew_point degF"),  declared("relh", "relative_humidity %"),

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "materials/base/error.hpp"
+#include "tests/support/refused_weather.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/weather_file/read_weather.hpp"
@@ -14,24 +15,9 @@
 // by hand, through published conversions.
 
 using namespace diurna;
+using namespace diurna::testing;
 
 namespace {
-
-/// What a file of this name and text is refused with; "" if it is not.
-std::string message_of(const std::filesystem::path& file, const std::string& text,
-                       const WeatherOptions& options = {}) {
-    write_text(file, text);
-    try {
-        read_weather(file, options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 /// The rows of an EPW file at 106° W, 39.7° N, 1829 m, seven hours behind UTC.
 std::string epw(const std::string& rows) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "materials/base/error.hpp"
+#include "tests/support/refused_weather.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/weather/sky_series.hpp"
 #include "thermal/weather/sky_state.hpp"
@@ -13,6 +14,7 @@
 // What a file does not hold: before its start, behind its end and in between.
 
 using namespace diurna;
+using namespace diurna::testing;
 
 namespace {
 
@@ -32,19 +34,6 @@ std::string hours(int from, int to, int out_from = -1, int out_to = -2) {
 }
 
 Instant at_hour(double h) { return later(parse_instant("2020-06-01T00:00:00Z"), 3600.0 * h); }
-
-std::string refused(const std::filesystem::path& file, const WeatherOptions& options) {
-    try {
-        read_weather(file, options);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-bool has(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 

@@ -18,12 +18,13 @@ struct EdgeSearch {
     double tolerance = 5.0;     // [s]: 5 s late are 0.1 K and less a minute after the edge
 };
 
-/// Edges of a day before and of one after, at the same hours; a facet that has one within a step on
-/// both has it, that day, in between. Edges ascend by step and facet, as find_edges leaves them.
+/// Edges of a day before and of one after, at the same hours: where a facet has one within a step
+/// on both, that of the day in between is looked for on the line between them first. They ascend by
+/// step and facet, as find_edges leaves them.
 struct EdgesAround {
     std::span<const ShadowEdge> before{}, after{};
     double share = 0.0;     // of the way from the day before to that after
-    float furthest = 0.1f;  // of a step between the two
+    float furthest = 0.5f;  // of a step between the two, for that to be tried
 };
 
 /// Fills sun.edge: when, within each step, a facet's share in the sun passes the middle of what it

@@ -55,9 +55,10 @@ std::optional<Window> window_of(const std::string& text) {
     }
     const std::string word = unit;
     const double scale = word == "s" ? 1.0 : word == "min" ? 60.0 : word == "h" ? 3600.0 : 0.0;
-    const Window window{3600.0 * h1 + 60.0 * m1, 3600.0 * h2 + 60.0 * m2, every * scale};
-    const bool good =
-        m1 < 60 && m2 < 60 && window.from < window.to && window.to <= day && window.every >= 1.0;
+    Window window{3600.0 * h1 + 60.0 * m1, 3600.0 * h2 + 60.0 * m2, every * scale};
+    const bool within_a_day = window.from < day && window.to <= day && window.from != window.to;
+    if (window.to < window.from) window.to += day;  // over midnight
+    const bool good = m1 < 60 && m2 < 60 && within_a_day && window.every >= 1.0;
     return good ? std::optional(window) : std::nullopt;
 }
 
@@ -65,7 +66,8 @@ void add_window(const Window& window, double offset, const TimeInput& time,
                 std::vector<Instant>& frames) {
     const double since = std::chrono::duration<double>(time.start.time_since_epoch()).count();
     const double midnight = std::floor((since + offset) / day) * day - offset;
-    for (double of_day = midnight - since; of_day <= time.duration; of_day += day) {
+    // From the day before: a window may go over midnight.
+    for (double of_day = midnight - since - day; of_day <= time.duration; of_day += day) {
         const auto count = static_cast<long>((window.to - window.from) / window.every + 1e-9);
         for (long i = 0; i <= count && frames.size() <= most_frames; ++i) {
             const double at = of_day + window.from + double(i) * window.every;

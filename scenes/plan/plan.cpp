@@ -19,6 +19,8 @@ constexpr double sky_per_facet = 9e-6;
 constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
 constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
 constexpr double heat_per_facet_step = 0.25e-6;      // all passes and the exchange
+constexpr double heat_per_freezing_point = 30e-3;    // a day, found by Newton
+constexpr double frost_air = 276.0;                  // [K] under which open ground may freeze
 constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
 constexpr double flux_passes = 1.3;                  // of the heat balance, where it is taken down
 constexpr double write_per_value = 0.08e-6;
@@ -42,15 +44,21 @@ std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     return kinds.empty() ? "none" : fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-/// Facets that are solved one by one whatever the weather.
-std::size_t always_points(const Scene& scene, const World& world) {
-    std::vector<bool> single;
+/// Processor time of facets that are solved one by one, a day [s].
+double point_seconds(const Scene& scene, const World& world, const Weather& weather) {
+    const bool frost = std::any_of(weather.sample.begin(), weather.sample.end(),
+                                   [](const Forcing& f) { return f.air.temperature < frost_air; });
+    std::vector<double> each;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
-        single.push_back(point_need(material.thermal) == PointNeed::always);
+        const PointNeed need = point_need(material.thermal);
+        each.push_back(need == PointNeed::always                 ? heat_per_point
+                       : need == PointNeed::if_freezing && frost ? heat_per_freezing_point
+                                                                 : 0.0);
     }
-    return std::size_t(std::count_if(world.facets.material.begin(), world.facets.material.end(),
-                                     [&](MaterialId id) { return single[index(id)]; }));
+    double sum = 0.0;
+    for (const MaterialId id : world.facets.material) sum += each[index(id)];
+    return sum;
 }
 
 /// How many instants, pixels and rays there are.
@@ -75,7 +83,7 @@ void count_work(const Scene& scene, const World& world, Plan& plan) {
 }
 
 /// What each stage takes, and the memory of all.
-void estimate(const Scene& scene, const World& world, Plan& plan) {
+void estimate(const Scene& scene, const World& world, const Weather& weather, Plan& plan) {
     const double facets = double(plan.facets), ground = double(world.ground_facets);
     const double threads = thread_count(), frames = double(plan.frames.size());
     const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
@@ -84,7 +92,7 @@ void estimate(const Scene& scene, const World& world, Plan& plan) {
         band_pixels += double(observer.width) * observer.height * double(observer.bands.size());
     }
     const double through = scene.plumes.empty() ? 1.0 : seen_through;
-    const double points = double(always_points(scene, world));
+    const double points = point_seconds(scene, world, weather);
     // Fluxes: one more pass, eight values beside each temperature that is kept.
     const double kept = double(scene_span(scene).wanted.size());
     const double day_steps = 86400.0 / scene.time.step + 1.0;  // no more than a day is held
@@ -95,9 +103,8 @@ void estimate(const Scene& scene, const World& world, Plan& plan) {
         {"shadows",
          sunlit * (shadow_per_ground_facet * ground + shadow_per_object_facet * (facets - ground)) /
              threads},
-        {"heat balance", passes * steps *
-                             (heat_per_facet_step * facets + heat_per_point / 144.0 * points) /
-                             threads},
+        {"heat balance",
+         passes * steps * (heat_per_facet_step * facets + points / 144.0) / threads},
         {"write temperatures", write_per_value * values},
         {"views", through * cast_per_ray * double(plan.view_rays) / threads},
         {"frames", frames *
@@ -166,10 +173,10 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const World& world) {
+Plan make_plan(const Scene& scene, const World& world, const Weather& weather) {
     Plan plan;
     count_work(scene, world, plan);
-    estimate(scene, world, plan);
+    estimate(scene, world, weather, plan);
     plan.decisions = decisions_of(scene, world, plan);
     return plan;
 }

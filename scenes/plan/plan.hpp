@@ -6,6 +6,7 @@
 
 #include "scenes/input/scene.hpp"
 #include "scenes/world/world.hpp"
+#include "thermal/weather/weather.hpp"
 
 namespace diurna {
 
@@ -39,7 +40,7 @@ struct Plan {
 };
 
 /// A pure function of the scene and its facets.
-Plan make_plan(const Scene& scene, const World& world);
+Plan make_plan(const Scene& scene, const World& world, const Weather& weather);
 
 /// The plan as the text `diurna plan` prints.
 std::string describe(const Plan& plan);

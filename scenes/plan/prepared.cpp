@@ -62,7 +62,7 @@ Prepared prepare(Scene scene) {
     }
     std::vector<std::string> notes = dem.notes;
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
-    Plan plan = make_plan(scene, world);
+    Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {
         notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",

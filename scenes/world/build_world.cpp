@@ -59,7 +59,12 @@ World build_world(const Scene& scene, const Dem& dem) {
     std::vector<ShapeBuilding> shapes =
         shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
     // The walls stand on the vertices of the ground round them.
-    auto borders = append_ground(world, scene, dem, walled_plans(boxes, shapes));
+    const std::vector<WalledPlan> plans = walled_plans(boxes, shapes);
+    auto borders = append_ground(world, scene, dem, plans);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        // Where plans overlap: the raster round them.
+        if (borders[i].empty()) borders[i] = raster_border(plans[i], dem, world.site);
+    }
     auto border = borders.begin();
     for (BoxSpec& spec : boxes) spec.foot = std::move(*border++);
     for (ShapeBuilding& building : shapes) building.prism.foot = std::move(*border++);

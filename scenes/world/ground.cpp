@@ -214,6 +214,24 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
     return borders;
 }
 
+std::vector<Eigen::Vector3d> raster_border(const WalledPlan& plan, const Dem& dem,
+                                           const Site& site) {
+    std::vector<Eigen::Vector3d> border;
+    for (std::size_t i = 0; i < plan.ring.size(); ++i) {
+        const Eigen::Vector2d a = plan.ring[i], side = plan.ring[(i + 1) % plan.ring.size()] - a;
+        const int parts = std::max(1, static_cast<int>(std::ceil(side.norm() / plan.foot_edge)));
+        for (int k = 0; k < parts; ++k) {
+            const Eigen::Vector2d p = a + side * (double(k) / parts);
+            const Geodetic below = to_geodetic(site, {p.x(), p.y(), 0.0});
+            const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
+            if (std::isnan(height)) return {};
+            const Geodetic on{below.latitude_deg, below.longitude_deg, height};
+            border.emplace_back(p.x(), p.y(), to_local(site, on).z());
+        }
+    }
+    return border;
+}
+
 void mark_filled(World& world, const Dem& dem) {
     if (dem.is_void.empty()) return;
     std::vector<Eigen::Vector2d> east_north;

@@ -28,6 +28,11 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
                                                         const Dem& dem,
                                                         std::span<const WalledPlan> buildings);
 
+/// The raster's heights round a plan, as far apart as the ground's vertices there; empty where it
+/// lies outside or over a void.
+std::vector<Eigen::Vector3d> raster_border(const WalledPlan& plan, const Dem& dem,
+                                           const Site& site);
+
 /// Marks the ground facets whose elevation was filled in.
 void mark_filled(World& world, const Dem& dem);
 

@@ -46,6 +46,12 @@ TEST_CASE("pictures are taken every so often, at instants and in windows", "[sce
                     "2026-03-08T03:07:00Z", "2026-03-08T10:00:00Z", "2026-03-08T10:20:00Z",
                     "2026-03-08T10:40:00Z", "2026-03-08T11:00:00Z", "2026-03-09T10:00:00Z",
                     "2026-03-09T10:20:00Z", "2026-03-09T10:40:00Z", "2026-03-09T11:00:00Z"});
+    // A window over midnight, of the night on which the span begins and of the next.
+    const TimeInput night =
+        time_of(start + "duration_h = 26.0\nframes = [\"23:30-00:30 every 30 min\"]");
+    CHECK(night.frames.size() == 5);
+    CHECK(seconds_between(night.start, night.frames.at(0)) == 1.5 * 3600.0);
+    CHECK(seconds_between(night.start, night.frames.at(2)) == 2.5 * 3600.0);
     CHECK_THROWS_WITH(time_of(start + "frames = [\"at dawn\"]"), Catch::Contains("time.frames"));
     CHECK_THROWS_WITH(time_of(start + "frames = [\"2026-03-09T03:00:01Z\"]"),
                       Catch::Contains("outside the span"));

@@ -80,7 +80,7 @@ TEST_CASE("the ground below a place is the raster's", "[scenes][world]") {
 
 TEST_CASE("the plan counts what will be done", "[scenes][plan]") {
     const Built b = built(small_scene());
-    const Plan plan = make_plan(b.scene, b.world);
+    const Plan plan = make_plan(b.scene, b.world, {});
     CHECK(plan.facets == b.world.facets.size());
     CHECK(plan.steps.size() == 24 * 3 + 1);
     CHECK(plan.frames.size() == 4);

@@ -110,6 +110,10 @@ TEST_CASE("EPW: hours end at their stamp in local standard time, nines are missi
     CHECK(has(message_of(file, one, {.columns = {declared_column("x", "time UTC", "x")}}),
               "is of a format that has its own columns"));
     CHECK(has(message_of(file, "time,air_temperature_K\n"), "is named .epw"));
+    // Celsius taken for kelvin.
+    CHECK(has(
+        message_of(folder.path / "own.csv", "time,air_temperature_K\n2026-07-15T00:00:00Z,24.0\n"),
+        "own.csv:2"));
     CHECK(has(message_of(file, epw(epw_row("2019,7,15,12,0", "24,0x", "310,800,900,110"))),
               "denver.epw:9"));
 }

@@ -12,7 +12,7 @@ namespace {
 using enum QuantityKind;
 
 constexpr std::array<QuantityFacts, quantity_count> all{{
-    {"air_temperature", "air_temperature_K", 1.0, 1000.0, state, nullptr},
+    {"air_temperature", "air_temperature_K", 100.0, 400.0, state, nullptr},
     {"dew_point", "dew_point_K", 1.0, 400.0, state, nullptr},
     {"relative_humidity", "relative_humidity", 0.0, 1.1, state, "humidity 0.5"},
     {"pressure", "pressure_Pa", 100.0, 120000.0, state, "pressure of the standard atmosphere"},

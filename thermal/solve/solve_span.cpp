@@ -188,8 +188,15 @@ Instant day_around(const SolveInput& input, Instant start, double step) {
     const double since = std::chrono::duration<double>(start.time_since_epoch()).count();
     const double ahead = input.site.longitude_deg * 240.0;  // [s] of mean solar time before UTC
     const double of_day = std::fmod(std::fmod(since + ahead, day) + day, day);
-    const Instant midnight = later(start, -step * std::round(of_day / step));
-    const bool known = seconds_between(input.weather.instant.front(), midnight) >= -3600.0;
+    Instant midnight = later(start, -step * std::round(of_day / step));
+    // A file of one day may begin a little after it: in the dark as well.
+    const Instant first = later(input.weather.instant.front(), -0.5 * input.weather.span_of(0));
+    const double short_of = seconds_between(midnight, first);
+    if (short_of > 0.0 && short_of < 7200.0) {
+        midnight = later(midnight, step * std::ceil(short_of / step - 1e-9));
+    }
+    const bool known = midnight >= first && midnight < start &&
+                       sun_position(input.site, midnight).elevation_deg < -1.0;
     return known ? midnight : start;
 }
 

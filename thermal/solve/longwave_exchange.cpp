@@ -194,7 +194,11 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             for (const std::size_t f : block.facet) {
                 most = std::max(most, field.most[f]);
             }
-            if (most < least || !block.period) return;
+            if (!block.has_run()) return;
+            if (most < least) {
+                block.unfollowed += double(most);
+                return;
+            }
             const auto count = Eigen::Index(block.facet.size());
             const auto n = Eigen::Index(block.start.size() / block.stride);
             const float emissivity = solve.optics.emissivity[block.facet.front()];
@@ -219,9 +223,13 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
                 block.nudge += (kind.modes ? Eigen::MatrixXd(kind.modes->probe * start) : start)
                                    .cwiseAbs()
                                    .maxCoeff();
+            } else {
+                BlockStates(block.change.data(), n, count,
+                            Eigen::OuterStride<>(Eigen::Index(block.stride))) += day.state;
             }
             warm(solve, level, block, day.warmer);
             warmest[b] = day.warmer.cwiseAbs().maxCoeff();
+            block.warmed += warmest[b];
             for (std::size_t l = 0; l < block.facet.size(); ++l) {
                 const std::size_t f = block.facet[l];
                 field.sends[f] = 1;

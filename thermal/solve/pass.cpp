@@ -14,7 +14,7 @@ void pass(SolveState& solve, const Level& level, double progress_from, double pr
             to - from,
             [&](std::size_t b) {
                 Block& block = solve.block[from + b];
-                block.rests = !solve.record && block.settled(solve.options.tolerance);
+                block.rests = !solve.record && block.settled(solve.options);
                 if (block.rests) return;
                 if (level.kind[block.material].modes) {
                     run_modes(solve, level, block);
@@ -23,6 +23,7 @@ void pass(SolveState& solve, const Level& level, double progress_from, double pr
                 } else {
                     run_layered(solve, level, block);
                 }
+                block.heat_change = block.unfollowed = block.warmed = 0.0;
             },
             4);
         if (solve.options.progress) {

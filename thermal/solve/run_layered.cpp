@@ -189,7 +189,7 @@ class LayeredRun {
     }
 
     void compare_with_start() {
-        block_.residual = block_.heat_change = 0.0;
+        block_.residual = 0.0;
         block_.change.resize(batch_.state.size());
         for (std::size_t i = 0; i < kind_.column.grid.size(); ++i) {
             for (std::size_t l = 0; l < count_; ++l) {

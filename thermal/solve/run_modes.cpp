@@ -49,7 +49,6 @@ void compare_with_start(const ModeColumn& modes, ModeBatch& batch, Block& block)
     }
     change -= block_states(block.start, n, block);
     block.residual = (modes.probe * change).cwiseAbs().maxCoeff();
-    block.heat_change = 0.0;
 }
 
 /// What the columns take in at a step's end: the drive less the film's part and what comes from

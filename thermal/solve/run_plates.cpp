@@ -83,7 +83,6 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     change.noalias() = step.turn * state;
     change -= start;
     block.residual = change.cwiseAbs().maxCoeff();
-    block.heat_change = 0.0;
 }
 
 }  // namespace diurna

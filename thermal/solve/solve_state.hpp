@@ -45,7 +45,9 @@ struct Block {
     std::vector<double> move, planned;  // [state][lane] of the start after the pass before: what
                                         // was done, and what the material's matrix alone would do
     double residual = 1e9;              // [K] largest of `change`
-    double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run
+    double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run;
+    double unfollowed = 0.0;            // of that, what temperatures were not moved by;
+    double warmed = 1e9;                // [K] what they were moved by
     double largest_move = 1e9;          // [K] of `move`
     double nudge = 0.0;                 // [K] what neighbours moved the start by since
     bool rests = false;                 // left out of the last pass
@@ -56,10 +58,16 @@ struct Block {
     std::vector<double> back_slope;  // of plates' backs
     std::vector<double> steepness;   // [lane] Σ over the span of its own slopes, faces together
 
-    /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK.
-    bool settled(double tolerance) const {
-        return residual <= tolerance && largest_move <= 0.01 && heat_change <= 0.05;
+    /// Running it again would change nothing that counts: 0.05 W/m² of longwave are 3 mK. Of a
+    /// span that does not repeat, what it was moved by to first order is exact enough where it is
+    /// no more than neighbours' heat may be worth in the end (on the default scene's second and
+    /// third day 0.0003 K rms from a run again, 0.013 K at the most).
+    bool settled(const SolveOptions& options) const {
+        if (!options.periodic) return warmed <= options.settled && unfollowed <= 0.05;
+        return residual <= options.tolerance && largest_move <= 0.01 && heat_change <= 0.05;
     }
+    /// It has run on this level: there are slopes to go by.
+    bool has_run() const { return !slope.empty(); }
 };
 
 /// States of a block where they lie, (state, lane), `stride` lanes from one state to the next.

@@ -164,7 +164,7 @@ void pass_in_hours(SolveState& solve, const std::vector<MaterialId>& materials, 
     for (Block& block : solve.block) {
         block.move.clear();
         block.residual = 1e9;
-        block.period.reset();
+        block.slope.clear();
     }
 }
 
@@ -199,7 +199,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points, So
             const double done = std::min(0.95, report.passes / usual_passes);
             pass(solve, level, done, std::min(1.0, done + 1.0 / usual_passes));
             ++report.passes;
-            if (report.passes == 1) renew_matrices(solve, level, solve.block);
+            if (options.periodic && report.passes == 1) renew_matrices(solve, level, solve.block);
             if (options.periodic) correct(solve, level);
             points.pass(solve, level);
         }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace diurna {
 
@@ -17,6 +19,28 @@ bool typical(const std::vector<LocalRow>& rows) {
     return false;
 }
 
+bool on(const LocalRow& row, int month, int day) { return row.month == month && row.day == day; }
+
+/// The rows of a typical year in the order of a given one, each with its day of February there: a
+/// leap day of the file goes by in common years; in leap years the day before stands for one that
+/// is not in the file.
+std::vector<std::pair<std::size_t, int>> rows_of_year(const std::vector<LocalRow>& rows, int year) {
+    const bool leap = std::chrono::year(year).is_leap();
+    const bool has_leap_day =
+        std::any_of(rows.begin(), rows.end(), [](const LocalRow& row) { return on(row, 2, 29); });
+    std::vector<std::pair<std::size_t, int>> order;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (on(rows[i], 2, 29) && !leap) continue;
+        order.emplace_back(i, rows[i].day);
+        const bool last = i + 1 == rows.size() || !on(rows[i + 1], 2, 28);
+        if (!leap || has_leap_day || !on(rows[i], 2, 28) || !last) continue;
+        std::size_t first = i;
+        while (first > 0 && on(rows[first - 1], 2, 28)) --first;
+        for (std::size_t k = first; k <= i; ++k) order.emplace_back(k, 29);
+    }
+    return order;
+}
+
 int local_year(Instant instant, double offset_h) {
     using namespace std::chrono;
     const year_month_day date(floor<days>(later(instant, 3600.0 * offset_h)));
@@ -27,24 +51,20 @@ int local_year(Instant instant, double offset_h) {
 
 void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const AskedSpan& asked,
                     WeatherTable& table, const std::function<void(std::size_t)>& put_values) {
-    const auto add = [&](std::size_t i, int year) {
+    const auto add = [&](std::size_t i, int year, int day) {
         const LocalRow& row = rows[i];
-        add_row(table, local_instant(year, row.month, row.day, row.seconds, offset_h, row.where),
+        add_row(table, local_instant(year, row.month, day, row.seconds, offset_h, row.where),
                 row.where);
         put_values(i);
     };
     if (!typical(rows)) {
-        for (std::size_t i = 0; i < rows.size(); ++i) add(i, rows[i].year);
+        for (std::size_t i = 0; i < rows.size(); ++i) add(i, rows[i].year, rows[i].day);
         return;
     }
     const int first = asked.any() ? local_year(asked.first(), offset_h) : rows.front().year;
     const int last = asked.any() ? local_year(asked.last(), offset_h) : first;
     for (int year = first; year <= last; ++year) {
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const bool leap_day = rows[i].month == 2 && rows[i].day == 29;
-            if (leap_day && !std::chrono::year(year).is_leap()) continue;
-            add(i, year);
-        }
+        for (const auto& [i, day] : rows_of_year(rows, year)) add(i, year, day);
     }
     table.notes.push_back(fmt::format(
         "a typical year, its months of several years, taken for {}",

@@ -33,7 +33,7 @@ struct LocalRow {
 /// Files of a typical year (EPW, TMY3) take each month from another year. Where the years of rows
 /// change otherwise than at New Year, the rows stand for every year that the span asked for
 /// touches (without one: for the year of the first row), and a note says so. Such years have no 29
-/// February.
+/// February; in a leap year the 28th stands for it too.
 void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const AskedSpan& asked,
                     WeatherTable& table, const std::function<void(std::size_t)>& put_values);
 

@@ -8,6 +8,7 @@
 #include "scenes/world/ground.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/structures.hpp"
+#include "terrain/objects/walls.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geoid.hpp"
 
@@ -63,7 +64,9 @@ World build_world(const Scene& scene, const Dem& dem) {
     auto borders = append_ground(world, scene, dem, plans);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         // Where plans overlap: the raster round them.
-        if (borders[i].empty()) borders[i] = raster_border(plans[i], dem, world.site);
+        if (!goes_round(borders[i], plans[i].ring)) {
+            borders[i] = raster_border(plans[i], dem, world.site);
+        }
     }
     auto border = borders.begin();
     for (BoxSpec& spec : boxes) spec.foot = std::move(*border++);

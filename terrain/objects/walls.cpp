@@ -13,10 +13,18 @@ namespace {
 
 using Line = std::vector<Eigen::Vector3d>;
 
-constexpr double corner_tolerance = 1.0;  // [m], beyond the rings' snapping to posts
-constexpr double least_height = 0.01;     // [m] of a wall that is built
+constexpr double plan_tolerance = 1.0;  // [m], beyond the rings' snapping to posts
+constexpr double least_height = 0.01;   // [m] of a wall that is built
 
-/// The foot of each side of the plan; none if the border does not pass the corners in order.
+double distance_to_side(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
+                        const Eigen::Vector2d& b) {
+    const Eigen::Vector2d side = b - a;
+    const double share = std::clamp((p - a).dot(side) / side.squaredNorm(), 0.0, 1.0);
+    return (a + share * side - p).norm();
+}
+
+/// The foot of each side of the plan; none if the border does not pass the corners in order or
+/// leaves a side.
 std::optional<std::vector<Line>> foot_of_sides(const Ring& ring, const Line& border) {
     if (border.size() < ring.size()) return {};
     std::vector<std::size_t> at;
@@ -25,7 +33,7 @@ std::optional<std::vector<Line>> foot_of_sides(const Ring& ring, const Line& bor
             border.begin(), border.end(), [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
                 return (a.head<2>() - corner).squaredNorm() < (b.head<2>() - corner).squaredNorm();
             });
-        if ((nearest->head<2>() - corner).norm() > corner_tolerance) return {};
+        if ((nearest->head<2>() - corner).norm() > plan_tolerance) return {};
         at.push_back(std::size_t(nearest - border.begin()));
     }
     std::vector<Line> sides;
@@ -35,7 +43,12 @@ std::optional<std::vector<Line>> foot_of_sides(const Ring& ring, const Line& bor
         const std::size_t steps = (at[(i + 1) % at.size()] + n - at[i]) % n;
         walked += steps;
         Line side;
-        for (std::size_t k = 0; k <= steps; ++k) side.push_back(border[(at[i] + k) % n]);
+        for (std::size_t k = 0; k <= steps; ++k) {
+            const Eigen::Vector3d& p = border[(at[i] + k) % n];
+            const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % at.size()];
+            if (distance_to_side(p.head<2>(), a, b) > plan_tolerance) return {};
+            side.push_back(p);
+        }
         sides.push_back(std::move(side));
     }
     if (walked != border.size()) return {};
@@ -162,6 +175,10 @@ class Side {
 };
 
 }  // namespace
+
+bool goes_round(const std::vector<Eigen::Vector3d>& border, const Ring& ring) {
+    return foot_of_sides(ring, border).has_value();
+}
 
 bool append_walls(const WallsSpec& spec, ObjectMesh& mesh) {
     const std::size_t corners = spec.ring.size();

@@ -22,9 +22,11 @@ struct WallsSpec {
     std::vector<MaterialId> material{};   // (side of the plan), from its corner to the next
 };
 
+/// Whether a border follows a plan within a metre, corner by corner.
+bool goes_round(const std::vector<Eigen::Vector3d>& border, const Ring& ring);
+
 /// Appends them to a mesh, vertices shared between neighbours. Without a foot, or where it does not
-/// pass every corner of the plan within a metre and in order, all stand on `bottom`; returns
-/// whether the foot was used.
+/// go round the plan, all stand on `bottom`; returns whether the foot was used.
 bool append_walls(const WallsSpec& spec, ObjectMesh& mesh);
 
 /// The same mesh with one vertex for each place.

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <map>
+#include <utility>
 
 #include "materials/base/error.hpp"
 #include "scenes/input/scene_file.hpp"
@@ -54,6 +55,40 @@ TEST_CASE("polygons and buildings keep their areas", "[scenes][world]") {
     const double walls = area["hangar"] - 60.0 * 40.0;
     CHECK(walls > 2.0 * (60.0 + 40.0) * 12.0);
     CHECK(walls < 2.0 * (60.0 + 40.0) * 40.0);
+}
+
+// Where two plans overlap no line of the ground goes round each: their walls stand on the raster.
+TEST_CASE("walls of buildings that overlap stand on the ground", "[scenes][world]") {
+    std::string text = with(small_scene(), "tolerance_m = 10.0", "tolerance_m = 1.0");
+    const std::string hangar =
+        text.substr(text.find("[[building]]"), text.find("[weather]") - text.find("[[building]]"));
+    // Over a corner of the hangar; across the middle of its front.
+    const auto [place, width] =
+        GENERATE(std::pair{"[83.0, -70.0]", "60.0"}, std::pair{"[70.7, -70.7]", "24.0"});
+    CAPTURE(place);
+    std::string annex = with(hangar, "\"hangar\"", "\"annex\"");
+    annex = with(with(annex, "[53.0, -88.4]", place), "width_m = 60.0",
+                 std::string("width_m = ") + width);
+    text = with(text, "[weather]", annex + "[weather]");
+    const Built b = built(text);
+    std::map<std::string, double> lowest, highest;
+    for (std::size_t f = b.world.ground_facets; f < b.world.facets.size(); ++f) {
+        const std::string& name =
+            b.world.objects[static_cast<std::size_t>(b.world.facets.object[f])];
+        if (std::abs(b.world.facets.normal[f].z()) > 0.1f) continue;
+        for (const std::uint32_t v : b.world.facets.corner[f]) {
+            const Eigen::Vector3d p = b.world.facets.vertex[v].cast<double>();
+            const double ground = ground_point(b.dem, b.world.site, p.head<2>(), "wall").z();
+            const auto [at, is_new] = lowest.try_emplace(name, p.z() - ground);
+            at->second = std::min(at->second, p.z() - ground);
+            highest[name] = std::max(highest[name], p.z() - ground);
+        }
+    }
+    for (const char* name : {"hangar", "annex"}) {
+        CAPTURE(name);
+        CHECK(std::abs(lowest.at(name)) < 0.05);  // skirts went 2 m and more below it
+        CHECK(highest.at(name) > 11.0);
+    }
 }
 
 TEST_CASE("materials follow polygons first, then the rules", "[scenes][world]") {

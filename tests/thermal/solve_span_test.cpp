@@ -98,6 +98,24 @@ TEST_CASE("part of a day that repeats has the hours of the whole day", "[thermal
     }
 }
 
+// Solar midnight is at 01:37 of the clock here: a file of one day may begin before or behind it.
+TEST_CASE("part of a day that repeats begins where its file begins", "[thermal][span]") {
+    World world(8);
+    const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;
+    const int first = GENERATE(0, 1, 2, 3);
+    CAPTURE(first);
+    const Weather two = summers(0.0, 2);
+    world.weather = {};
+    for (int h = first; h <= first + 24; ++h) {
+        world.weather.instant.push_back(two.instant[std::size_t(h)]);
+        world.weather.sample.push_back(two.sample[std::size_t(h)]);
+    }
+    const SpanResult morning = walk(world, 6.0, 18.0, SpanStart::known);
+    CAPTURE(morning.start);
+    CHECK(morning.report.converged);
+    CHECK(apart_by_hour(whole, morning.temperature) < 0.05);
+}
+
 TEST_CASE("days that repeat go on as they began", "[thermal][span]") {
     World world(8);
     const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;

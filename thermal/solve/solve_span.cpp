@@ -182,22 +182,27 @@ bool known_until(const Weather& weather, Instant when) {
 }
 
 /// Where a day that is to repeat begins best: in the dark, as tomorrow's sun rises half a minute
-/// off; at the start, or else at solar midnight before it if the series has the hours in between.
+/// off; at the start, or else, steps before it, as near to solar midnight as the series lets a
+/// whole day begin.
 Instant day_around(const SolveInput& input, Instant start, double step) {
-    if (sun_position(input.site, start).elevation_deg < -1.0) return start;
+    const auto dark = [&](Instant when) {
+        return sun_position(input.site, when).elevation_deg < -1.0;
+    };
+    if (dark(start)) return start;
     const double since = std::chrono::duration<double>(start.time_since_epoch()).count();
     const double ahead = input.site.longitude_deg * 240.0;  // [s] of mean solar time before UTC
     const double of_day = std::fmod(std::fmod(since + ahead, day) + day, day);
-    Instant midnight = later(start, -step * std::round(of_day / step));
-    // A file of one day may begin a little after it: in the dark as well.
-    const Instant first = later(input.weather.instant.front(), -0.5 * input.weather.span_of(0));
-    const double short_of = seconds_between(midnight, first);
-    if (short_of > 0.0 && short_of < 7200.0) {
-        midnight = later(midnight, step * std::ceil(short_of / step - 1e-9));
-    }
-    const bool known = midnight >= first && midnight < start &&
-                       sun_position(input.site, midnight).elevation_deg < -1.0;
-    return known ? midnight : start;
+    const Weather& weather = input.weather;
+    const Instant first = later(weather.instant.front(), -0.5 * weather.span_of(0));
+    const Instant last =
+        later(weather.instant.back(), 0.5 * weather.span_of(weather.instant.size() - 1));
+    // Steps back to midnight, to the first row, and to a day before the last one.
+    const double midnight = std::round(of_day / step);
+    const double most = std::floor(seconds_between(first, start) / step + 1e-9);
+    const double least = std::ceil((seconds_between(last, start) + day) / step - 1e-9);
+    const double back = std::min(std::max(midnight, least), most);
+    const Instant found = later(start, -step * back);
+    return back > 0.0 && dark(found) ? found : start;
 }
 
 void from_the_weather_before(int days, Walk& walk) {

@@ -37,7 +37,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string Mistake::line() const {
-    return where + ": " + problem + (hint.empty() ? "" : " (" + hint + ")");
+    std::string text = where + ": " + problem + (hint.empty() ? "" : " (" + hint + ")");
+    for (char& c : text) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    return text;
 }
 
 InputError::InputError(std::string where, std::string problem, std::string hint)

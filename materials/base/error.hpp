@@ -14,7 +14,8 @@ struct Mistake {
     std::string problem;  ///< what was found and what was expected, in one line
     std::string hint;     ///< nearest valid spelling or another way out; may be empty
 
-    std::string line() const;  ///< "where: problem (hint)"
+    /// "where: problem (hint)"; bytes that would steer a terminal are '?'
+    std::string line() const;
 };
 
 /// An input cannot be used. Thrown where text becomes a value; `main` prints every mistake on its

@@ -61,6 +61,7 @@ Prepared prepare(Scene scene) {
         plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
     }
     std::vector<std::string> notes = dem.notes;
+    notes.insert(notes.end(), world.notes.begin(), world.notes.end());
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));

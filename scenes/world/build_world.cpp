@@ -57,8 +57,9 @@ World build_world(const Scene& scene, const Dem& dem) {
     world.objects = object_names(scene);
     world.posts = dem.height.size();
     std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
-    std::vector<ShapeBuilding> shapes =
+    auto [shapes, left_out] =
         shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
+    world.notes = std::move(left_out);
     // The walls stand on the vertices of the ground round them.
     const std::vector<WalledPlan> plans = walled_plans(boxes, shapes);
     auto borders = append_ground(world, scene, dem, plans);

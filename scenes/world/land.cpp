@@ -1,7 +1,10 @@
 #include "scenes/world/land.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "terrain/ground/rings.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -24,6 +27,36 @@ std::vector<Eigen::Vector2d> local_ring(const std::vector<Geodetic>& ring, const
     }
     return local;
 }
+
+/// Least and greatest height [m] of the ground at a shape's corners, up in the site's frame; NaN
+/// where it is not known at all of them.
+std::pair<double, double> ground_at_corners(const LandShape& shape, const Dem& dem,
+                                            const Site& site) {
+    double lowest = 1e9, highest = -1e9;
+    const auto places = raster_places(dem, shape.ring);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const double ground = height_at(dem, places[k]);
+        const double up =
+            to_local(site, {shape.ring[k].latitude_deg, shape.ring[k].longitude_deg, ground}).z();
+        if (std::isnan(up)) return {up, up};
+        lowest = std::min(lowest, up);
+        highest = std::max(highest, up);
+    }
+    return {lowest, highest};
+}
+
+/// Buildings of a file that are not built, for one reason.
+struct LeftOut {
+    std::size_t count = 0, first = 0;
+    void add(const LandShape& shape) {
+        if (count++ == 0) first = shape.feature;
+    }
+    void tell(const ShapesInput& input, const char* why, std::vector<std::string>& notes) const {
+        if (count == 0) return;
+        notes.push_back(fmt::format("{}: {} building{} {} left out, the first is feature {}",
+                                    input.file.string(), count, count == 1 ? "" : "s", why, first));
+    }
+};
 
 bool on_raster(const Ring& ring, const Dem& dem) {
     const bool finite =
@@ -62,37 +95,39 @@ std::vector<GroundShape> ground_shapes(const std::vector<ShapesInput>& inputs, c
     return found;
 }
 
-std::vector<ShapeBuilding> shape_buildings(const std::vector<ShapesInput>& inputs, const Dem& dem,
-                                           const Site& site, double tolerance) {
-    std::vector<ShapeBuilding> buildings;
+ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem& dem,
+                               const Site& site, double tolerance) {
+    ShapeBuildings found;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const ShapesInput& input = inputs[i];
         if (!input.buildings) continue;
+        LeftOut flat, away;
         for (const LandShape& shape : read_shapes(input.file, "", input.height_field)) {
+            if (shape.line) continue;
             const double height = std::isnan(shape.height) ? input.default_height : shape.height;
-            if (shape.line || !(height > 0.0)) continue;
-            double lowest = 1e9, highest = -1e9;
-            const auto places = raster_places(dem, shape.ring);
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                const double ground = height_at(dem, places[k]);
-                const double up = to_local(site, {shape.ring[k].latitude_deg,
-                                                  shape.ring[k].longitude_deg, ground})
-                                      .z();
-                lowest = std::isnan(up) ? up : std::min(lowest, up);
-                highest = std::max(highest, up);
-                if (std::isnan(lowest)) break;
+            if (!(height > 0.0)) {
+                flat.add(shape);
+                continue;
             }
-            if (std::isnan(lowest)) continue;
+            const auto [lowest, highest] = ground_at_corners(shape, dem, site);
+            if (std::isnan(lowest)) {
+                away.add(shape);
+                continue;
+            }
             // Walls reach into the ground, so that no light passes under them; the height counts
             // from the lowest corner.
-            buildings.push_back({{.ring = local_ring(shape.ring, dem, site),
-                                  .bottom = lowest - 1.0 - tolerance,
-                                  .top = std::max(lowest + height, highest + 0.1),
-                                  .largest_edge = std::max(1.0, input.largest_edge)},
-                                 i});
+            found.building.push_back(
+                {{.ring = local_ring(shape.ring, dem, site),
+                  .bottom = lowest - 1.0 - tolerance,
+                  .top = std::max(lowest + height, highest + 0.1),
+                  .largest_edge = std::max(1.0, input.largest_edge),
+                  .where = fmt::format("{}: feature {}", input.file.string(), shape.feature)},
+                 i});
         }
+        flat.tell(input, "without a height above 0 m", found.notes);
+        away.tell(input, "beyond the elevation data or on void posts", found.notes);
     }
-    return buildings;
+    return found;
 }
 
 }  // namespace diurna

@@ -26,7 +26,11 @@ struct ShapeBuilding {
     PrismSpec prism;  // without materials
     std::size_t input;
 };
-std::vector<ShapeBuilding> shape_buildings(const std::vector<ShapesInput>& inputs, const Dem& dem,
-                                           const Site& site, double tolerance);
+struct ShapeBuildings {
+    std::vector<ShapeBuilding> building;
+    std::vector<std::string> notes;  // what was left out, a line to a file
+};
+ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem& dem,
+                               const Site& site, double tolerance);
 
 }  // namespace diurna

@@ -22,7 +22,8 @@ GroundPatch ground_patch(const ObjectInput& object) {
     Eigen::Vector3d size = box.sizes() * object.placing.metres;
     if (object.placing.up == UpAxis::y) std::swap(size.y(), size.z());
     const double reach = 0.5 * size.head<2>().norm() + 2.0 * size.z();
-    GroundPatch patch{.ring = {}, .largest_edge = reach / 12.0};
+    constexpr double least_edge = 0.15;  // [m] of small objects
+    GroundPatch patch{.ring = {}, .largest_edge = std::max(least_edge, reach / 12.0)};
     for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
         patch.ring.push_back(object.place + reach * Eigen::Vector2d(x, y));
     }

@@ -26,6 +26,7 @@ struct World {
     std::size_t filled_facets = 0;      // ground facets on posts void in the file
     std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
     TextureLevels texture_levels;       // what textures make of the facets
+    std::vector<std::string> notes;     // what of the files was left out
 
     const FacetSet& surfaces() const {
         return texture_levels.empty() ? facets : texture_levels.facets;

@@ -13,20 +13,20 @@ namespace diurna {
 namespace {
 
 /// Its corners, checked.
-Ring tidy(const Ring& given) {
+Ring tidy(const Ring& given, const std::string& where) {
     for (const auto& p : given) {
-        if (!p.allFinite()) throw InputError("building", "a corner is not a finite number");
+        if (!p.allFinite()) throw InputError(where, "a corner is not a finite number");
     }
     const Ring ring = counterclockwise(given);
     if (ring.size() < 3) {
-        throw InputError("building",
+        throw InputError(where,
                          fmt::format("found {} corners; a plan has three or more", ring.size()));
     }
     return ring;
 }
 
 /// Triangles of a simple ring by cutting off ears (Meisters 1975).
-std::vector<std::array<std::uint32_t, 3>> ears(const Ring& ring) {
+std::vector<std::array<std::uint32_t, 3>> ears(const Ring& ring, const std::string& where) {
     std::vector<std::uint32_t> left(ring.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<std::uint32_t>(i);
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -44,13 +44,13 @@ std::vector<std::array<std::uint32_t, 3>> ears(const Ring& ring) {
     while (left.size() > 3) {
         std::size_t i = 0;
         while (i < left.size() && !is_ear(i)) ++i;
-        if (i == left.size()) throw InputError("building", "its plan crosses itself");
+        if (i == left.size()) throw InputError(where, "its plan crosses itself");
         const std::size_t n = left.size();
         triangles.push_back({left[(i + n - 1) % n], left[i], left[(i + 1) % n]});
         left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
     }
     if (turn(ring[left[0]], ring[left[1]], ring[left[2]]) < 0.0) {
-        throw InputError("building", "its plan crosses itself");
+        throw InputError(where, "its plan crosses itself");
     }
     triangles.push_back({left[0], left[1], left[2]});
     return triangles;
@@ -59,7 +59,7 @@ std::vector<std::array<std::uint32_t, 3>> ears(const Ring& ring) {
 }  // namespace
 
 ObjectMesh prism(const PrismSpec& spec) {
-    const Ring ring = tidy(spec.ring);
+    const Ring ring = tidy(spec.ring, spec.where);
     ObjectMesh mesh;
     append_walls({.ring = ring,
                   .bottom = spec.bottom,
@@ -73,7 +73,7 @@ ObjectMesh prism(const PrismSpec& spec) {
     for (const auto& p : ring) {
         mesh.vertex.push_back(Eigen::Vector3d(p.x(), p.y(), spec.top).cast<float>());
     }
-    for (const auto& [a, b, c] : ears(ring)) {
+    for (const auto& [a, b, c] : ears(ring, spec.where)) {
         mesh.triangle.push_back({roof + a, roof + b, roof + c});
         mesh.material.push_back(spec.roof);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "terrain/ground/rings.hpp"
@@ -18,6 +19,7 @@ struct PrismSpec {
     double largest_edge = 3.0;
     std::vector<Eigen::Vector3d> foot{};  // the ground's border round the plan, counterclockwise
     MaterialId wall{}, roof{};
+    std::string where = "building";  // in the file, for what is thrown
 };
 ObjectMesh prism(const PrismSpec& spec);
 

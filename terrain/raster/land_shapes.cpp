@@ -99,7 +99,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
     const auto data = open_gdal_file(file, GDAL_OF_VECTOR, drivers,
                                      "known formats: GeoJSON, ESRI Shapefile, GeoPackage", gdal);
     std::vector<LandShape> shapes;
-    std::size_t corners = 0;
+    std::size_t corners = 0, features = 0;
     for (OGRLayer* layer : data->GetLayers()) {
         const int kind = field_index(*layer, kind_field, file.string());
         const int height = field_index(*layer, height_field, file.string());
@@ -112,8 +112,10 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
         const Transformation shift = transformation(own, wgs84());
         if (!shift) throw InputError(file.string(), "its CRS cannot be brought to WGS84");
         for (const auto& feature : *layer) {
+            ++features;
             if (feature->GetGeometryRef() == nullptr) continue;
             LandShape like;
+            like.feature = features;
             if (kind >= 0) like.kind = feature->GetFieldAsString(kind);
             if (height >= 0 && feature->IsFieldSetAndNotNull(height)) {
                 like.height = feature->GetFieldAsDouble(height);

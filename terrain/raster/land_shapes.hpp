@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -13,6 +14,7 @@ namespace diurna {
 struct LandShape {
     std::string kind;  // what the class field says; empty without one
     double height = std::numeric_limits<double>::quiet_NaN();  // what the height field says [m]
+    std::size_t feature = 0;                                   // of the file, from 1
     bool line = false;
     std::vector<Geodetic> ring;
     std::vector<std::vector<Geodetic>> hole;

@@ -119,6 +119,11 @@ TEST_CASE("malformed TOML never aborts", "[materials][document][stress]") {
     }
 }
 
+TEST_CASE("a mistake is one line and steers no terminal", "[materials][document]") {
+    CHECK(Mistake{"w.csv:1:2", "found '\x1b[2J\n\x7f', expected a number", ""}.line() ==
+          "w.csv:1:2: found '?[2J?\?', expected a number");
+}
+
 TEST_CASE("numbers take up the whole text and are finite", "[materials][files]") {
     double value = 0.0;
     CHECK(parse_number("1.5e3", value));

@@ -1,5 +1,7 @@
 #include "scenes/world/land.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -191,6 +193,40 @@ TEST_CASE("GeoJSON, Shapefile and GeoPackage give the same ground", "[scenes][la
         CHECK(same.at("water") == Approx(areas.at("water")).epsilon(1e-5));
         CHECK(same.at("bare_soil") == Approx(areas.at("bare_soil")).epsilon(1e-5));
     }
+}
+
+TEST_CASE("what is left out of a file of buildings is told", "[scenes][land][buildings]") {
+    const auto feature = [](const char* height, double east, const std::string& ring = "") {
+        const auto corner = [&](double x, double y) {
+            return fmt::format("[{:.6f},{:.6f}]", -84.2033 + east + x, 36.3200 + y);
+        };
+        const std::string square = corner(0.0, 0.0) + "," + corner(2e-4, 0.0) + "," +
+                                   corner(2e-4, 2e-4) + "," + corner(0.0, 2e-4);
+        return fmt::format(
+            R"({{"type":"Feature","properties":{{"h":{}}},"geometry":{{"type":"Polygon",)"
+            R"("coordinates":[[{}]]}}}})",
+            height, ring.empty() ? square : ring);
+    };
+    const auto build = [&](const std::string& features) {
+        write_text(scratch.path / "houses.geojson",
+                   R"({"type":"FeatureCollection","features":[)" + features + "]}");
+        return built(small_scene() +
+                     "[[shapes]]\nfile = \"houses.geojson\"\nheight_field = \"h\"\n"
+                     "wall = \"concrete_wall\"\nroof = \"painted_steel\"\n");
+    };
+    const std::vector<std::string> notes =
+        build(feature("6", 0.002) + "," + feature("-3", 0.004) + "," + feature("null", 0.005) +
+              "," + feature("5", 3.0))
+            .world.notes;
+    REQUIRE(notes.size() == 2);
+    CHECK_THAT(notes[0], Catch::EndsWith("houses.geojson: 2 buildings without a height above 0 m "
+                                         "left out, the first is feature 2"));
+    CHECK_THAT(notes[1], Catch::EndsWith("1 building beyond the elevation data or on void posts "
+                                         "left out, the first is feature 4"));
+    const std::string crossed =
+        "[-84.200,36.320],[-84.199,36.321],[-84.199,36.320],[-84.200,36.321]";
+    CHECK_THROWS_WITH(build(feature("6", 0.002) + "," + feature("6", 0.0, crossed)),
+                      Catch::Contains("houses.geojson: feature 2: its plan crosses itself"));
 }
 
 TEST_CASE("heights follow the unit and the datum that the scene names", "[scenes][land]") {

@@ -73,6 +73,7 @@ void run_verb(const SceneArguments& a, JobOptions job) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
+    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", note);
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", report.start);
     check_converged(report.not_converged);
 }
@@ -85,6 +86,8 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const SpanResult result = solve_scene(prepared, view, progress);
     progress.finish();
     write_heat(prepared, result, out);
+    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : result.notes) fmt::print(stderr, "note: {}\n", note);
     fmt::print(stderr, "note: start: {}\n", result.start);
     check_converged(not_converged(result.report));
 }

@@ -127,6 +127,13 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                            .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
     SpanResult result = solve_span(input, exposure, span);
     result.start += ": " + start_told(input, span, result.report);
+    if (const double share = daily.share_taken_over(); share > 0.0) {
+        result.notes.push_back(
+            fmt::format("shadows: {:.0f} % of facets and instants have the share of days before "
+                        "and after, up to {:g} degrees of the sun's way off, which agree within 2 "
+                        "%; the rest is cast",
+                        100.0 * share, DailySunExposure::furthest_deg));
+    }
     progress.set_apart("shadows", shadows);
     return result;
 }

@@ -58,6 +58,7 @@ TemperatureField solve_and_write(const Prepared& prepared, const FacetViews& vie
     write_heat(prepared, result, out / "temperatures.nc");
     report.solve = result.report;
     report.solved = true;
+    for (std::string& note : result.notes) report.notes.push_back(std::move(note));
     return std::move(result.temperature);
 }
 

@@ -50,3 +50,20 @@ TEST_CASE("a day of frost and thaw repeats on every facet", "[scenes][frost]") {
     CHECK(result.report.periodic_residual < 1e-4);
     CHECK(result.report.worst_energy_closure < 1e-8);
 }
+
+TEST_CASE("the plan tells what freezing ground takes", "[scenes][frost]") {
+    const auto heat_of = [](const Plan& plan) {
+        double seconds = 0.0;
+        for (const auto& stage : plan.stages) {
+            if (stage.name == "heat balance") seconds += stage.seconds;
+        }
+        return seconds;
+    };
+    const ScratchFolder folder("frost-plan");
+    write_text(folder.path / "scene.toml", small_scene());
+    const Plan january_plan = january().plan,
+               july = prepare(read_scene(folder.path / "scene.toml")).plan;
+    // July's scene is the larger one.
+    CHECK(july.facets > january_plan.facets);
+    CHECK(heat_of(january_plan) > 10.0 * heat_of(july));
+}

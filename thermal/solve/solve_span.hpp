@@ -39,9 +39,10 @@ using ExposureOf = std::function<SunExposure(const std::vector<Instant>& instant
 
 struct SpanResult {
     TemperatureField temperature;  // at the wanted instants, straight between steps
-    SolveReport report;    // of all days: sums of passes, steps and seconds, worst of all else
-    std::string start;     // in one line: how the start was found
-    HeatState end{};       // of the span
+    SolveReport report;  // of all days: sums of passes, steps and seconds, worst of all else
+    std::string start;   // in one line: how the start was found
+    std::vector<std::string> notes{};  // in a line each: what else is to be known of it
+    HeatState end{};                   // of the span
     HeatFluxField heat{};  // at the wanted instants, straight between steps; if asked for
 };
 

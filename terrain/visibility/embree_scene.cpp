@@ -8,6 +8,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "terrain/visibility/two_sides.hpp"
+
 namespace diurna {
 
 namespace {
@@ -21,6 +23,7 @@ void fail(void*, RTCError code, const char* message) {
 
 EmbreeScene::EmbreeScene(const FacetSet& facets)
     : EmbreeScene() {  // whole, so that a throw lets go
+    other_side = other_sides(facets);
     // One instruction set for everyone, so that results repeat across machines.
     device = rtcNewDevice("isa=avx2");
     if (!device) throw std::runtime_error("Embree cannot start: it needs AVX2");
@@ -42,9 +45,11 @@ EmbreeScene::EmbreeScene(const FacetSet& facets)
             std::copy_n(facets.vertex[v].data(), 3, own_vertex + 3 * v);
         }
         for (std::size_t f = 0; f < facets.corner.size(); ++f) {
+            // Its other side stands there already: a triangle of no area is never met.
+            const bool again = !other_side.empty() && other_side[f] < f;
             for (std::size_t k = 0; k < 3; ++k) {
                 assert(facets.corner[f][k] < facets.vertex.size());
-                own_corner[3 * f + k] = facets.corner[f][k];
+                own_corner[3 * f + k] = facets.corner[f][again ? 0 : k];
             }
         }
         rtcCommitGeometry(geometry);
@@ -65,6 +70,12 @@ Eigen::Vector3d EmbreeScene::corner_of(unsigned facet, int k) const {
     return Eigen::Map<const Eigen::Vector3f>(vertex +
                                              3 * std::size_t{corner[3 * std::size_t{facet} + k]})
         .cast<double>();
+}
+
+bool EmbreeScene::looks_at(std::uint32_t facet, const Eigen::Vector3f& direction) const {
+    const Eigen::Vector3d a = corner_of(facet, 0);
+    const Eigen::Vector3d normal = (corner_of(facet, 1) - a).cross(corner_of(facet, 2) - a);
+    return normal.dot(direction.cast<double>()) < 0.0;
 }
 
 float EmbreeScene::range(const Ray& ray, unsigned facet, float embree_range) const {

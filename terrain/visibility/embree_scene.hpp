@@ -3,6 +3,8 @@
 #include <embree3/rtcore.h>
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <vector>
 
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray.hpp"
@@ -14,7 +16,10 @@ struct EmbreeScene {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     const float* vertex = nullptr;     // Embree's own copies, three per vertex
-    const unsigned* corner = nullptr;  // and three per facet
+    const unsigned* corner = nullptr;  // and three per facet; alike where left out
+    /// (facet) the other side of a sheet (two_sides.hpp), index(no_facet) elsewhere; empty: none.
+    /// Of two sides Embree has the one of the lower number.
+    std::vector<std::uint32_t> other_side;
 
     EmbreeScene() = default;
     explicit EmbreeScene(const FacetSet& facets);
@@ -27,8 +32,16 @@ struct EmbreeScene {
     /// the ray met just an edge.
     float range(const Ray& ray, unsigned facet, float embree_range) const;
 
+    /// The side that looks at a ray of all that Embree may have met, RTC_INVALID_GEOMETRY_ID too.
+    std::uint32_t facing(std::uint32_t met, const Eigen::Vector3f& direction) const {
+        if (other_side.empty() || met >= other_side.size()) return met;
+        const std::uint32_t other = other_side[met];
+        return other == index(no_facet) || looks_at(met, direction) ? met : other;
+    }
+
  private:
     Eigen::Vector3d corner_of(unsigned facet, int k) const;
+    bool looks_at(std::uint32_t facet, const Eigen::Vector3f& direction) const;
 };
 
 /// For rays whose neighbours are alike (RTC_INTERSECT_CONTEXT_FLAG_COHERENT), or scattered.

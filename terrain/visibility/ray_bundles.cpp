@@ -113,6 +113,11 @@ void RayBundles::closest(std::size_t bundles) {
         copy(ray.tfar, to_range + at);
         const std::uint32_t flat = grazing(packet);
         if (flat != 0) recompute(state_->scene, packet, flat, to_range + at);
+        if (state_->scene.other_side.empty()) continue;
+        for (std::size_t i = 0; i < some; ++i) {
+            to_facet[at + i] =
+                state_->scene.facing(to_facet[at + i], {ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]});
+        }
     }
 }
 

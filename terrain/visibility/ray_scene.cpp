@@ -70,6 +70,11 @@ void step_past(const Hit& hit, Ray& ray) { ray.near = hit.range * (1.0f + 1e-6f)
 
 RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed)
     : embree_(std::make_unique<EmbreeScene>(facets)), passed_(std::move(passed)) {
+    // Sheets whose backs are facets have nothing hidden behind.
+    for (std::size_t f = 0; f < embree_->other_side.size() && !passed_.empty(); ++f) {
+        if (embree_->other_side[f] == index(no_facet)) continue;
+        passed_[index(facets.material[f])].sheet = false;
+    }
     const auto plain = [](const PassedLight& p) { return p.beam.empty() && !p.sheet; };
     if (std::all_of(passed_.begin(), passed_.end(), plain)) return;
     for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -93,10 +98,10 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
         rtcIntersect16(valid, embree_->scene, &context, &packet);
         for (std::size_t i = 0; i < some.size(); ++i) {
             const unsigned facet = packet.hit.primID[i];
-            hits[start + i] =
-                packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
-                    ? Hit{}
-                    : Hit{FacetId{facet}, embree_->range(some[i], facet, packet.ray.tfar[i])};
+            hits[start + i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
+                                  ? Hit{}
+                                  : Hit{FacetId{embree_->facing(facet, some[i].direction)},
+                                        embree_->range(some[i], facet, packet.ray.tfar[i])};
         }
     }
 }
@@ -187,6 +192,11 @@ void RayScene::closest(const RayPacket& rays, int lanes,
     nothing_hit(packet.hit);
     rtcIntersect16(valid, embree_->scene, &context, &packet);
     std::copy_n(packet.hit.primID, width, facet.begin());
+    if (embree_->other_side.empty()) return;
+    for (std::size_t i = 0; i < width; ++i) {
+        facet[i] = embree_->facing(facet[i],
+                                   {rays.direction_x[i], rays.direction_y[i], rays.direction_z[i]});
+    }
 }
 
 void RayScene::occluded(const RayPacket& rays, int lanes,

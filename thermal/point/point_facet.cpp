@@ -110,9 +110,11 @@ PointFacet::Ends PointFacet::ends(const std::array<SurfaceConditions, 2>& c,
             return BoundaryFlux{terms.into_ground, terms.into_ground_slope};
         };
         if (setup_.surface.back) {
-            ends.back[k] = [&air = c[k].air, front = c[k].natural,
-                            emissivity = setup_.surface.back->emissivity](double t) {
-                const SurfaceFlux back = back_flux(air, front, emissivity, t);
+            const double emissivity = setup_.surface.back->emissivity;
+            const double arriving =
+                setup_.behind ? setup_.behind(when[k]) : absorbed_of_air(c[k].air, emissivity);
+            ends.back[k] = [&air = c[k].air, front = c[k].natural, emissivity, arriving](double t) {
+                const SurfaceFlux back = back_flux(air, front, emissivity, arriving, t);
                 return BoundaryFlux{back.flux, back.slope};
             };
         } else if (room && !room->schedule.empty()) {

@@ -38,6 +38,9 @@ struct PointSetup {
     double tolerance = 0.002;         // [K] per step, from step doubling
     std::span<const Instant> knot{};  // ascending; no step passes over one
     std::function<PointForcing(Instant)> forcing;
+    /// [W m⁻²] absorbed sun and longwave of a plate's back; none: that of surroundings as warm as
+    /// the air.
+    std::function<double(Instant)> behind{};
 };
 
 /// A facet that needs more than a linear column and a dry or evenly wet surface, on its way through

@@ -5,19 +5,21 @@
 namespace diurna {
 
 BlockHeat::BlockHeat(const SolveState& solve, const Level& level, const Block& block,
-                     std::size_t filled)
+                     std::size_t filled, bool backs)
     : solve_(solve),
       level_(level),
       block_(block),
       kind_(level.kind[block.material]),
-      filled_(filled) {
-    facet_heat(solve, block, kind_, 0, before_);
+      filled_(filled),
+      backs_(backs) {
+    facet_heat(solve, block, face(0), 0, before_);
     std::copy_n(before_, filled, at_end);
     add_sky(0);
 }
 
 void BlockHeat::add_sky(std::size_t time) {
-    const double emissivity = kind_.column.surface.emissivity;
+    const double emissivity =
+        backs_ ? back_of(solve_, block_).emissivity : kind_.column.surface.emissivity;
     const double low = emissivity * kind_.low(block_, time).sky_longwave;
     const double more = emissivity * kind_.high(block_, time).sky_longwave - low;
     const double* const up = block_.up.data();
@@ -29,7 +31,8 @@ void BlockHeat::add_sky(std::size_t time) {
 }
 
 void BlockHeat::begin_step(std::size_t i) {
-    facet_heat(solve_, block_, kind_, i, after_);
+    facet_heat(solve_, block_, face(i), i, after_);
+    if (backs_) return;
     edges_ = edges_of(level_, block_, i);
     const double absorptance = edges_.empty() ? 0.0 : absorptance_at(solve_, kind_, i);
     for (const HeatJump& edge : edges_) jump_[edge.lane] = absorptance * edge.heat;

@@ -13,7 +13,9 @@ namespace diurna {
 class BlockHeat {
  public:
     /// At the first instant. filled: lanes of the block that are computed, at most mode_lanes.
-    BlockHeat(const SolveState& solve, const Level& level, const Block& block, std::size_t filled);
+    /// backs: of them, where sunlight runs straight between steps' ends throughout.
+    BlockHeat(const SolveState& solve, const Level& level, const Block& block, std::size_t filled,
+              bool backs = false);
 
     /// The step that ends at instant i.
     void begin_step(std::size_t i);
@@ -35,12 +37,16 @@ class BlockHeat {
 
  private:
     void add_sky(std::size_t time);
+    BlockFace face(std::size_t i) const {
+        return backs_ ? back_of(solve_, block_) : front_of(solve_, block_, kind_, i);
+    }
 
     const SolveState& solve_;
     const Level& level_;
     const Block& block_;
     const Kind& kind_;
     std::size_t filled_;
+    bool backs_;
     std::span<const HeatJump> edges_;
     alignas(64) double before_[mode_lanes], after_[mode_lanes], jump_[mode_lanes] = {};
 };

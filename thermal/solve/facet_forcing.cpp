@@ -23,6 +23,19 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
         }
         longwave_.push_back(longwave);
     }
+    if (!block.behind.empty()) {
+        const std::size_t back = block.behind[lane];
+        const BlockFace face = back_of(solve, block);
+        for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+            const std::size_t at = i * solve.facets + back;
+            double longwave = solve.at_facet(&SkyState::longwave_down, i, back);
+            if (!solve.excess.empty()) longwave += solve.excess[at];
+            if (!solve.tilt.empty()) {
+                longwave += solve.tilt[back] * solve.at_facet(&SkyState::tilted_longwave, i, back);
+            }
+            behind_.push_back(face.absorptance * solve.sunlight[at] + face.emissivity * longwave);
+        }
+    }
     if (block.jump.empty()) return;
     for (std::size_t i = 0; i < solve.steps(); ++i) {
         first_jump_.push_back(jump_.size());
@@ -33,6 +46,13 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
         }
     }
     first_jump_.push_back(jump_.size());
+}
+
+double FacetForcing::behind(Instant when) const {
+    const double place = seconds_between(solve_.instant.front(), when) / solve_.step;
+    const auto last = behind_.size() - 2;
+    const auto i = std::min(static_cast<std::size_t>(std::max(0.0, place)), last);
+    return std::lerp(behind_[i], behind_[i + 1], std::clamp(place - double(i), 0.0, 1.0));
 }
 
 PointForcing FacetForcing::operator()(Instant when) const {

@@ -17,6 +17,10 @@ class FacetForcing {
 
     PointForcing operator()(Instant when) const;
 
+    /// Whether it is a sheet's front, and what its back absorbs of sun and longwave [W m⁻²].
+    bool has_back() const { return !behind_.empty(); }
+    double behind(Instant when) const;
+
     /// Where its sunlight jumps, ascending.
     const std::vector<Instant>& edges() const { return edge_; }
 
@@ -25,6 +29,7 @@ class FacetForcing {
     double measured_share_ = 0.0;
     std::vector<Forcing> weather_;             // (instant) at the facet's height
     std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
+    std::vector<double> behind_{};             // (instant) absorbed by its back; empty: none
     std::vector<HeatJump> jump_;  // of step i from first_jump_[i] to first_jump_[i + 1]
     std::vector<std::size_t> first_jump_;
     std::vector<Instant> edge_;  // (jump)

@@ -6,6 +6,7 @@
 #include "materials/base/parallel.hpp"
 #include "thermal/solve/time_level.hpp"
 #include "thermal/steppers/layered_step.hpp"
+#include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {
 
@@ -46,8 +47,15 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
     std::vector<double> heat(block.stride, kind.column.surface.emissivity * sky / n),
         at(block.stride);
     for (std::size_t i = 0; i < solve.steps(); ++i) {
-        facet_heat(solve, block, kind, i, at.data());
+        facet_heat(solve, block, front_of(solve, block, kind, i), i, at.data());
         for (std::size_t l = 0; l < count; ++l) heat[l] += at[l] / double(solve.steps());
+        if (block.behind.empty()) continue;
+        // As if it fell on the front, beyond what the grid's film behind gives.
+        const BlockFace back = back_of(solve, block);
+        const double rest =
+            back.emissivity * sky / n - absorbed_of_air(mean, kind.column.surface.back->emissivity);
+        facet_heat(solve, block, back, i, at.data());
+        for (std::size_t l = 0; l < count; ++l) heat[l] += (at[l] + rest) / double(solve.steps());
     }
     const Eigen::VectorXd steady = kind.modes ? steady_states(kind) : Eigen::VectorXd();
     const std::size_t states = kind.modes ? std::size_t(steady.size()) : kind.column.grid.size();
@@ -68,6 +76,9 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
             }
             for (std::size_t i = 0; i < solve.instant.size(); ++i) {
                 solve.kelvin[i * solve.facets + block.facet[first + l]] = float(t);
+                if (!block.behind.empty()) {
+                    solve.kelvin[i * solve.facets + block.behind[first + l]] = float(t);
+                }
             }
         }
     }

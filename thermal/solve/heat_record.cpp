@@ -1,5 +1,7 @@
 #include "thermal/solve/heat_record.hpp"
 
+#include "thermal/surface/surface_flux.hpp"
+
 namespace diurna {
 
 HeatRecord::HeatRecord(const SolveState& solve, const std::vector<std::size_t>& steps)
@@ -41,6 +43,24 @@ void record_block(SolveState& solve, const Block& block, const Kind& kind, std::
         balance.longwave_in = surfaces.heat[l] - sun - surface.internal_heat;
         balance.conducted = surfaces.taken.empty() ? -balance.sum() : -surfaces.taken[l];
         solve.record->put(i, facet, balance);
+    }
+}
+
+void record_backs(SolveState& solve, const Block& block, std::size_t i,
+                  const BlockSurfaces& surfaces) {
+    if (!solve.record || !solve.record->wants(i)) return;
+    const BlockFace face = back_of(solve, block);
+    for (std::size_t l = 0; l < block.behind.size(); ++l) {
+        const std::size_t back = block.behind[l];
+        if (solve.other_side[back] != block.facet[l]) continue;
+        AirFilm dry = surfaces.air.at(l);
+        dry.wetness = 0.0;
+        const double sun = face.absorptance * solve.sunlight[i * solve.facets + back];
+        HeatBalance balance = heat_balance(dry, turned_over(block.natural[l]), face.emissivity,
+                                           {.absorbed_solar = sun}, surfaces.temperature[l]);
+        balance.longwave_in = surfaces.heat[l] - sun;
+        balance.conducted = -balance.sum();
+        solve.record->put(i, back, balance);
     }
 }
 

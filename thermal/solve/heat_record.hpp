@@ -43,5 +43,8 @@ struct BlockSurfaces {
 /// Takes down a block's balance at instant i, if that is wanted.
 void record_block(SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
                   const BlockSurfaces& surfaces);
+/// That of its backs likewise; the column takes what they give.
+void record_backs(SolveState& solve, const Block& block, std::size_t i,
+                  const BlockSurfaces& surfaces);
 
 }  // namespace diurna

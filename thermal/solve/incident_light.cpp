@@ -61,7 +61,8 @@ void shine(SolveState& solve) {
 void find_jumps(SolveState& solve) {
     const SunExposure& sun = solve.input.sun;
     if (sun.edge.empty()) return;
-    std::vector<std::size_t> block_of(solve.facets), lane_of(solve.facets);
+    const std::size_t none = solve.block.size();
+    std::vector<std::size_t> block_of(solve.facets, none), lane_of(solve.facets);
     for (std::size_t b = 0; b < solve.block.size(); ++b) {
         solve.block[b].jumps.assign(solve.instant.size(), 0);
         for (std::size_t l = 0; l < solve.block[b].facet.size(); ++l) {
@@ -78,6 +79,7 @@ void find_jumps(SolveState& solve) {
     };
     for (const ShadowEdge& edge : sun.edge) {
         const std::size_t i = edge.step, f = edge.facet;
+        if (block_of[f] == none) continue;  // a back: straight between the steps
         const double before = sun.fraction[i * solve.facets + f];
         const double after = sun.fraction[(i + 1) * solve.facets + f];
         const double whole = beam(i, f) + edge.share * (beam(i + 1, f) - beam(i, f));

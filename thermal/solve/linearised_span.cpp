@@ -73,7 +73,7 @@ void run_plates(const Kind& kind, const Block& block, const Eigen::MatrixXf& giv
     const PlateStep& step = *kind.plate;
     const auto n = Eigen::Index(step.modes());
     const int substeps = kind.column.substeps;
-    Heat heat(given, day.state.cols());
+    Heat heat(given, day.state.cols()), behind(day.behind, day.state.cols());
     RowMajor x = step.into * day.state;
     Eigen::Matrix<double, 2, Eigen::Dynamic> face(2, n);
     face.row(0) = Eigen::Map<const RowVectorXd>(step.face[0].data(), n);
@@ -86,24 +86,29 @@ void run_plates(const Kind& kind, const Block& block, const Eigen::MatrixXf& giv
     Faces theta = face * x, drive = theta;
     drive.row(0) =
         heat.after + film_beyond(block.slope, 0, step.film[0]).cwiseProduct(theta.row(0));
-    drive.row(1) = film_beyond(block.back_slope, 0, step.film[1]).cwiseProduct(theta.row(1));
+    drive.row(1) =
+        behind.after + film_beyond(block.back_slope, 0, step.film[1]).cwiseProduct(theta.row(1));
     day.warmer.row(0) = theta.row(0);
+    day.warmer_behind.resize(day.warmer.rows(), day.warmer.cols());
+    day.warmer_behind.row(0) = theta.row(1);
     std::size_t at = 0;
     for (Eigen::Index k = 1; k < day.warmer.rows(); ++k) {
         heat.next(k);
+        behind.next(k);
         for (int s = 0; s < substeps; ++s) {
             ++at;
             const Eigen::ArrayXXd g0 = film_beyond(block.slope, at, step.film[0]).array();
             const Eigen::ArrayXXd g1 = film_beyond(block.back_slope, at, step.film[1]).array();
             const RowVectorXd now = heat.at(double(s + 1) / substeps);
+            const RowVectorXd there = behind.at(double(s + 1) / substeps);
             for (Eigen::Index m = 0; m < n; ++m) {
                 const auto i = std::size_t(m);
                 x.row(m) =
                     step.decay[i] * x.row(m) + step.from[i] * (face.col(m).transpose() * drive);
             }
             theta = face * x;
-            theta.row(0) += r[0] * now;
-            theta.row(1) += r[1] * now;
+            theta.row(0) += r[0] * now + r[1] * there;
+            theta.row(1) += r[1] * now + r[2] * there;
             // (1 − response slopes) θ = what is there without them
             const Eigen::ArrayXXd front = theta.row(0).array(), back = theta.row(1).array();
             const Eigen::ArrayXXd scale =
@@ -111,12 +116,13 @@ void run_plates(const Kind& kind, const Block& block, const Eigen::MatrixXf& giv
             theta.row(0) = (scale * ((1.0 - r[2] * g1) * front + r[1] * g1 * back)).matrix();
             theta.row(1) = (scale * ((1.0 - r[0] * g0) * back + r[1] * g0 * front)).matrix();
             drive.row(0) = now + (g0 * theta.row(0).array()).matrix();
-            drive.row(1) = (g1 * theta.row(1).array()).matrix();
+            drive.row(1) = there + (g1 * theta.row(1).array()).matrix();
             for (Eigen::Index m = 0; m < n; ++m) {
                 x.row(m) += step.to[std::size_t(m)] * (face.col(m).transpose() * drive);
             }
         }
         day.warmer.row(k) = theta.row(0);
+        day.warmer_behind.row(k) = theta.row(1);
     }
     day.state = step.turn * x;
 }
@@ -128,12 +134,15 @@ void run_layered(const Kind& kind, const Block& block, const Eigen::MatrixXf& gi
     const auto n = Eigen::Index(grid.size());
     const int substeps = kind.column.substeps;
     constexpr double again = (1.0 - sdirk_gamma) / sdirk_gamma;
-    Heat heat(given, day.state.cols());
+    Heat heat(given, day.state.cols()), behind(day.behind, day.state.cols());
     RowMajor state = day.state, start, result(n, state.cols());
     day.warmer.row(0) = state.row(0);
+    day.warmer_behind.resize(day.warmer.rows(), day.warmer.cols());
+    day.warmer_behind.row(0) = state.row(n - 1);
     std::size_t at = 0;
     for (Eigen::Index k = 1; k < day.warmer.rows(); ++k) {
         heat.next(k);
+        behind.next(k);
         for (int s = 0; s < substeps; ++s) {
             start = state;
             for (const double share : stage_share) {
@@ -144,8 +153,10 @@ void run_layered(const Kind& kind, const Block& block, const Eigen::MatrixXf& gi
                 }
                 RowVectorXd a = stage.surface_store * start.row(0);
                 if (n > 1) a += stage.lift[0] * result.row(1);
-                result.row(0) = (a + heat.at((s + share) / substeps)) /
-                                (stage.b - mean_slope(block.slope, at++, block));
+                // Heat behind counts as if it fell on the front.
+                result.row(0) =
+                    (a + heat.at((s + share) / substeps) + behind.at((s + share) / substeps)) /
+                    (stage.b - mean_slope(block.slope, at++, block));
                 for (Eigen::Index i = 1; i < n; ++i) {
                     result.row(i) += stage.follow[std::size_t(i)] * result.row(i - 1);
                 }
@@ -154,6 +165,7 @@ void run_layered(const Kind& kind, const Block& block, const Eigen::MatrixXf& gi
             state = result;
         }
         day.warmer.row(k) = state.row(0);
+        day.warmer_behind.row(k) = state.row(n - 1);
     }
     day.state = state;
 }

@@ -12,6 +12,9 @@ struct LinearisedSpan {
     Eigen::RowVectorXd steep;  // (facet) its slopes over the block's mean ones; empty: 1
     Eigen::MatrixXd state;     // (state, facet) [K] in: beyond that run's start; out: at its end
     Eigen::MatrixXd warmer;    // (instant, facet) [K] out: surface beyond that run's
+    Eigen::MatrixXf behind{};  // (instant, facet) [W m⁻²] in: more heat on plates' backs; may be
+                               // empty
+    Eigen::MatrixXd warmer_behind{};  // (instant, facet) [K] out: of plates' backs
 };
 
 /// Each facet's slopes over the block's mean ones in its last run.

@@ -181,39 +181,69 @@ void reflect(const SolveState& solve, float least, Field& field) {
     });
 }
 
+/// Largest of what has arrived at a block's facets and their backs.
+float most_of(const Block& block, const Field& field) {
+    float most = 0.0f;
+    for (const std::size_t f : block.facet) most = std::max(most, field.most[f]);
+    for (const std::size_t f : block.behind) most = std::max(most, field.most[f]);
+    return most;
+}
+
+/// What has arrived at facets, as heat that a face takes in: (instant, facet).
+Eigen::MatrixXf arrived_heat(std::span<const std::size_t> facets, float emissivity, Field& field) {
+    Eigen::MatrixXf heat(Eigen::Index(field.used), Eigen::Index(facets.size()));
+    for (std::size_t l = 0; l < facets.size(); ++l) {
+        heat.col(Eigen::Index(l)) =
+            emissivity * Eigen::VectorXf::Map(field.changes(facets[l]).data(), heat.rows());
+    }
+    return heat;
+}
+
+/// Tells what more facets send that are warmer by so much, (instant, facet).
+void send_more(const SolveState& solve, const Level& level, std::span<const std::size_t> facets,
+               const Eigen::MatrixXd& warmer, Field& field) {
+    for (std::size_t l = 0; l < facets.size(); ++l) {
+        const std::size_t f = facets[l];
+        field.sends[f] = 1;
+        for (std::size_t k = 0; k < field.used; ++k) {
+            const float t = solve.kelvin[k * level.stride * solve.facets + f];
+            field.leaving[f * field.used + k] += 4.0f * solve.optics.emissivity[f] *
+                                                 float(stefan_boltzmann) * t * t * t *
+                                                 float(warmer(Eigen::Index(k), Eigen::Index(l)));
+        }
+    }
+}
+
 /// Warms the blocks where more than `least` has arrived, and tells what more they send. Returns the
 /// largest change of temperature.
 double follow(SolveState& solve, const Level& level, float least, Field& field) {
-    const std::size_t used = field.used;
     std::vector<double> warmest(solve.block.size(), 0.0);
     for_each_index(
         solve.block.size(),
         [&](std::size_t b) {
             Block& block = solve.block[b];
-            float most = 0.0f;
-            for (const std::size_t f : block.facet) {
-                most = std::max(most, field.most[f]);
-            }
             if (!block.has_run()) return;
-            if (most < least) {
+            if (const float most = most_of(block, field); most < least) {
                 block.unfollowed += double(most);
                 return;
             }
             const auto count = Eigen::Index(block.facet.size());
             const auto n = Eigen::Index(block.start.size() / block.stride);
-            const float emissivity = solve.optics.emissivity[block.facet.front()];
-            Eigen::MatrixXf heat(Eigen::Index(used), count);
-            for (Eigen::Index l = 0; l < count; ++l) {
-                const std::span<float> change = field.changes(block.facet[std::size_t(l)]);
-                heat.col(l) = emissivity * Eigen::VectorXf::Map(change.data(), heat.rows());
-            }
+            const Eigen::MatrixXf heat =
+                arrived_heat(block.facet, solve.optics.emissivity[block.facet.front()], field);
             LinearisedSpan day{.steep = relative_slopes(block),
                                .state = Eigen::MatrixXd::Zero(n, count),
                                .warmer = {}};
+            if (!block.behind.empty()) {
+                day.behind = arrived_heat(block.behind,
+                                          solve.optics.emissivity[block.behind.front()], field);
+            }
             run_linearised(solve, level, block, heat, day);
             if (solve.options.periodic) {
                 const Eigen::MatrixXd start = close_period(block, day.state);
-                day.warmer += follow_start(block, start);
+                const Eigen::MatrixXd follow = follow_start(block, start);
+                day.warmer += follow;
+                if (!block.behind.empty()) day.warmer_behind += follow;
                 for (Eigen::Index m = 0; m < n; ++m) {
                     for (Eigen::Index l = 0; l < count; ++l) {
                         block.start[std::size_t(m) * block.stride + std::size_t(l)] += start(m, l);
@@ -227,19 +257,15 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
                 BlockStates(block.change.data(), n, count,
                             Eigen::OuterStride<>(Eigen::Index(block.stride))) += day.state;
             }
-            warm(solve, level, block, day.warmer);
+            warm(solve, level, block, day.warmer,
+                 block.behind.empty() ? nullptr : &day.warmer_behind);
             warmest[b] = day.warmer.cwiseAbs().maxCoeff();
-            block.warmed += warmest[b];
-            for (std::size_t l = 0; l < block.facet.size(); ++l) {
-                const std::size_t f = block.facet[l];
-                field.sends[f] = 1;
-                for (std::size_t k = 0; k < used; ++k) {
-                    const float t = solve.kelvin[k * level.stride * solve.facets + f];
-                    field.leaving[f * used + k] +=
-                        4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
-                        float(day.warmer(Eigen::Index(k), Eigen::Index(l)));
-                }
+            if (!block.behind.empty()) {
+                warmest[b] = std::max(warmest[b], day.warmer_behind.cwiseAbs().maxCoeff());
             }
+            block.warmed += warmest[b];
+            send_more(solve, level, block.facet, day.warmer, field);
+            send_more(solve, level, block.behind, day.warmer_behind, field);
         },
         4);
     return *std::max_element(warmest.begin(), warmest.end());
@@ -272,9 +298,7 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
     const float least = std::max(least_change, least_share * first);
     const auto tell_blocks = [&] {
         for (Block& block : solve.block) {
-            float most = 0.0f;
-            for (const std::size_t f : block.facet) most = std::max(most, field.most[f]);
-            block.heat_change += double(most);
+            block.heat_change += double(most_of(block, field));
         }
     };
     tell_blocks();

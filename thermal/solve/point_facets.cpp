@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
@@ -138,6 +139,10 @@ bool PointFacets::rests(const Point& p) const {
         if (std::abs(solve_.excess[i * solve_.facets + p.facet] - p.excess[i]) > counts)
             return false;
     }
+    for (std::size_t i = 0; i < p.back_excess.size(); ++i) {
+        const float now = solve_.excess[i * solve_.facets + back_of_point(p)];
+        if (std::abs(now - p.back_excess[i]) > counts) return false;
+    }
     return true;
 }
 
@@ -164,6 +169,12 @@ void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet
     facet.count = {};
     const SurfaceTerms first = facet.terms(instant[0]);
     p.kelvin[0] = float(first.radiometric);
+    const std::size_t last = facet.column.size() - 1;
+    const auto put_back = [&](std::size_t i) {
+        if (p.back_kelvin.empty()) return;
+        p.back_kelvin[i] = float(facet.column.temperature(last, facet.u[last]));
+    };
+    put_back(0);
     record(0, first, first.into_ground);
     std::size_t k = 0;
     bool restart = true;
@@ -177,6 +188,7 @@ void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet
         facet.march(now, instant[i + 1], restart, map);
         restart = false;
         p.kelvin[i + 1] = float(facet.terms(instant[i + 1]).radiometric);
+        put_back(i + 1);
         record(i + 1, facet.ending().terms, facet.ending().taken);
     }
 }
@@ -192,6 +204,15 @@ void PointFacets::run(const Level& level, Point& p) const {
         p.excess[i] = solve_.excess[i * solve_.facets + p.facet];
     }
     const FacetForcing forcing(solve_, weather_, block, p.lane);
+    if (forcing.has_back()) {
+        p.back_kelvin.resize(instants);
+        p.back_excess.resize(p.excess.size());
+        for (std::size_t i = 0; i < p.back_excess.size(); ++i) {
+            p.back_excess[i] = solve_.excess[i * solve_.facets + back_of_point(p)];
+        }
+    }
+    std::function<double(Instant)> behind;
+    if (forcing.has_back()) behind = [&](Instant when) { return forcing.behind(when); };
     PointFacet facet({.surface = column.surface,
                       .louis = column.louis,
                       .up_cosine = solve_.input.facets.normal[p.facet].z(),
@@ -200,7 +221,8 @@ void PointFacets::run(const Level& level, Point& p) const {
                       .reference = column.reference,
                       .grid = grid_of(column.surface, solve_.options.grid),
                       .longest_step = solve_.step / solve_.options.refinement,
-                      .forcing = [&](Instant when) { return forcing(when); }});
+                      .forcing = [&](Instant when) { return forcing(when); },
+                      .behind = behind});
     if (p.begun) {
         facet.u = p.start.u;
         facet.standing = p.start.standing;
@@ -258,6 +280,9 @@ void PointFacets::put(SolveState& solve) const {
     for (const Point& p : point_) {
         for (std::size_t i = 0; i < p.kelvin.size(); ++i) {
             solve.kelvin[i * solve.facets + p.facet] = p.kelvin[i];
+        }
+        for (std::size_t i = 0; i < p.back_kelvin.size(); ++i) {
+            solve.kelvin[i * solve.facets + back_of_point(p)] = p.back_kelvin[i];
         }
     }
 }

@@ -54,6 +54,7 @@ class PointFacets {
         bool begun = false;
         HeatState::Point start, end;
         std::vector<float> kelvin, excess;  // (instant) of the last run; what it ran under
+        std::vector<float> back_kelvin{}, back_excess{};  // the same of its back, if it has one
         double residual = 0.0, move = 0.0;
         int passes = 0;
         PointFacet::Count count;
@@ -64,6 +65,11 @@ class PointFacets {
     void march_span(const std::vector<Instant>& edge, PointFacet& facet, Point& point,
                     Eigen::MatrixXd* map) const;
     bool rests(const Point& point) const;
+    /// The facet that is a point's back; none: the facet itself.
+    std::size_t back_of_point(const Point& point) const {
+        const Block& block = solve_.block[point.block];
+        return block.behind.empty() ? point.facet : block.behind[point.lane];
+    }
 
     const SolveState& solve_;
     std::vector<Forcing> weather_;  // (instant)

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "thermal/solve/block_heat.hpp"
 #include "thermal/solve/heat_record.hpp"
@@ -18,8 +20,10 @@ constexpr int equal_parts = 4;
 /// One lane of a block that a shadow's edge passes within a substep, or has just passed.
 class Stray {
  public:
-    Stray(const MaterialColumn& column, const LayeredBatch& batch, std::size_t lane)
-        : column_(column), lane_(lane) {
+    /// behind_at(share)  [W m⁻²] on a plate's back at a share of the substep; may be none
+    Stray(const MaterialColumn& column, const LayeredBatch& batch, std::size_t lane,
+          std::function<double(double)> behind_at)
+        : column_(column), lane_(lane), behind_at_(std::move(behind_at)) {
         one_.resize(column.grid.size(), 1);
         for (std::size_t i = 0; i < column.grid.size(); ++i) {
             one_.state[i * lanes] = batch.state[i * lanes + lane];
@@ -68,19 +72,22 @@ class Stray {
         const double length = end - begin;
         column_.stage = make_stage(column_.grid, sdirk_gamma * length * step, column_.reference);
         std::array<AirFilm, 2> between;
-        double heat[2];
+        double heat[2], behind[2];
         for (std::size_t k = 0; k < 2; ++k) {
             const double share = begin + stage_share[k] * length;
             // The given air is that of the whole substep's stages.
             between[k] =
                 air_between(air[0], air[1], (share - stage_share[0]) / (1.0 - stage_share[0]));
             heat[k] = heat_at(share);
+            behind[k] = behind_at_ ? behind_at_(share) : 0.0;
+            one_.behind[k] = behind_at_ ? &behind[k] : nullptr;
         }
         advance(column_, between, {&heat[0], &heat[1]}, one_, record);
     }
 
     MaterialColumn column_;
     std::size_t lane_;
+    std::function<double(double)> behind_at_;
     LayeredBatch one_;
 };
 
@@ -95,6 +102,10 @@ class LayeredRun {
           count_(block.facet.size()),
           substep_(level_step(solve, level) / kind_.column.substeps),
           heat_(solve, level, block, count_) {
+        if (!block.behind.empty()) {
+            behind_.emplace(solve, level, block, count_, true);
+            batch_.behind = {behind_at_stage_[0], behind_at_stage_[1]};
+        }
         batch_.resize(kind_.column.grid.size(), count_);
         batch_.state = block.start;
         std::copy(block.natural.begin(), block.natural.end(), batch_.natural.begin());
@@ -106,12 +117,13 @@ class LayeredRun {
     void run() {
         block_.slope.assign(kind_.times, 0.0);
         block_.record = {};
-        put_kelvin(solve_, block_, 0, batch_.temperature.data());
+        put_temperatures(0);
         record_block(solve_, block_, kind_, 0,
                      {kind_.middle(block_, 0).air, heat_.at_end, batch_.temperature.data()});
         std::size_t stage = 0;
         for (std::size_t i = level_.stride; i <= solve_.steps(); i += level_.stride) {
             heat_.begin_step(i);
+            if (behind_) behind_->begin_step(i);
             for (int s = 0; s < kind_.column.substeps; ++s, stage += 2) {
                 begin_substep(s, stage);
                 pass_edges();
@@ -121,15 +133,26 @@ class LayeredRun {
                 std::copy_n(block_.record.slope.begin(), 2, block_.slope.begin() + stage);
             }
             heat_.end_step();
-            put_kelvin(solve_, block_, i, batch_.temperature.data());
+            if (behind_) behind_->end_step();
+            put_temperatures(i);
             record_block(
                 solve_, block_, kind_, i,
                 {air_[1], at_stage_[1], batch_.temperature.data(), {batch_.taken.data(), count_}});
+            if (behind_) {
+                record_backs(solve_, block_, i, {air_[1], behind_at_stage_[1], back_kelvin_, {}});
+            }
         }
         compare_with_start();
     }
 
  private:
+    void put_temperatures(std::size_t i) {
+        const std::size_t last = kind_.column.grid.size() - 1;
+        for (std::size_t l = 0; l < count_; ++l) {
+            back_kelvin_[l] = batch_.state[last * lanes + l] + kind_.column.reference;
+        }
+        put_kelvin(solve_, block_, i, batch_.temperature.data(), back_kelvin_);
+    }
     void begin_substep(int s, std::size_t stage) {
         substep_number_ = s;
         strays_.clear();
@@ -140,15 +163,29 @@ class LayeredRun {
             for (std::size_t l = 0; l < count_; ++l) {
                 at_stage_[k][l] = heat_.smooth(l, share_of_step(stage_share[k])) + sky_[k];
             }
+            if (!behind_) continue;
+            behind_sky_[k] = back_of(solve_, block_).emissivity * forcing.sky_longwave;
+            for (std::size_t l = 0; l < count_; ++l) {
+                behind_at_stage_[k][l] =
+                    behind_->smooth(l, share_of_step(stage_share[k])) + behind_sky_[k];
+            }
         }
     }
     double share_of_step(double share_of_substep) const {
         return (substep_number_ + share_of_substep) / kind_.column.substeps;
     }
     /// Absorbed longwave of the sky, straight through the substep's stages.
-    double sky_at(double share) const {
+    double sky_at(double share) const { return between_stages(sky_, share); }
+    double between_stages(const double (&at)[2], double share) const {
         const double along = (share - stage_share[0]) / (1.0 - stage_share[0]);
-        return sky_[0] + along * (sky_[1] - sky_[0]);
+        return at[0] + along * (at[1] - at[0]);
+    }
+    /// What a lane's back absorbs at a share of the substep, if it has one.
+    std::function<double(double)> behind_lane(std::size_t l) const {
+        if (!behind_) return {};
+        return [this, l](double share) {
+            return behind_->smooth(l, share_of_step(share)) + between_stages(behind_sky_, share);
+        };
     }
 
     /// Lanes that an edge passes in this substep go it by themselves; those it has passed before
@@ -161,7 +198,7 @@ class LayeredRun {
             for (auto& heat : at_stage_) heat[l] += heat_.jump(l);
             if (within < 0.0) continue;
             unsettled_[l] = unsettled_substeps + 1;
-            strays_.emplace_back(kind_.column, batch_, l)
+            strays_.emplace_back(kind_.column, batch_, l, behind_lane(l))
                 .run(
                     substep_, std::clamp(within, 1e-3, 1.0 - 1e-3), air_,
                     [&](double share, bool passed) {
@@ -178,7 +215,7 @@ class LayeredRun {
             if (--unsettled_[l] == unsettled_substeps) continue;  // its edge is in this one
             // An edge yet to come in this step has not jumped; one that has is in the heat.
             const double jumped = at_stage_[1][l] - sky_[1] - heat_.smooth(l, share_of_step(1.0));
-            strays_.emplace_back(kind_.column, batch_, l)
+            strays_.emplace_back(kind_.column, batch_, l, behind_lane(l))
                 .run_on(
                     substep_, air_,
                     [&](double share) {
@@ -207,12 +244,15 @@ class LayeredRun {
     std::size_t count_;
     double substep_;  // [s]
     BlockHeat heat_;
+    std::optional<BlockHeat> behind_{};
     LayeredBatch batch_;
     int unsettled_[lanes] = {};  // substeps to go in parts
     // of the substep
     int substep_number_ = 0;
     std::array<AirFilm, 2> air_{};
-    double sky_[2] = {}, at_stage_[2][lanes];  // [W m⁻²]
+    double sky_[2] = {}, at_stage_[2][lanes];                // [W m⁻²]
+    double behind_sky_[2] = {}, behind_at_stage_[2][lanes];  // of backs
+    double back_kelvin_[lanes] = {};
     std::vector<Stray> strays_;
 };
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "thermal/solve/block_heat.hpp"
 #include "thermal/solve/heat_record.hpp"
@@ -20,6 +21,10 @@ void record_plates(SolveState& solve, const Kind& kind, const PlateBatch& batch,
     }
     record_block(solve, block, kind, i,
                  {surfaces.air, surfaces.heat, surfaces.temperature, {taken, batch.count}});
+    if (!block.behind.empty()) {
+        record_backs(solve, block, i,
+                     {surfaces.air, batch.behind, batch.temperature[1].data(), {}});
+    }
 }
 
 }  // namespace
@@ -44,19 +49,27 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
     StepRecord record;
 
     BlockHeat heat(solve, level, block, lanes);
+    std::optional<BlockHeat> behind;
+    if (!block.behind.empty()) {
+        behind.emplace(solve, level, block, lanes, true);
+        batch.behind_before = behind->at_start;
+        batch.behind = behind->at_end;
+    }
     StageForcing now = kind.middle(block, 0);
     begin_plates(step, surface, now.air, heat.at_end, batch);
-    put_kelvin(solve, block, 0, batch.temperature[0].data());
+    put_kelvin(solve, block, 0, batch.temperature[0].data(), batch.temperature[1].data());
     record_plates(solve, kind, batch, block, 0,
                   {now.air, heat.at_end, batch.temperature[0].data()});
     std::size_t at = 0;
     for (std::size_t i = level.stride; i <= solve.steps(); i += level.stride) {
         heat.begin_step(i);
+        if (behind) behind->begin_step(i);
         for (int s = 0; s < substeps; ++s) {
             ++at;
             const StageForcing before = now;
             now = kind.middle(block, at);
             heat.begin_substep(s, at);
+            if (behind) behind->begin_substep(s, at);
             advance_plates(step, surface,
                            {.air_before = before.air,
                             .air = now.air,
@@ -71,7 +84,8 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
             }
         }
         heat.end_step();
-        put_kelvin(solve, block, i, batch.temperature[0].data());
+        if (behind) behind->end_step();
+        put_kelvin(solve, block, i, batch.temperature[0].data(), batch.temperature[1].data());
         record_plates(solve, kind, batch, block, i,
                       {now.air, heat.at_end, batch.temperature[0].data()});
     }

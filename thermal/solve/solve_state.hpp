@@ -34,6 +34,7 @@ struct Block {
     std::size_t material;  // index into SolveState::material
     std::size_t stride;    // lanes of the block, used or not
     std::vector<std::size_t> facet;
+    std::vector<std::size_t> behind{};  // [lane] the facet that is its back; empty: none has one
     std::vector<NaturalFilm> natural;
     std::size_t tier = 0;        // AirTiers::low of all its facets
     std::vector<double> up;      // [lane] AirTiers::share; empty where there is one tier
@@ -146,12 +147,13 @@ struct SolveState {
     std::size_t facets;
     AirTiers tiers;
     FacetOptics optics;
-    std::vector<SkyState> sky;       // (instant) at the weather's height
-    std::vector<SkyState> tier_sky;  // (instant, tier); empty where there is one tier
-    std::vector<float> sunlight;     // (instant, facet) incident
-    std::vector<float> excess;       // (instant, facet) terrain longwave; empty without exchange
-    std::vector<float> tilt;         // (facet) tilted_sky_excess; empty where the sky is even
-    std::vector<float> kelvin;       // (instant, facet)
+    std::vector<std::uint32_t> other_side;  // terrain/visibility/two_sides.hpp
+    std::vector<SkyState> sky;              // (instant) at the weather's height
+    std::vector<SkyState> tier_sky;         // (instant, tier); empty where there is one tier
+    std::vector<float> sunlight;            // (instant, facet) incident
+    std::vector<float> excess;  // (instant, facet) terrain longwave; empty without exchange
+    std::vector<float> tilt;    // (facet) tilted_sky_excess; empty where the sky is even
+    std::vector<float> kelvin;  // (instant, facet)
     std::vector<Block> block;
     HeatRecord* record = nullptr;  // of the pass on its way, if it is to be taken down
 
@@ -165,6 +167,15 @@ struct SolveState {
         const SkyState* const low = &tier_sky[i * tiers.size() + tiers.low[f]];
         return std::lerp(low[0].*flux, low[1].*flux, double(tiers.share[f]));
     }
+    /// Whether a facet is the back of another, whose column is its too.
+    bool is_back(std::size_t f) const {
+        return !other_side.empty() && other_side[f] != index(no_facet) &&
+               input.materials[input.facets.material[f]].thermal.layers.empty();
+    }
+    /// Whether it is this facet, and no copy of it that a texture made, that its back is like.
+    bool has_back(std::size_t f) const {
+        return !other_side.empty() && other_side[f] != index(no_facet) && is_back(other_side[f]);
+    }
     std::span<float> row(std::vector<float>& field, std::size_t i) const {
         return {field.data() + i * facets, facets};
     }
@@ -177,18 +188,28 @@ inline double level_step(const SolveState& solve, const Level& level) {
 
 /// Share of sunlight that a material takes in at an instant.
 double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i);
+/// The fronts of a block's facets at an instant, or their backs.
+struct BlockFace {
+    std::span<const std::size_t> facet;
+    double absorptance, emissivity, internal;
+};
+BlockFace front_of(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i);
+BlockFace back_of(const SolveState& solve, const Block& block);
 /// Heat [lane], all of the block's, at an instant that differs from facet to facet: sun, terrain
 /// longwave, internal.
-void facet_heat(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
+void facet_heat(const SolveState& solve, const Block& block, const BlockFace& face, std::size_t i,
                 double* heat);
 
-/// Puts down a block's surface temperatures [lane] at an instant.
-void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature);
+/// Puts down a block's surface temperatures [lane] at an instant, and those of its backs.
+void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature,
+                const double* behind = nullptr);
 
 /// The jumps of a block's sunlight in the step that ends at instant i; none on coarse levels.
 std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i);
 
-/// Adds to a block's temperatures [K], (instant of the level, facet of the block).
-void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer);
+/// Adds to a block's temperatures [K], (instant of the level, facet of the block); to those of its
+/// backs as much, or what is given.
+void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer,
+          const Eigen::MatrixXd* behind = nullptr);
 
 }  // namespace diurna

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <ctime>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "materials/base/error.hpp"
@@ -54,14 +55,16 @@ void tell_heights(const SolveState& solve, Block& block) {
 std::vector<MaterialId> group_by_material(SolveState& solve) {
     std::map<std::size_t, std::size_t> place_of;
     std::vector<MaterialId> materials;
-    std::map<std::pair<std::size_t, std::size_t>, std::size_t> open;  // still taking facets
+    std::map<std::tuple<std::size_t, std::size_t, bool>, std::size_t> open;  // still taking facets
     for (std::size_t f = 0; f < solve.facets; ++f) {
+        if (solve.is_back(f)) continue;
         const MaterialId id = solve.input.facets.material[f];
+        const bool sheet = solve.has_back(f) && solve.input.materials[id].thermal.back;
         const auto [place, is_new] = place_of.try_emplace(index(id), materials.size());
         const std::size_t m = place->second;
         if (is_new) materials.push_back(id);
         const bool modes = in_modes(solve.options, solve.input.materials[id].thermal);
-        const auto [last, none] = open.try_emplace({m, slice_of(solve, f, modes)}, 0);
+        const auto [last, none] = open.try_emplace({m, slice_of(solve, f, modes), sheet}, 0);
         if (none || solve.block[last->second].facet.size() == solve.block[last->second].stride) {
             last->second = solve.block.size();
             Block& block = solve.block.emplace_back();
@@ -71,10 +74,27 @@ std::vector<MaterialId> group_by_material(SolveState& solve) {
         }
         Block& block = solve.block[last->second];
         block.facet.push_back(f);
+        if (sheet) block.behind.push_back(solve.other_side[f]);
         block.natural.push_back(natural_film(solve.input.facets.normal[f].z()));
     }
     for (Block& block : solve.block) tell_heights(solve, block);
     return materials;
+}
+
+/// Backs of sheets that have a room behind, or ground, are as warm as that throughout.
+void put_rooms(SolveState& solve) {
+    for (std::size_t f = 0; f < solve.other_side.size(); ++f) {
+        if (!solve.is_back(f)) continue;
+        const MaterialId front = solve.input.facets.material[solve.other_side[f]];
+        const Bottom& bottom = solve.input.materials[front].thermal.bottom;
+        const auto* room = std::get_if<Interior>(&bottom);
+        const auto* ground = std::get_if<FixedTemperature>(&bottom);
+        if (!room && !ground) continue;
+        const double kelvin = room ? room->air_temperature : ground->temperature;
+        for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+            solve.row(solve.kelvin, i)[f] = float(kelvin);
+        }
+    }
 }
 
 /// The largest number of steps that divides the span and takes an hour at most.
@@ -285,6 +305,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     light_up(state);
     Level fine = make_level(state, materials, 1, StepSetup{}.most_substeps);
     state.kelvin.resize(state.instant.size() * state.facets);
+    put_rooms(state);
     settle(state, fine);
     if (input.from) set_out_from(*input.from, state);
     if (options.exchange && exchanging(input)) {

@@ -19,12 +19,15 @@ struct LevelGround {
     FacetSet facets;
     FacetViews views;
 
-    explicit LevelGround(const FacetSet& of) {
+    LevelGround(const FacetSet& of, const MaterialLibrary& materials) {
         std::vector<Eigen::Vector3d> vertex;
         std::vector<std::array<std::uint32_t, 3>> triangle;
         std::vector<MaterialId> material = of.material;
         std::sort(material.begin(), material.end());
         material.erase(std::unique(material.begin(), material.end()), material.end());
+        // The backs of sheets are no surfaces of their own.
+        std::erase_if(material,
+                      [&](MaterialId id) { return materials[id].thermal.layers.empty(); });
         for (std::size_t i = 0; i < material.size(); ++i) {
             const double east = 10.0 * double(i);
             for (const auto& [x, y] : {std::pair{0.0, 0.0}, {5.0, 0.0}, {0.0, 5.0}}) {
@@ -139,7 +142,7 @@ StartError measure_start(const SolveInput& input, const SpanOptions& options) {
     SpanOptions better = given;
     StartError error = better_start(input, given, better);
     if (error.against == StartError::Against::nothing) return error;
-    const LevelGround ground(input.facets);
+    const LevelGround ground(input.facets, input.materials);
     const bool more = error.against == StartError::Against::more_days;
     const TemperatureField one = through(input, input.weather, ground, given),
                            other = through(

@@ -18,6 +18,9 @@ struct LayeredBatch {
     std::array<double, lanes> rate{};         // its change over the last step, for a first guess
     std::array<double, lanes> taken{};        // by the column at the last step's end [W m⁻²]
     std::array<NaturalFilm, lanes> natural{};
+    /// (stage) [lane] absorbed sun and longwave of plates' backs [W m⁻²]; null: that of
+    /// surroundings as warm as the air.
+    std::array<const double*, 2> behind{};
 
     void resize(std::size_t nodes, std::size_t facets) {
         assert(facets <= lanes);

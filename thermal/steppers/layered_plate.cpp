@@ -46,11 +46,11 @@ SurfaceNode eliminate_upward(const MaterialColumn& material, const SurfaceFlux& 
             store + down * (1.0 - pull) - (single ? back.slope : 0.0)};
 }
 
-/// What reaches a plate's front in a stage.
+/// What reaches a plate's front in a stage, and its back.
 struct Above {
     const AirFilm& air;
     NaturalFilm natural;
-    double heat;  // [W m⁻²]
+    double heat, behind;  // [W m⁻²]
 };
 /// [W m⁻²] into the two faces at a stage's end, and d/dT of the front's.
 struct FaceFluxes {
@@ -68,8 +68,8 @@ FaceFluxes solve_stage(const MaterialColumn& material, const Above& above, Sheet
     FaceFluxes fluxes;
     for (int round = 0; round < most_rounds; ++round) {
         const double guess = theta[n - 1] + reference;
-        const SurfaceFlux back =
-            back_flux(above.air, above.natural, material.surface.back->emissivity, guess);
+        const SurfaceFlux back = back_flux(above.air, above.natural,
+                                           material.surface.back->emissivity, above.behind, guess);
         const SurfaceNode node = eliminate_upward(material, back, sheet);
         const SurfaceCount newton =
             solve_surface(above.air, {.count = 1,
@@ -112,8 +112,11 @@ void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>&
             sheet.start[i] = sheet.theta[i] = batch.state[i * lanes + l];
         }
         for (std::size_t k = 0; k < 2; ++k) {
-            const FaceFluxes fluxes = solve_stage(material, {air[k], batch.natural[l], heat[k][l]},
-                                                  sheet, surface, record);
+            const double behind = batch.behind[k]
+                                      ? batch.behind[k][l]
+                                      : absorbed_of_air(air[k], material.surface.back->emissivity);
+            const FaceFluxes fluxes = solve_stage(
+                material, {air[k], batch.natural[l], heat[k][l], behind}, sheet, surface, record);
             record.slope[k] += fluxes.slope;
             batch.taken[l] = fluxes.taken;
             const double weight = stage_weight[k];

@@ -8,9 +8,9 @@
 
 namespace diurna {
 
-/// A step as thermal/steppers/layered_step.hpp takes it, of thin plates with air behind
-/// (ThermalSurface::back): the last node exchanges heat with air and surroundings of the air's
-/// temperature, through the film of its other side and radiation, solved by Newton around the
+/// A step as thermal/steppers/layered_step.hpp takes it, of thin plates with two faces
+/// (ThermalSurface::back): the last node exchanges heat with the air, through the film of its other
+/// side, and radiation with what is behind (LayeredBatch::behind), solved by Newton around the
 /// surface's own to 1e-9 K.
 void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>& air,
                    const std::array<const double*, 2>& heat, LayeredBatch& batch,

@@ -17,6 +17,7 @@ constexpr int steps_after_jump = 2;  // in parts
 struct Stray {
     HeatJump jump;
     NaturalFilm natural;
+    const double *behind_before, *behind;  // of PlateBatch
     double drive[2];
     std::vector<double> x;  // (mode)
 };
@@ -41,7 +42,8 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
         if (part == 1) drive[0] += jump.heat;
         Faces faces{.base = {},
                     .heat = {forcing.heat_before[l] + end * smooth + (part > 0 ? jump.heat : 0.0),
-                             airs.arriving},
+                             stray.behind ? std::lerp(stray.behind_before[l], stray.behind[l], end)
+                                          : airs.arriving},
                     .response = {}};
         double weight[most_modes];
         assert(modes <= most_modes);
@@ -88,6 +90,8 @@ std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surfa
         Stray& stray = strays.emplace_back(
             Stray{.jump = jump,
                   .natural = batch.natural[jump.lane],
+                  .behind_before = batch.behind_before,
+                  .behind = batch.behind,
                   .drive = {batch.drive[0][jump.lane], batch.drive[1][jump.lane]},
                   .x = {}});
         for (std::size_t m = 0; m < step.modes(); ++m) {
@@ -97,6 +101,16 @@ std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surfa
     }
     return strays;
 }
+
+/// What the backs take in at a step's end [lane].
+struct alignas(64) Behind {
+    double heat[lanes];
+    Behind(const TwoAirs& airs, const PlateBatch& batch) {
+        for (std::size_t l = 0; l < lanes; ++l) {
+            heat[l] = batch.behind ? batch.behind[l] : airs.arriving;
+        }
+    }
+};
 
 /// θ of the faces without the step's own drive [face][lane]; the modes decay.
 struct alignas(64) Bases {
@@ -124,12 +138,13 @@ Bases decay_modes(const PlateStep& step, PlateBatch& batch) {
 template <bool Plate, bool Wet>
 bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing& forcing,
                   const Bases& base, PlateBatch& batch, StepRecord& record) {
+    const Behind behind(airs, batch);
     // Values of its own, which no store through a pointer can change, let the loops become vectors.
     const AirFilm air = forcing.air.low;
     const double film0 = step.film[0], film1 = step.film[1], reference = step.reference;
     const double r0 = step.response[0], r1 = step.response[1], r2 = step.response[2];
     const double emissivity0 = airs.emissivity[0], emissivity1 = airs.emissivity[1];
-    const double arriving = airs.arriving;
+    const double* const arriving = behind.heat;
     double* const u0 = batch.drive[0].data();
     double* const u1 = batch.drive[1].data();
     const double *const base0 = base.of[0], *const base1 = base.of[1];
@@ -157,7 +172,7 @@ bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing&
         for (std::size_t l = 0; l < lanes; ++l) {
             const double g0 = slope0[l] + film0, g1 = slope1[l] + film1;
             const double left0 = flux0[l] + heat[l] + film0 * front[l] - u0[l];
-            const double left1 = flux1[l] + arriving + film1 * back[l] - u1[l];
+            const double left1 = flux1[l] + arriving[l] + film1 * back[l] - u1[l];
             const double scale = 1.0 / ((1.0 - g0 * r0) * (1.0 - g1 * r2) - g0 * g1 * r1 * r1);
             const double more0 = scale * ((1.0 - g1 * r2) * left0 + g0 * r1 * left1);
             const double more1 = scale * ((1.0 - g0 * r0) * left1 + g1 * r1 * left0);
@@ -179,11 +194,12 @@ bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing&
 template <bool Plate, bool Wet>
 void solve_one_by_one(const PlateStep& step, const TwoAirs& airs, const double* heat,
                       const Bases& base, PlateBatch& batch, StepRecord& record) {
+    const Behind behind(airs, batch);
     for (std::size_t l = 0; l < batch.count; ++l) {
         const Faces faces{.base = {base.of[0][l], base.of[1][l]},
-                          .heat = {heat[l], airs.arriving},
+                          .heat = {heat[l], behind.heat[l]},
                           .response = {step.response[0], step.response[1], step.response[2]}};
-        double drive[2]{heat[l], airs.arriving};
+        double drive[2]{heat[l], behind.heat[l]};
         solve_faces<Plate, Wet>(airs, batch.natural[l], step, faces, drive, record);
         batch.drive[0][l] = drive[0];
         batch.drive[1][l] = drive[1];
@@ -212,6 +228,7 @@ void take_drives(const PlateStep& step, const std::vector<Stray>& strays, PlateB
 template <bool Plate, bool Wet>
 void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, PlateBatch& batch,
                 StepRecord& record) {
+    const Behind behind(airs, batch);
     double worst = 0.0;
     record.slope = {};
     for (std::size_t l = 0; l < batch.count; ++l) {
@@ -225,7 +242,7 @@ void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, 
                               theta[0] + step.reference, flux[0], slope[0]);
         face_flux<Plate, false>(airs.air, turned_over(batch.natural[l]), airs.emissivity[1],
                                 theta[1] + step.reference, flux[1], slope[1]);
-        const double given[2]{heat[l], airs.arriving};
+        const double given[2]{heat[l], behind.heat[l]};
         double left = 0.0, terms = 1.0;
         for (int k = 0; k < 2; ++k) {
             left += std::abs(flux[k] + given[k] + step.film[k] * theta[k] - batch.drive[k][l]);
@@ -263,8 +280,9 @@ void PlateBatch::resize(std::size_t modes, std::size_t plates) {
 void begin_plates(const PlateStep& step, const ThermalSurface& surface, const AirFilm& air,
                   const double* heat, PlateBatch& batch) {
     const TwoAirs airs(surface, air);
+    const Behind behind(airs, batch);
     for (std::size_t l = 0; l < lanes; ++l) {
-        const double given[2]{heat[l], airs.arriving};
+        const double given[2]{heat[l], behind.heat[l]};
         const NaturalFilm natural = batch.natural[l];
         const NaturalFilm sides[2]{natural, turned_over(natural)};
         for (int k = 0; k < 2; ++k) {

@@ -10,8 +10,8 @@
 
 namespace diurna {
 
-// Thin plates with air behind (ThermalSurface::back), stepped exactly but for their films'
-// curvature: what thermal/steppers/mode_batch.hpp is for ground, with two faces.
+// Thin plates with two faces (ThermalSurface::back), stepped exactly but for their films'
+// curvature: what thermal/steppers/mode_batch.hpp is for ground.
 
 /// Up to `lanes` plates of one material side by side, under one air (ModeForcing's `low`).
 struct PlateBatch {
@@ -23,6 +23,9 @@ struct PlateBatch {
     std::array<std::array<double, lanes>, 2> slope{};        // d(flux)/dT [W m⁻² K⁻¹]
     std::array<NaturalFilm, lanes> natural{};                // of the front
     std::array<int, lanes> unsettled{};  // steps that still go in parts after a jump
+    /// [lane] absorbed sun and longwave of the backs at the start and the end of a step [W m⁻²];
+    /// null: that of surroundings as warm as the air.
+    const double *behind_before = nullptr, *behind = nullptr;
 
     void resize(std::size_t modes, std::size_t plates);
 };

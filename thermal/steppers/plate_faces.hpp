@@ -15,12 +15,12 @@ namespace diurna {
 struct TwoAirs {
     const AirFilm& air;
     double emissivity[2];
-    double arriving;  // [W m⁻²] that the back absorbs of surroundings as warm as the air
+    double arriving;  // [W m⁻²] absorbed_of_air of the back
 
     TwoAirs(const ThermalSurface& surface, const AirFilm& given)
         : air(given),
           emissivity{surface.emissivity, surface.back->emissivity},
-          arriving(surface.back->emissivity * stefan_boltzmann * power4(given.air_temperature)) {}
+          arriving(absorbed_of_air(given, surface.back->emissivity)) {}
 };
 
 /// Heat into one face [W m⁻²], all but `heat` on the front, and d/dT.

@@ -57,13 +57,17 @@ template <bool Plate, bool Wet>
     return into;
 }
 
-/// The same of a plate's back, dry, among surroundings as warm as the air.
+/// [W m⁻²] that a plate's back absorbs among surroundings as warm as the air.
+inline double absorbed_of_air(const AirFilm& air, double emissivity) {
+    return emissivity * stefan_boltzmann * power4(air.air_temperature);
+}
+/// Heat into a plate's back, dry.
 ///
-/// front  the natural film of the other side
+/// front     the natural film of the other side
+/// arriving  absorbed sun and longwave [W m⁻²]
 inline SurfaceFlux back_flux(const AirFilm& air, NaturalFilm front, double emissivity,
-                             double temperature) {
+                             double arriving, double temperature) {
     const double radiation = emissivity * stefan_boltzmann;
-    const double arriving = radiation * power4(air.air_temperature);
     return air.plate ? surface_flux<true, false>(air, turned_over(front), radiation, arriving,
                                                  temperature)
                      : surface_flux<false, false>(air, turned_over(front), radiation, arriving,

@@ -118,7 +118,10 @@ Canopy read_canopy(const Section& section) {
 
 std::optional<ExposedBack> read_back(const Section& section) {
     const std::string kind = section.kind_or(
-        "exposed: a thin plate with air behind, in place of a bottom", "none", {"none", "exposed"});
+        "exposed: a thin plate with air behind, in place of a bottom; in an open mesh it faces "
+        "sky, "
+        "sun and neighbours of its own, in a closed one surroundings as warm as the air",
+        "none", {"none", "exposed"});
     if (kind == "none") return std::nullopt;
     return ExposedBack{.emissivity = section.number("emissivity", "of the back", {0.0, 1.0}),
                        .albedo = section.number("albedo", "of the back", {0.0, 1.0})};
@@ -234,7 +237,10 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     }
     read_surface(section, thermal);
     if (section.has("back")) {
-        thermal.back = read_back(section.section("back", "the open back of a thin plate"));
+        thermal.back = read_back(section.section(
+            "back",
+            "the open back of a thin plate. An open mesh (scenes/README.md) has one in any case: "
+            "without this it is like the front"));
         if (thermal.back) close_bottom(section, thermal);
     }
     return material;

@@ -46,7 +46,7 @@ std::vector<std::string> object_names(const Scene& scene) {
 
 }  // namespace
 
-World build_world(const Scene& scene, const Dem& dem) {
+World build_world(Scene& scene, const Dem& dem) {
     World world;
     world.site = resolved_site(scene, dem);
     world.sea_level_height = world.site.height;

@@ -7,8 +7,9 @@
 namespace diurna {
 
 /// Triangulates the elevation along the polygons' borders, gives every facet its material and
-/// puts up the buildings. Throws InputError if the elevation cannot be used or something lies
+/// puts up the buildings and objects. The materials of open meshes' two sides are added to the
+/// scene's (sheets.hpp). Throws InputError if the elevation cannot be used or something lies
 /// outside it.
-World build_world(const Scene& scene, const Dem& dem);
+World build_world(Scene& scene, const Dem& dem);
 
 }  // namespace diurna

@@ -7,6 +7,7 @@
 
 #include "scenes/world/ground.hpp"
 #include "scenes/world/objects.hpp"
+#include "scenes/world/sheets.hpp"
 
 namespace diurna {
 
@@ -63,12 +64,13 @@ void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpe
     }
 }
 
-void append_objects(World& world, const Scene& scene, const Dem& dem) {
+void append_objects(World& world, Scene& scene, const Dem& dem) {
+    Sheets sheets(scene.materials);
     std::size_t object = scene.terrain.polygons.size() + scene.terrain.buildings.size();
     for (const ObjectInput& input : scene.terrain.objects) {
         const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
         const Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
-        append_facets(world.facets, object_mesh(input, ground, scene.materials),
+        sheets.append(world.facets, object_mesh(input, ground, scene.materials),
                       ObjectId{static_cast<std::uint16_t>(++object)});
     }
 }

@@ -19,7 +19,8 @@ std::vector<WalledPlan> walled_plans(const std::vector<BoxSpec>& boxes,
                                      const std::vector<ShapeBuilding>& shapes);
 
 void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpec>& boxes);
-void append_objects(World& world, const Scene& scene, const Dem& dem);
+/// Meshes of files; the materials of open ones are added to the scene's.
+void append_objects(World& world, Scene& scene, const Dem& dem);
 /// Footprints of files, one object per file.
 void append_shape_buildings(World& world, const Scene& scene, std::vector<ShapeBuilding> buildings);
 

@@ -231,7 +231,7 @@ std::string texture_on(const Scene& scene, const World& world, std::size_t facet
                                  : uses.of_object.find(world.objects[object]);
     if (use != uses.of_object.end()) return use->second;
     const auto by_material =
-        uses.of_material.find(scene.materials[world.facets.material[facet]].name);
+        uses.of_material.find(scene.materials[world.facets.material[facet]].kind());
     return by_material == uses.of_material.end() ? "" : by_material->second;
 }
 
@@ -266,6 +266,8 @@ std::vector<std::string> lay_textures(Scene& scene, World& world) {
     Skins skins(scene, world);
     std::vector<std::uint16_t> skin_of_facet(world.facets.size(), no_skin);
     for (std::size_t f = 0; f < world.facets.size(); ++f) {
+        // The back of a sheet has no heat of its own to be split.
+        if (scene.materials[world.facets.material[f]].thermal.layers.empty()) continue;
         const std::string name = texture_on(scene, world, f);
         if (name.empty()) continue;
         skin_of_facet[f] = skins.of(by_name.at(name), world.facets.material[f],

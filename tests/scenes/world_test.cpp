@@ -171,7 +171,7 @@ file = "houses.geojson"
 height_field = "storeys_m"
 wall = "concrete_wall"
 )");
-    const Scene scene = read_scene(folder.path / "scene.toml");
+    Scene scene = read_scene(folder.path / "scene.toml");
     const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
     const World world = build_world(scene, dem);
     REQUIRE(world.objects.back() == "houses");

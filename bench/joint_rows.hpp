@@ -11,6 +11,7 @@
 #include "tests/support/canyon.hpp"
 #include "tests/support/hall.hpp"
 #include "tests/support/hourly_sun.hpp"
+#include "tests/support/level_squares.hpp"
 #include "tests/support/sheets.hpp"
 #include "thermal/solve/facet_exchange.hpp"
 
@@ -84,6 +85,15 @@ inline std::string wall_foot() {
     return fmt::format("{:.2f} K worst", worst);
 }
 
+/// Ground within 2 m of the middle of a sheet with 500 W/m², two metres up.
+inline std::string heated_sheet() {
+    using namespace over_plain;
+    const double exact = under_heated_sheet().mean(0.0, 2.0);
+    return fmt::format("{:+.2f} K of {:.2f}",
+                       over_plain::heated_sheet("").kelvin("12:00", true, 0.0, 2.0) - exact,
+                       exact - air);
+}
+
 inline std::vector<thermal_rows::Case> cases() {
     return {
         {"direct light on walls from hourly global sunlight, a clear day at 36°",
@@ -93,7 +103,9 @@ inline std::vector<thermal_rows::Case> cases() {
          "crossed strings (Hottel)", "-24 % two bounces", canyon_light},
         {"the beam's share under a net of cover 0.65", "0.35", "-0.35 nets as roofs", under_a_net},
         {"sunlit walls on a slope, eaves to foot", "closed form",
-         "33 K facets that dip into the ground", wall_foot}};
+         "33 K facets that dip into the ground", wall_foot},
+        {"ground warmed by a sheet over it, 500 W/m²", "sums over squares",
+         "-5.4 K one-sided sheets", heated_sheet}};
 }
 
 }  // namespace joint_rows

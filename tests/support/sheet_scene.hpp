@@ -25,6 +25,9 @@ struct Given {
     double albedo = 0.0, black = 1.0;  // of all surfaces; their emissivity
     std::string sheet{};               // further keys of the mesh's material
     std::string layer = "thickness_m = 0.001, conductivity_W_mK = 50.0";
+    double frame_every = 43200.0;  // [s]
+    int sun_samples = 4;
+    double ground_edge = 1.0;  // [m]
     std::string observer = R"(place_m = [0.0, -60.0]
 height_above_ground_m = 20.0
 look_at_m = [0.0, 0.0]
@@ -56,6 +59,20 @@ inline std::string level_square(int size, double thickness = 0.0) {
         quad({{{h, a, 0}, {h, b, 0}, {h, b, z}, {h, a, z}}});
     }
     return text;
+}
+
+/// A closed block from the ground: the last eight vertices.
+inline std::string block(double west, double east, double south, double north, double height) {
+    std::string text;
+    for (const double z : {0.0, height}) {
+        for (const auto& [x, y] :
+             {std::pair{west, south}, {east, south}, {east, north}, {west, north}}) {
+            text += fmt::format("v {} {} {}\n", x, y, z);
+        }
+    }
+    return text +
+           "f -4 -3 -2 -1\nf -5 -6 -7 -8\nf -8 -7 -3 -4\nf -7 -6 -2 -3\nf -6 -5 -1 -2\nf -5 -8 -4 "
+           "-1\n";
 }
 
 inline void write_scene(const std::filesystem::path& folder, const Given& given) {
@@ -92,6 +109,7 @@ convection = {{ kind = "constant", value_W_m2K = {} }}
     write_text(folder / "scene.toml",
                fmt::format(R"([scene]
 name = "sheet"
+sun_samples = {}
 sky_rays = 1024
 object_sky_rays = 1024
 [terrain]
@@ -101,7 +119,7 @@ material = "ground"
 name = "pad"
 material = "ground"
 rectangle_m = [0.0, 0.0, 30.0, 30.0, 0.0]
-largest_edge_m = 1.0
+largest_edge_m = {}
 [[object]]
 name = "sheet"
 mesh = "mesh.obj"
@@ -117,7 +135,7 @@ interval = "instant"
 profile = "vacuum"
 [time]
 start = 2026-03-20T00:00:00Z
-frame_every_s = 43200.0
+frame_every_s = {}
 [[observer]]
 name = "o"
 bands = ["8-12"]
@@ -125,9 +143,10 @@ width = 32
 height = 32
 samples = 4
 {})",
-                           given.height,
+                           given.sun_samples, given.ground_edge, given.height,
                            material("ground", "thickness_m = 0.001, conductivity_W_mK = 50.0", ""),
-                           material("sheet", given.layer, given.sheet), given.observer));
+                           material("sheet", given.layer, given.sheet), given.frame_every,
+                           given.observer));
 }
 
 struct Solved {

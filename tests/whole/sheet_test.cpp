@@ -1,114 +1,26 @@
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "materials/base/units.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/run/job.hpp"
-#include "tests/support/sheet_scene.hpp"
+#include "tests/support/level_squares.hpp"
 
 // Open meshes: both sides of a sheet have sky, sun, neighbours and air of their own. What is
-// expected comes from the sums of a few squares each: a level square of a metre sends another, a
-// height away, by the view factor of a point to a rectangle (Modest, configuration 3).
+// expected comes from sums over squares of a metre (level_squares.hpp).
 
 using namespace diurna;
 using namespace diurna::testing::over_plain;
-using std::numbers::pi;
-
-namespace {
-
-/// View factor of a level point to the rectangle from its foot to (x, y), a height h over it.
-double to_corner(double x, double y, double h) {
-    const double u = x / h, v = y / h, p = std::sqrt(1.0 + u * u), q = std::sqrt(1.0 + v * v);
-    return (u / p * std::atan(v / p) + v / q * std::atan(u / q)) / (2.0 * pi);
-}
-/// To the square of a metre whose middle is (x, y) away.
-double to_square(double x, double y, double h) {
-    const double a = x - 0.5, b = x + 0.5, c = y - 0.5, d = y + 0.5;
-    return to_corner(b, d, h) - to_corner(a, d, h) - to_corner(b, c, h) + to_corner(a, c, h);
-}
-
-/// Squares of a metre on the ground and, over its middle, of a sheet.
-struct Squares {
-    static constexpr int ground = 30, sheet = 12;
-    double height;
-    std::vector<double> on_ground = std::vector<double>(ground * ground),
-                        on_sheet = std::vector<double>(sheet * sheet);
-
-    static Eigen::Vector2d middle(int k, int across) {
-        return {k % across - 0.5 * (across - 1), k / across - 0.5 * (across - 1)};
-    }
-    static bool covered(int g) { return middle(g, ground).cwiseAbs().maxCoeff() < 0.5 * sheet; }
-    /// Σ F × what the other squares send; `rest` from elsewhere in the hemisphere.
-    double from_sheet(int g, const std::vector<double>& sent, double rest) const {
-        return gathered(middle(g, ground), sheet, sent, rest);
-    }
-    double from_ground(int s, const std::vector<double>& sent, double rest) const {
-        return gathered(middle(s, sheet), ground, sent, rest);
-    }
-    double gathered(const Eigen::Vector2d& at, int across, const std::vector<double>& sent,
-                    double rest) const {
-        double sum = 0.0, seen = 0.0;
-        for (int k = 0; k < across * across; ++k) {
-            const Eigen::Vector2d away = middle(k, across) - at;
-            const double factor = to_square(away.x(), away.y(), height);
-            sum += factor * sent[std::size_t(k)];
-            seen += factor;
-        }
-        return sum + (1.0 - seen) * rest;
-    }
-    /// Mean over the ground's squares between two distances of the middle.
-    double mean(double from, double to) const {
-        double sum = 0.0;
-        int count = 0;
-        for (int g = 0; g < ground * ground; ++g) {
-            const double away = middle(g, ground).cwiseAbs().maxCoeff();
-            if (away < from || away > to) continue;
-            sum += on_ground[std::size_t(g)];
-            ++count;
-        }
-        return sum / count;
-    }
-};
-
-/// Root of heat − n (σ T⁴ + film (T − air)).
-double balanced(double heat, int faces) {
-    double t = air;
-    for (int i = 0; i < 50; ++i) {
-        const double left = heat - faces * (stefan_boltzmann * power4(t) + film * (t - air));
-        t += left / (faces * (4.0 * stefan_boltzmann * t * t * t + film));
-    }
-    return t;
-}
-
-}  // namespace
 
 // 500 W/m² in a black sheet go half to each side; everything else is as warm as the air.
 TEST_CASE("a heated sheet warms the ground beneath it", "[whole][sheet]") {
     const std::string back =
         GENERATE("", "back = { kind = \"exposed\", emissivity = 1.0, albedo = 0.0 }");
-    const double cold = stefan_boltzmann * power4(air), heat = 500.0;
-    const Solved scene = solved({.mesh = level_square(12),
-                                 .longwave = cold,
-                                 .sheet = "internal_heat_W_m2 = 500.0\n" + back});
-    Squares e{.height = 2.0};
-    std::vector<double> ground(e.on_ground.size(), cold), sheet(e.on_sheet.size(), cold);
-    for (int round = 0; round < 8; ++round) {
-        for (int s = 0; s < 12 * 12; ++s) {
-            e.on_sheet[std::size_t(s)] = balanced(heat + cold + e.from_ground(s, ground, cold), 2);
-        }
-        for (std::size_t s = 0; s < sheet.size(); ++s) {
-            sheet[s] = stefan_boltzmann * power4(e.on_sheet[s]);
-        }
-        for (int g = 0; g < 30 * 30; ++g) {
-            e.on_ground[std::size_t(g)] = balanced(e.from_sheet(g, sheet, cold), 1);
-        }
-        for (std::size_t g = 0; g < ground.size(); ++g) {
-            ground[g] = stefan_boltzmann * power4(e.on_ground[g]);
-        }
-    }
+    const Solved scene = heated_sheet(back);
+    const Squares e = under_heated_sheet();
     CAPTURE(back);
     const auto warming = [&](double from, double to) {
         return scene.kelvin("12:00", true, from, to) - air;
@@ -177,6 +89,45 @@ TEST_CASE("the sun heats an upright sheet from either side", "[whole][sheet]") {
           Approx(beam * std::sin(radians(46.9)) / (2.0 * film)).epsilon(0.01));
     CHECK(sheet("15:00:00Z") ==
           Approx(beam * std::sin(radians(43.1)) / (2.0 * film)).epsilon(0.01));
+}
+
+// Turned over, an upright sheet between two boxes that shade it by turns is as warm at any time:
+// the back's sun comes and goes within steps as the front's.
+TEST_CASE("which side of a sheet is its front makes no difference", "[whole][sheet][sun]") {
+    const std::string boxes = block(6.0, 8.0, -10.0, 2.0, 9.0) + block(-9.0, -7.0, -3.0, 0.3, 6.0);
+    const auto mean = [&](const char* faces) {
+        const Solved scene =
+            solved({.mesh = "v 0 -1 1\nv 0 1 1\nv 0 1 3\nv 0 -1 3\n" + std::string(faces) + boxes,
+                    .beam = 850.0,
+                    .longwave = 330.0,
+                    .albedo = 0.2,
+                    .black = 0.9,
+                    .frame_every = 600.0,
+                    .sun_samples = 128,
+                    .ground_edge = 10.0});
+        const FacetSet& facets = scene.prepared.world.facets;
+        std::vector<double> kelvin(scene.temperature.instant.size());
+        double area = 0.0;
+        for (std::size_t f = scene.prepared.world.ground_facets; f < facets.size(); ++f) {
+            // The mesh stands with its middle, half a metre west of the sheet, on the place.
+            if (std::abs(facets.centroid[f].x() - 0.5f) > 0.1f) continue;
+            if (facets.normal[f].x() < 0.9f) continue;
+            area += double(facets.area[f]);
+            for (std::size_t i = 0; i < kelvin.size(); ++i) {
+                kelvin[i] += double(facets.area[f]) * double(scene.temperature.at(i)[f]);
+            }
+        }
+        CHECK(area == Approx(4.0).epsilon(1e-4));
+        for (double& k : kelvin) k /= area;
+        return kelvin;
+    };
+    const std::vector<double> one = mean("f 1 2 3 4\n"), other = mean("f 4 3 2 1\n");
+    const auto [coldest, warmest] = std::minmax_element(one.begin(), one.end());
+    CHECK(*warmest - *coldest > 20.0);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        CAPTURE(i);
+        CHECK(one[i] == Approx(other[i]).margin(0.4));
+    }
 }
 
 // 5 cm of felt, heated in front: a slab between two films in steady state. A camera below it looks

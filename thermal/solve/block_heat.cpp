@@ -32,9 +32,8 @@ void BlockHeat::add_sky(std::size_t time) {
 
 void BlockHeat::begin_step(std::size_t i) {
     facet_heat(solve_, block_, face(i), i, after_);
-    if (backs_) return;
-    edges_ = edges_of(level_, block_, i);
-    const double absorptance = edges_.empty() ? 0.0 : absorptance_at(solve_, kind_, i);
+    edges_ = edges_of(level_, backs_ ? block_.back : block_.front, i);
+    const double absorptance = edges_.empty() ? 0.0 : face(i).absorptance;
     for (const HeatJump& edge : edges_) jump_[edge.lane] = absorptance * edge.heat;
 }
 

@@ -12,8 +12,8 @@ namespace diurna {
 /// substep [W m⁻²]: straight between the steps' ends but for jumps of sunlight.
 class BlockHeat {
  public:
-    /// At the first instant. filled: lanes of the block that are computed, at most mode_lanes.
-    /// backs: of them, where sunlight runs straight between steps' ends throughout.
+    /// At the first instant. filled: lanes of the block that are computed, at most mode_lanes;
+    /// backs: theirs.
     BlockHeat(const SolveState& solve, const Level& level, const Block& block, std::size_t filled,
               bool backs = false);
 
@@ -27,6 +27,10 @@ class BlockHeat {
     /// The jumps of sunlight in the step, and by how much they raise a lane's heat.
     std::span<const HeatJump> edges() const { return edges_; }
     double jump(std::size_t lane) const { return jump_[lane]; }
+    /// The same without the sky, with its jumps drawn out over the step.
+    double straight(std::size_t lane, double share) const {
+        return before_[lane] + share * (after_[lane] - before_[lane]);
+    }
     /// A lane's heat at a share of the step, without its jumps and the sky.
     double smooth(std::size_t lane, double share) const {
         return before_[lane] + share * (after_[lane] - before_[lane] - jump_[lane]);

@@ -36,13 +36,13 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
             behind_.push_back(face.absorptance * solve.sunlight[at] + face.emissivity * longwave);
         }
     }
-    if (block.jump.empty()) return;
+    if (block.front.jump.empty()) return;
     for (std::size_t i = 0; i < solve.steps(); ++i) {
         first_jump_.push_back(jump_.size());
-        for (std::size_t k = block.jumps[i]; k < block.jumps[i + 1]; ++k) {
-            if (block.jump[k].lane != lane) continue;
-            jump_.push_back(block.jump[k]);
-            edge_.push_back(later(solve.instant[i], block.jump[k].share * solve.step));
+        for (std::size_t k = block.front.of[i]; k < block.front.of[i + 1]; ++k) {
+            if (block.front.jump[k].lane != lane) continue;
+            jump_.push_back(block.front.jump[k]);
+            edge_.push_back(later(solve.instant[i], block.front.jump[k].share * solve.step));
         }
     }
     first_jump_.push_back(jump_.size());

@@ -61,14 +61,20 @@ void shine(SolveState& solve) {
 void find_jumps(SolveState& solve) {
     const SunExposure& sun = solve.input.sun;
     if (sun.edge.empty()) return;
-    const std::size_t none = solve.block.size();
-    std::vector<std::size_t> block_of(solve.facets, none), lane_of(solve.facets);
+    // Backs of sheets without air behind have none.
+    std::vector<Block::Jumps*> jumps_of(solve.facets, nullptr);
+    std::vector<std::size_t> lane_of(solve.facets);
     for (std::size_t b = 0; b < solve.block.size(); ++b) {
-        solve.block[b].jumps.assign(solve.instant.size(), 0);
-        for (std::size_t l = 0; l < solve.block[b].facet.size(); ++l) {
-            block_of[solve.block[b].facet[l]] = b;
-            lane_of[solve.block[b].facet[l]] = l;
-        }
+        Block& block = solve.block[b];
+        const auto tell = [&](const std::vector<std::size_t>& facets, Block::Jumps& jumps) {
+            jumps.of.assign(solve.instant.size(), 0);
+            for (std::size_t l = 0; l < facets.size(); ++l) {
+                jumps_of[facets[l]] = &jumps;
+                lane_of[facets[l]] = l;
+            }
+        };
+        tell(block.facet, block.front);
+        if (!block.behind.empty()) tell(block.behind, block.back);
     }
     const SkyOverFacets over = sky_over(solve, solve.sky.size(), 0);
     std::vector<SkyLight> light;
@@ -79,16 +85,17 @@ void find_jumps(SolveState& solve) {
     };
     for (const ShadowEdge& edge : sun.edge) {
         const std::size_t i = edge.step, f = edge.facet;
-        if (block_of[f] == none) continue;  // a back: straight between the steps
+        if (!jumps_of[f]) continue;
         const double before = sun.fraction[i * solve.facets + f];
         const double after = sun.fraction[(i + 1) * solve.facets + f];
         const double whole = beam(i, f) + edge.share * (beam(i + 1, f) - beam(i, f));
-        Block& block = solve.block[block_of[f]];
-        block.jump.push_back({lane_of[f], edge.share, (after - before) * whole});
-        ++block.jumps[i + 1];
+        jumps_of[f]->jump.push_back({lane_of[f], edge.share, (after - before) * whole});
+        ++jumps_of[f]->of[i + 1];
     }
     for (Block& block : solve.block) {
-        for (std::size_t i = 1; i < block.jumps.size(); ++i) block.jumps[i] += block.jumps[i - 1];
+        for (Block::Jumps* const jumps : {&block.front, &block.back}) {
+            for (std::size_t i = 1; i < jumps->of.size(); ++i) jumps->of[i] += jumps->of[i - 1];
+        }
     }
 }
 

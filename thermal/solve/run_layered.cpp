@@ -167,7 +167,7 @@ class LayeredRun {
             behind_sky_[k] = back_of(solve_, block_).emissivity * forcing.sky_longwave;
             for (std::size_t l = 0; l < count_; ++l) {
                 behind_at_stage_[k][l] =
-                    behind_->smooth(l, share_of_step(stage_share[k])) + behind_sky_[k];
+                    behind_->straight(l, share_of_step(stage_share[k])) + behind_sky_[k];
             }
         }
     }
@@ -184,7 +184,7 @@ class LayeredRun {
     std::function<double(double)> behind_lane(std::size_t l) const {
         if (!behind_) return {};
         return [this, l](double share) {
-            return behind_->smooth(l, share_of_step(share)) + between_stages(behind_sky_, share);
+            return behind_->straight(l, share_of_step(share)) + between_stages(behind_sky_, share);
         };
     }
 

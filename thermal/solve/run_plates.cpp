@@ -69,7 +69,10 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
             const StageForcing before = now;
             now = kind.middle(block, at);
             heat.begin_substep(s, at);
-            if (behind) behind->begin_substep(s, at);
+            if (behind) {
+                behind->begin_substep(s, at);
+                batch.behind_jumps = behind->jumps;
+            }
             advance_plates(step, surface,
                            {.air_before = before.air,
                             .air = now.air,

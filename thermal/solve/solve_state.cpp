@@ -73,9 +73,9 @@ void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const doub
     }
 }
 
-std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i) {
-    if (level.stride != 1 || block.jumps.empty()) return {};
-    return std::span(block.jump).subspan(block.jumps[i - 1], block.jumps[i] - block.jumps[i - 1]);
+std::span<const HeatJump> edges_of(const Level& level, const Block::Jumps& jumps, std::size_t i) {
+    if (level.stride != 1 || jumps.of.empty()) return {};
+    return std::span(jumps.jump).subspan(jumps.of[i - 1], jumps.of[i] - jumps.of[i - 1]);
 }
 
 void warm(SolveState& solve, const Level& level, const Block& block, const Eigen::MatrixXd& warmer,

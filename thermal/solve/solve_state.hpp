@@ -36,11 +36,15 @@ struct Block {
     std::vector<std::size_t> facet;
     std::vector<std::size_t> behind{};  // [lane] the facet that is its back; empty: none has one
     std::vector<NaturalFilm> natural;
-    std::size_t tier = 0;        // AirTiers::low of all its facets
-    std::vector<double> up;      // [lane] AirTiers::share; empty where there is one tier
-    double mean_up = 0.0;        // of all lanes: layered columns and plates have one air a block
-    std::vector<HeatJump> jump;  // of incident sunlight, those of step i from
-    std::vector<std::uint32_t> jumps;   // (step + 1) jumps[i] to jumps[i + 1]
+    std::size_t tier = 0;    // AirTiers::low of all its facets
+    std::vector<double> up;  // [lane] AirTiers::share; empty where there is one tier
+    double mean_up = 0.0;    // of all lanes: layered columns and plates have one air a block
+    /// Jumps of incident sunlight, those of step i from (step + 1) of[i] to of[i + 1].
+    struct Jumps {
+        std::vector<HeatJump> jump;
+        std::vector<std::uint32_t> of;
+    };
+    Jumps front{}, back{};
     std::vector<double> start, change;  // [state][lane] relative; change over the last pass. States
                                         // are nodes' temperatures, or the open column's modes
     std::vector<double> move, planned;  // [state][lane] of the start after the pass before: what
@@ -204,8 +208,8 @@ void facet_heat(const SolveState& solve, const Block& block, const BlockFace& fa
 void put_kelvin(SolveState& solve, const Block& block, std::size_t i, const double* temperature,
                 const double* behind = nullptr);
 
-/// The jumps of a block's sunlight in the step that ends at instant i; none on coarse levels.
-std::span<const HeatJump> edges_of(const Level& level, const Block& block, std::size_t i);
+/// The jumps of a face's sunlight in the step that ends at instant i; none on coarse levels.
+std::span<const HeatJump> edges_of(const Level& level, const Block::Jumps& jumps, std::size_t i);
 
 /// Adds to a block's temperatures [K], (instant of the level, facet of the block); to those of its
 /// backs as much, or what is given.

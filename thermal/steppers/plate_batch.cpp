@@ -16,6 +16,7 @@ constexpr int steps_after_jump = 2;  // in parts
 /// A plate that goes the step by itself.
 struct Stray {
     HeatJump jump;
+    bool on_back;
     NaturalFilm natural;
     const double *behind_before, *behind;  // of PlateBatch
     double drive[2];
@@ -30,7 +31,9 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
     double* const x = stray.x.data();
     double* const drive = stray.drive;
     const std::size_t l = jump.lane, modes = step.modes();
-    const double smooth = forcing.heat[l] - forcing.heat_before[l] - jump.heat;
+    const double rise[2]{stray.on_back ? 0.0 : jump.heat, stray.on_back ? jump.heat : 0.0};
+    const double smooth[2]{forcing.heat[l] - forcing.heat_before[l] - rise[0],
+                           stray.behind ? stray.behind[l] - stray.behind_before[l] - rise[1] : 0.0};
     const double left = 1.0 - jump.share;
     double begin = 0.0;
     for (int part = 0; part <= parts_after_jump; ++part) {
@@ -39,10 +42,14 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
         const double length = (end - begin) * step.step;
         const AirFilm air = air_between(forcing.air_before.low, forcing.air.low, end);
         const TwoAirs airs(surface, air);
-        if (part == 1) drive[0] += jump.heat;
+        if (part == 1) {
+            drive[0] += rise[0];
+            drive[1] += rise[1];
+        }
         Faces faces{.base = {},
-                    .heat = {forcing.heat_before[l] + end * smooth + (part > 0 ? jump.heat : 0.0),
-                             stray.behind ? std::lerp(stray.behind_before[l], stray.behind[l], end)
+                    .heat = {forcing.heat_before[l] + end * smooth[0] + (part > 0 ? rise[0] : 0.0),
+                             stray.behind ? stray.behind_before[l] + end * smooth[1] +
+                                                (part > 0 ? rise[1] : 0.0)
                                           : airs.arriving},
                     .response = {}};
         double weight[most_modes];
@@ -72,23 +79,33 @@ template <bool Plate, bool Wet>
 std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surface,
                               const ModeForcing& forcing, PlateBatch& batch, StepRecord& record) {
     std::vector<HeatJump> jumps(forcing.jumps.begin(), forcing.jumps.end());
+    // Where both faces jump, the back's is drawn out over the step.
+    for (const HeatJump& jump : batch.behind_jumps) {
+        const bool both =
+            std::any_of(forcing.jumps.begin(), forcing.jumps.end(),
+                        [&](const HeatJump& other) { return other.lane == jump.lane; });
+        if (!both) jumps.push_back(jump);
+    }
+    const std::size_t fresh = jumps.size();
     for (std::size_t l = 0; l < batch.count; ++l) {
         if (batch.unsettled[l] == 0) continue;
         --batch.unsettled[l];
         jumps.push_back({l, 1e-3, 0.0});
     }
-    for (const HeatJump& jump : forcing.jumps) {
-        batch.unsettled[jump.lane] = steps_after_jump;
+    for (std::size_t k = 0; k < fresh; ++k) {
+        const std::size_t lane = jumps[k].lane;
+        batch.unsettled[lane] = steps_after_jump;
         // It may have come from the step before with parts of its own.
-        const auto last =
-            std::remove_if(jumps.begin() + std::ptrdiff_t(forcing.jumps.size()), jumps.end(),
-                           [&](const HeatJump& other) { return other.lane == jump.lane; });
+        const auto last = std::remove_if(jumps.begin() + std::ptrdiff_t(fresh), jumps.end(),
+                                         [&](const HeatJump& other) { return other.lane == lane; });
         jumps.erase(last, jumps.end());
     }
     std::vector<Stray> strays;
-    for (const HeatJump& jump : jumps) {
+    for (std::size_t k = 0; k < jumps.size(); ++k) {
+        const HeatJump& jump = jumps[k];
         Stray& stray = strays.emplace_back(
             Stray{.jump = jump,
+                  .on_back = k >= forcing.jumps.size() && k < fresh,
                   .natural = batch.natural[jump.lane],
                   .behind_before = batch.behind_before,
                   .behind = batch.behind,

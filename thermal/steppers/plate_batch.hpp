@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "thermal/column/plate_column.hpp"
@@ -26,6 +27,7 @@ struct PlateBatch {
     /// [lane] absorbed sun and longwave of the backs at the start and the end of a step [W m⁻²];
     /// null: that of surroundings as warm as the air.
     const double *behind_before = nullptr, *behind = nullptr;
+    std::span<const HeatJump> behind_jumps{};  // of it, within the step
 
     void resize(std::size_t modes, std::size_t plates);
 };
@@ -34,8 +36,8 @@ struct PlateBatch {
 void begin_plates(const PlateStep& step, const ThermalSurface& surface, const AirFilm& air,
                   const double* heat, PlateBatch& batch);
 
-/// One step; plates whose heat jumps go to the jump and from there in parts of growing length, the
-/// two steps after that likewise: sheet steel takes minutes to follow.
+/// One step; plates whose heat jumps, in front or behind, go to the jump and from there in parts of
+/// growing length, the two steps after that likewise: sheet steel takes minutes to follow.
 /// `record.slope` gets the sums over plates of d(flux)/dT at its end, front and back; worst_closure
 /// what the faces take in less what the modes got, over the sum of its terms.
 void advance_plates(const PlateStep& step, const ThermalSurface& surface,

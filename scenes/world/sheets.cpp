@@ -75,7 +75,9 @@ const SheetMaterials& Sheets::of(MaterialId material) {
     SheetMaterials sheet{material, material, air_behind(base.thermal) || !flux};
     if (sheet.two_sided) {
         Material front = front_of(base);
-        sheet.back = materials_.add(back_of(front));
+        Material back = back_of(front);
+        if (!base.thermal.back) back.thermal.evaporation = base.thermal.evaporation;
+        sheet.back = materials_.add(std::move(back));
         sheet.front = materials_.add(std::move(front));
     }
     return known_.emplace(material, sheet).first->second;

@@ -87,11 +87,12 @@ inline void write_scene(const std::filesystem::path& folder, const Given& given)
                "origin\",0],PARAMETER[\"central_meridian\",0],PARAMETER[\"scale_factor\",1],"
                "PARAMETER[\"false_easting\",0],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]");
     std::string weather =
-        "time,air_temperature_K,wind_speed_m_s,direct_normal_W_m2,diffuse_W_m2,longwave_down_W_"
+        "time,air_temperature_K,relative_humidity,pressure_Pa,wind_speed_m_s,direct_normal_W_m2,"
+        "diffuse_W_m2,longwave_down_W_"
         "m2\n";
     for (int h = 0; h <= 24; ++h) {
-        weather += fmt::format("2026-03-{:02}T{:02}:00:00Z,{},3,{},0,{}\n", 20 + h / 24, h % 24,
-                               air, h > 6 && h < 18 ? given.beam : 0.0, given.longwave);
+        weather += fmt::format("2026-03-{:02}T{:02}:00:00Z,{},0.5,100000,3,{},0,{}\n", 20 + h / 24,
+                               h % 24, air, h > 6 && h < 18 ? given.beam : 0.0, given.longwave);
     }
     write_text(folder / "weather.csv", weather);
     write_text(folder / "mesh.obj", given.mesh);

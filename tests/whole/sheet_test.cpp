@@ -91,6 +91,43 @@ TEST_CASE("the sun heats an upright sheet from either side", "[whole][sheet]") {
           Approx(beam * std::sin(radians(43.1)) / (2.0 * film)).epsilon(0.01));
 }
 
+// Without radiation a surface that gives its vapour to the air as freely as its heat is at the wet
+// bulb, c_p (T_air − T) = 0.622 L / p (e_s(T) − e): 290 K and half of saturation, 1000 hPa, with
+// Bolton's e_s (1980) and L = 2.5008 − 0.002372 (T − 273.15) MJ/kg (Stull 1988), c_p of the moist
+// air. With a dry back two faces bring heat and one gives vapour.
+TEST_CASE("both sides of a wet sheet evaporate", "[whole][sheet]") {
+    const std::string evaporates =
+        "evaporation = { kind = \"resistance\", minimum_s_m = 0.0, wetness = 1.0 }\n";
+    const auto mean = [&](const std::string& back, const std::string& layer) {
+        const Solved scene = solved(
+            {.mesh = level_square(2), .black = 0.0, .sheet = evaporates + back, .layer = layer});
+        CHECK(scene.kelvin("12:00", false, 0.0, 1.0, false) ==
+              Approx(scene.kelvin("12:00", false, 0.0, 1.0)).margin(0.05));
+        return scene.kelvin("12:00", false, 0.0, 1.0);
+    };
+    const auto saturation = [](double t) {
+        return 611.2 * std::exp(17.67 * (t - 273.15) / (t - 29.65));
+    };
+    const double vapour = 0.5 * saturation(air), pressure = 1e5;
+    const auto wet_bulb = [&](double faces_of_heat) {
+        double low = 260.0, high = air;
+        for (int i = 0; i < 60; ++i) {
+            const double t = 0.5 * (low + high);
+            const double q = 0.622 * vapour / pressure;
+            const double given = faces_of_heat * (1004.7 + 850.0 * q) * (air - t);
+            const double latent = 2.5008e6 - 2372.0 * (t - 273.15);
+            const double taken = 0.622 * latent / pressure * (saturation(t) - vapour);
+            (given > taken ? low : high) = t;
+        }
+        return low;
+    };
+    const std::string dry = "back = { kind = \"exposed\", emissivity = 0.0, albedo = 0.0 }";
+    const std::string thin = "thickness_m = 0.001, conductivity_W_mK = 50.0";
+    CHECK(mean("", thin) == Approx(wet_bulb(1.0)).margin(0.1));
+    CHECK(mean(dry, thin) == Approx(wet_bulb(2.0)).margin(0.1));
+    REQUIRE(wet_bulb(2.0) - wet_bulb(1.0) > 1.0);
+}
+
 // Turned over, an upright sheet between two boxes that shade it by turns is as warm at any time:
 // the back's sun comes and goes within steps as the front's.
 TEST_CASE("which side of a sheet is its front makes no difference", "[whole][sheet][sun]") {

@@ -113,8 +113,9 @@ PointFacet::Ends PointFacet::ends(const std::array<SurfaceConditions, 2>& c,
             const double emissivity = setup_.surface.back->emissivity;
             const double arriving =
                 setup_.behind ? setup_.behind(when[k]) : absorbed_of_air(c[k].air, emissivity);
-            ends.back[k] = [&air = c[k].air, front = c[k].natural, emissivity, arriving](double t) {
-                const SurfaceFlux back = back_flux(air, front, emissivity, arriving, t);
+            ends.back[k] = [&air = c[k].air, front = c[k].natural,
+                            face = BackFace{emissivity, arriving, setup_.wet_behind}](double t) {
+                const SurfaceFlux back = back_flux(air, front, face, t);
                 return BoundaryFlux{back.flux, back.slope};
             };
         } else if (room && !room->schedule.empty()) {

@@ -41,6 +41,7 @@ struct PointSetup {
     /// [W m⁻²] absorbed sun and longwave of a plate's back; none: that of surroundings as warm as
     /// the air.
     std::function<double(Instant)> behind{};
+    bool wet_behind = false;  // it evaporates as the front does, but for water that stands there
 };
 
 /// A facet that needs more than a linear column and a dry or evenly wet surface, on its way through

@@ -26,6 +26,7 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
     if (!block.behind.empty()) {
         const std::size_t back = block.behind[lane];
         const BlockFace face = back_of(solve, block);
+        wet_behind_ = face.wet;
         for (std::size_t i = 0; i < solve.instant.size(); ++i) {
             const std::size_t at = i * solve.facets + back;
             double longwave = solve.at_facet(&SkyState::longwave_down, i, back);

@@ -20,6 +20,7 @@ class FacetForcing {
     /// Whether it is a sheet's front, and what its back absorbs of sun and longwave [W m⁻²].
     bool has_back() const { return !behind_.empty(); }
     double behind(Instant when) const;
+    bool wet_behind() const { return wet_behind_; }
 
     /// Where its sunlight jumps, ascending.
     const std::vector<Instant>& edges() const { return edge_; }
@@ -30,6 +31,7 @@ class FacetForcing {
     std::vector<Forcing> weather_;             // (instant) at the facet's height
     std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
     std::vector<double> behind_{};             // (instant) absorbed by its back; empty: none
+    bool wet_behind_ = false;
     std::vector<HeatJump> jump_;  // of step i from first_jump_[i] to first_jump_[i + 1]
     std::vector<std::size_t> first_jump_;
     std::vector<Instant> edge_;  // (jump)

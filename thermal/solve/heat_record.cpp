@@ -53,10 +53,10 @@ void record_backs(SolveState& solve, const Block& block, std::size_t i,
     for (std::size_t l = 0; l < block.behind.size(); ++l) {
         const std::size_t back = block.behind[l];
         if (solve.other_side[back] != block.facet[l]) continue;
-        AirFilm dry = surfaces.air.at(l);
-        dry.wetness = 0.0;
+        AirFilm air = surfaces.air.at(l);
+        if (!face.wet) air.wetness = 0.0;
         const double sun = face.absorptance * solve.sunlight[i * solve.facets + back];
-        HeatBalance balance = heat_balance(dry, turned_over(block.natural[l]), face.emissivity,
+        HeatBalance balance = heat_balance(air, turned_over(block.natural[l]), face.emissivity,
                                            {.absorbed_solar = sun}, surfaces.temperature[l]);
         balance.longwave_in = surfaces.heat[l] - sun;
         balance.conducted = -balance.sum();

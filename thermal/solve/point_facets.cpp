@@ -222,7 +222,8 @@ void PointFacets::run(const Level& level, Point& p) const {
                       .grid = grid_of(column.surface, solve_.options.grid),
                       .longest_step = solve_.step / solve_.options.refinement,
                       .forcing = [&](Instant when) { return forcing(when); },
-                      .behind = behind});
+                      .behind = behind,
+                      .wet_behind = forcing.wet_behind()});
     if (p.begun) {
         facet.u = p.start.u;
         facet.standing = p.start.standing;

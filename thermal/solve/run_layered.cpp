@@ -30,6 +30,7 @@ class Stray {
         }
         one_.temperature[0] = batch.temperature[lane];
         one_.natural[0] = batch.natural[lane];
+        one_.wet_behind = batch.wet_behind;
     }
 
     /// To the edge, and from there on in parts of growing length.
@@ -105,6 +106,7 @@ class LayeredRun {
         if (!block.behind.empty()) {
             behind_.emplace(solve, level, block, count_, true);
             batch_.behind = {behind_at_stage_[0], behind_at_stage_[1]};
+            batch_.wet_behind = back_of(solve, block).wet;
         }
         batch_.resize(kind_.column.grid.size(), count_);
         batch_.state = block.start;

@@ -54,6 +54,7 @@ void run_plates(SolveState& solve, const Level& level, Block& block) {
         behind.emplace(solve, level, block, lanes, true);
         batch.behind_before = behind->at_start;
         batch.behind = behind->at_end;
+        batch.wet_behind = back_of(solve, block).wet;
     }
     StageForcing now = kind.middle(block, 0);
     begin_plates(step, surface, now.air, heat.at_end, batch);

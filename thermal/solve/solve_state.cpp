@@ -39,7 +39,7 @@ BlockFace back_of(const SolveState& solve, const Block& block) {
     const MaterialId material = solve.input.facets.material[block.behind.front()];
     const ThermalSurface& surface = solve.input.materials[material].thermal;
     return {block.behind, std::max(0.0, 1.0 - surface.albedo - surface.solar_transmittance),
-            surface.emissivity, 0.0};
+            surface.emissivity, 0.0, surface.evaporation.wetness > 0.0};
 }
 
 void facet_heat(const SolveState& solve, const Block& block, const BlockFace& face, std::size_t i,

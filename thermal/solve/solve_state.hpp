@@ -196,6 +196,7 @@ double absorptance_at(const SolveState& solve, const Kind& kind, std::size_t i);
 struct BlockFace {
     std::span<const std::size_t> facet;
     double absorptance, emissivity, internal;
+    bool wet = false;  // of backs: they evaporate as the fronts do
 };
 BlockFace front_of(const SolveState& solve, const Block& block, const Kind& kind, std::size_t i);
 BlockFace back_of(const SolveState& solve, const Block& block);

@@ -21,6 +21,7 @@ struct LayeredBatch {
     /// (stage) [lane] absorbed sun and longwave of plates' backs [W m⁻²]; null: that of
     /// surroundings as warm as the air.
     std::array<const double*, 2> behind{};
+    bool wet_behind = false;  // the backs evaporate as the fronts do
 
     void resize(std::size_t nodes, std::size_t facets) {
         assert(facets <= lanes);

@@ -50,7 +50,8 @@ SurfaceNode eliminate_upward(const MaterialColumn& material, const SurfaceFlux& 
 struct Above {
     const AirFilm& air;
     NaturalFilm natural;
-    double heat, behind;  // [W m⁻²]
+    double heat;  // [W m⁻²]
+    BackFace back;
 };
 /// [W m⁻²] into the two faces at a stage's end, and d/dT of the front's.
 struct FaceFluxes {
@@ -68,8 +69,7 @@ FaceFluxes solve_stage(const MaterialColumn& material, const Above& above, Sheet
     FaceFluxes fluxes;
     for (int round = 0; round < most_rounds; ++round) {
         const double guess = theta[n - 1] + reference;
-        const SurfaceFlux back = back_flux(above.air, above.natural,
-                                           material.surface.back->emissivity, above.behind, guess);
+        const SurfaceFlux back = back_flux(above.air, above.natural, above.back, guess);
         const SurfaceNode node = eliminate_upward(material, back, sheet);
         const SurfaceCount newton =
             solve_surface(above.air, {.count = 1,
@@ -112,11 +112,13 @@ void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>&
             sheet.start[i] = sheet.theta[i] = batch.state[i * lanes + l];
         }
         for (std::size_t k = 0; k < 2; ++k) {
-            const double behind = batch.behind[k]
-                                      ? batch.behind[k][l]
-                                      : absorbed_of_air(air[k], material.surface.back->emissivity);
+            const double emissivity = material.surface.back->emissivity;
+            const BackFace back{
+                emissivity,
+                batch.behind[k] ? batch.behind[k][l] : absorbed_of_air(air[k], emissivity),
+                batch.wet_behind};
             const FaceFluxes fluxes = solve_stage(
-                material, {air[k], batch.natural[l], heat[k][l], behind}, sheet, surface, record);
+                material, {air[k], batch.natural[l], heat[k][l], back}, sheet, surface, record);
             record.slope[k] += fluxes.slope;
             batch.taken[l] = fluxes.taken;
             const double weight = stage_weight[k];

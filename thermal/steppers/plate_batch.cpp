@@ -24,7 +24,7 @@ struct Stray {
 };
 
 /// The whole step of one plate whose heat jumps within it, from its state before.
-template <bool Plate, bool Wet>
+template <class Kinds>
 void split_plate(const PlateStep& step, const ThermalSurface& surface, const ModeForcing& forcing,
                  Stray& stray, StepRecord& record) {
     const HeatJump& jump = stray.jump;
@@ -65,7 +65,7 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
             faces.response[1] += weight[m] * f0 * f1;
             faces.response[2] += weight[m] * f1 * f1;
         }
-        solve_faces<Plate, Wet>(airs, stray.natural, step, faces, drive, record);
+        solve_faces<Kinds>(airs, stray.natural, step, faces, drive, record);
         for (std::size_t m = 0; m < modes; ++m) {
             x[m] += weight[m] * (step.face[0][m] * drive[0] + step.face[1][m] * drive[1]);
         }
@@ -75,7 +75,7 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
 
 /// Takes the plates whose heat jumps in this step, or did in the last, out of the batch before the
 /// others' step writes over where they stand, and goes their step.
-template <bool Plate, bool Wet>
+template <class Kinds>
 std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surface,
                               const ModeForcing& forcing, PlateBatch& batch, StepRecord& record) {
     std::vector<HeatJump> jumps(forcing.jumps.begin(), forcing.jumps.end());
@@ -114,7 +114,7 @@ std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surfa
         for (std::size_t m = 0; m < step.modes(); ++m) {
             stray.x.push_back(batch.state[m * lanes + jump.lane]);
         }
-        split_plate<Plate, Wet>(step, surface, forcing, stray, record);
+        split_plate<Kinds>(step, surface, forcing, stray, record);
     }
     return strays;
 }
@@ -152,7 +152,7 @@ Bases decay_modes(const PlateStep& step, PlateBatch& batch) {
 }
 
 /// Newton for all plates' drives side by side; whether it has settled them.
-template <bool Plate, bool Wet>
+template <class Kinds>
 bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing& forcing,
                   const Bases& base, PlateBatch& batch, StepRecord& record) {
     const Behind behind(airs, batch);
@@ -180,10 +180,10 @@ bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing&
         for (std::size_t l = 0; l < lanes; ++l) {
             front[l] = base0[l] + r0 * u0[l] + r1 * u1[l];
             back[l] = base1[l] + r1 * u0[l] + r2 * u1[l];
-            face_flux<Plate, Wet>(air, natural[l], emissivity0, front[l] + reference, flux0[l],
-                                  slope0[l]);
-            face_flux<Plate, false>(air, turned_over(natural[l]), emissivity1, back[l] + reference,
-                                    flux1[l], slope1[l]);
+            face_flux<Kinds::plate, Kinds::wet>(air, natural[l], emissivity0, front[l] + reference,
+                                                flux0[l], slope0[l]);
+            face_flux<Kinds::plate, Kinds::wet_behind>(air, turned_over(natural[l]), emissivity1,
+                                                       back[l] + reference, flux1[l], slope1[l]);
         }
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < lanes; ++l) {
@@ -208,7 +208,7 @@ bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing&
 }
 
 /// Each plate by itself.
-template <bool Plate, bool Wet>
+template <class Kinds>
 void solve_one_by_one(const PlateStep& step, const TwoAirs& airs, const double* heat,
                       const Bases& base, PlateBatch& batch, StepRecord& record) {
     const Behind behind(airs, batch);
@@ -217,7 +217,7 @@ void solve_one_by_one(const PlateStep& step, const TwoAirs& airs, const double* 
                           .heat = {heat[l], behind.heat[l]},
                           .response = {step.response[0], step.response[1], step.response[2]}};
         double drive[2]{heat[l], behind.heat[l]};
-        solve_faces<Plate, Wet>(airs, batch.natural[l], step, faces, drive, record);
+        solve_faces<Kinds>(airs, batch.natural[l], step, faces, drive, record);
         batch.drive[0][l] = drive[0];
         batch.drive[1][l] = drive[1];
     }
@@ -242,7 +242,7 @@ void take_drives(const PlateStep& step, const std::vector<Stray>& strays, PlateB
 }
 
 /// Temperatures, slopes and closure at the step's end, from the modes.
-template <bool Plate, bool Wet>
+template <class Kinds>
 void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, PlateBatch& batch,
                 StepRecord& record) {
     const Behind behind(airs, batch);
@@ -255,10 +255,11 @@ void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, 
             theta[1] += step.face[1][m] * batch.state[m * lanes + l];
         }
         double flux[2], slope[2];
-        face_flux<Plate, Wet>(airs.air, batch.natural[l], airs.emissivity[0],
-                              theta[0] + step.reference, flux[0], slope[0]);
-        face_flux<Plate, false>(airs.air, turned_over(batch.natural[l]), airs.emissivity[1],
-                                theta[1] + step.reference, flux[1], slope[1]);
+        face_flux<Kinds::plate, Kinds::wet>(airs.air, batch.natural[l], airs.emissivity[0],
+                                            theta[0] + step.reference, flux[0], slope[0]);
+        face_flux<Kinds::plate, Kinds::wet_behind>(airs.air, turned_over(batch.natural[l]),
+                                                   airs.emissivity[1], theta[1] + step.reference,
+                                                   flux[1], slope[1]);
         const double given[2]{heat[l], behind.heat[l]};
         double left = 0.0, terms = 1.0;
         for (int k = 0; k < 2; ++k) {
@@ -273,17 +274,17 @@ void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, 
     record.worst_closure = std::max(record.worst_closure, worst);
 }
 
-template <bool Plate, bool Wet>
+template <class Kinds>
 void advance(const PlateStep& step, const ThermalSurface& surface, const ModeForcing& forcing,
              PlateBatch& batch, StepRecord& record) {
-    const std::vector<Stray> strays = run_strays<Plate, Wet>(step, surface, forcing, batch, record);
+    const std::vector<Stray> strays = run_strays<Kinds>(step, surface, forcing, batch, record);
     const TwoAirs airs(surface, forcing.air.low);
     const Bases base = decay_modes(step, batch);
-    if (!solve_drives<Plate, Wet>(step, airs, forcing, base, batch, record)) {
-        solve_one_by_one<Plate, Wet>(step, airs, forcing.heat, base, batch, record);
+    if (!solve_drives<Kinds>(step, airs, forcing, base, batch, record)) {
+        solve_one_by_one<Kinds>(step, airs, forcing.heat, base, batch, record);
     }
     take_drives(step, strays, batch);
-    tell_faces<Plate, Wet>(step, airs, forcing.heat, batch, record);
+    tell_faces<Kinds>(step, airs, forcing.heat, batch, record);
 }
 
 }  // namespace
@@ -309,7 +310,7 @@ void begin_plates(const PlateStep& step, const ThermalSurface& surface, const Ai
             }
             const double t = theta + step.reference;
             double flux, slope;
-            if (k == 0 && air.wetness > 0.0) {
+            if (air.wetness > 0.0 && (k == 0 || batch.wet_behind)) {
                 const auto wet = air.plate ? face_flux<true, true> : face_flux<false, true>;
                 wet(air, sides[k], airs.emissivity[k], t, flux, slope);
             } else {
@@ -325,11 +326,15 @@ void begin_plates(const PlateStep& step, const ThermalSurface& surface, const Ai
 
 void advance_plates(const PlateStep& step, const ThermalSurface& surface,
                     const ModeForcing& forcing, PlateBatch& batch, StepRecord& record) {
-    const bool wet = forcing.air.low.wetness > 0.0;
+    const bool wet = forcing.air.low.wetness > 0.0, both = wet && batch.wet_behind;
     if (forcing.air.low.plate) {
-        (wet ? advance<true, true> : advance<true, false>)(step, surface, forcing, batch, record);
+        (both  ? advance<FaceKinds<true, true, true>>
+         : wet ? advance<FaceKinds<true, true, false>>
+               : advance<FaceKinds<true, false, false>>)(step, surface, forcing, batch, record);
     } else {
-        (wet ? advance<false, true> : advance<false, false>)(step, surface, forcing, batch, record);
+        (both  ? advance<FaceKinds<false, true, true>>
+         : wet ? advance<FaceKinds<false, true, false>>
+               : advance<FaceKinds<false, false, false>>)(step, surface, forcing, batch, record);
     }
 }
 

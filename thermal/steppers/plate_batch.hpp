@@ -28,6 +28,7 @@ struct PlateBatch {
     /// null: that of surroundings as warm as the air.
     const double *behind_before = nullptr, *behind = nullptr;
     std::span<const HeatJump> behind_jumps{};  // of it, within the step
+    bool wet_behind = false;                   // the backs evaporate as the fronts do
 
     void resize(std::size_t modes, std::size_t plates);
 };

@@ -61,17 +61,22 @@ template <bool Plate, bool Wet>
 inline double absorbed_of_air(const AirFilm& air, double emissivity) {
     return emissivity * stefan_boltzmann * power4(air.air_temperature);
 }
-/// Heat into a plate's back, dry.
+/// What a plate's back has to do with.
+struct BackFace {
+    double emissivity;
+    double arriving;   // absorbed sun and longwave [W m⁻²]
+    bool wet = false;  // evaporates as the front does
+};
+/// Heat into it.
 ///
-/// front     the natural film of the other side
-/// arriving  absorbed sun and longwave [W m⁻²]
-inline SurfaceFlux back_flux(const AirFilm& air, NaturalFilm front, double emissivity,
-                             double arriving, double temperature) {
-    const double radiation = emissivity * stefan_boltzmann;
-    return air.plate ? surface_flux<true, false>(air, turned_over(front), radiation, arriving,
-                                                 temperature)
-                     : surface_flux<false, false>(air, turned_over(front), radiation, arriving,
-                                                  temperature);
+/// front  the natural film of the other side
+inline SurfaceFlux back_flux(const AirFilm& air, NaturalFilm front, const BackFace& back,
+                             double temperature) {
+    const double radiation = back.emissivity * stefan_boltzmann;
+    const auto flux = air.plate
+                          ? (back.wet ? surface_flux<true, true> : surface_flux<true, false>)
+                          : (back.wet ? surface_flux<false, true> : surface_flux<false, false>);
+    return flux(air, turned_over(front), radiation, back.arriving, temperature);
 }
 
 }  // namespace diurna

@@ -41,8 +41,8 @@ void check_sizes(const View& view, const RadianceInput& input) {
     }
 }
 
-void check_lit(const LitFacets& lit, const View& view, std::size_t bands) {
-    if (lit.bounds.size() != bands || lit.target.size() != view.facet.size()) {
+void check_lit(const LitFacets& lit, std::size_t seen, std::size_t bands) {
+    if (lit.bounds.size() != bands || lit.target.size() != seen) {
         throw InputError("render", "the lit facets were found for another view or other bands");
     }
 }
@@ -142,9 +142,12 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     if (!bands.empty()) {
         // Light the facets that the picture depends on.
         std::optional<LitFacets> own;
-        if (!options.lit) own = lit_facets(input, view.facet, bands);
+        const bool hops = options.hops && !options.hops->empty();
+        const std::vector<FacetId> seen =
+            hops ? seen_facets(view.facet, *options.hops) : view.facet;
+        if (!options.lit) own = lit_facets(input, seen, bands);
         const LitFacets& lit = options.lit ? *options.lit : *own;
-        check_lit(lit, view, bands.size());
+        check_lit(lit, seen.size(), bands.size());
         const SceneLight light(input, lit, bands, options.bounces, options.tolerance);
 
         // See them, and what is behind them, through the air.
@@ -156,8 +159,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.
-        if (options.hops && !options.hops->empty()) {
-            const HopLight of_hops(*options.hops, options.plumes, bands, input,
+        if (hops) {
+            const HopLight of_hops(*options.hops, options.plumes, light, view.facet.size(),
                                    {.bounces = options.bounces,
                                     .tolerance = options.tolerance,
                                     .by_term = options.terms});

@@ -18,7 +18,8 @@ struct FrameOptions {
     bool terms = false;         // the terms of the radiance one by one
     double tolerance = 1e-3;    // [K] aimed at by the tables, in apparent temperature
     int bounces = all_bounces;  // of light between surfaces, at most (radiosity.hpp)
-    /// lit_facets(input, view.facet, bands), for a series of frames in which nothing moves.
+    /// lit_facets(input, seen_facets(view.facet, hops), bands), for a series of frames in which
+    /// nothing moves.
     const LitFacets* lit = nullptr;
     /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_light.hpp).
     const Hops* hops = nullptr;

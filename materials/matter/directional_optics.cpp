@@ -1,11 +1,11 @@
 #include "materials/matter/directional_optics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "materials/base/quadrature.hpp"
 #include "materials/base/units.hpp"
-#include "materials/matter/microfacet.hpp"
 
 namespace diurna {
 
@@ -23,34 +23,39 @@ double factor_at(const ByAngle& finish, double cosine) {
     return finish.factor[i - 1] + t * (finish.factor[i] - finish.factor[i - 1]);
 }
 
-/// ∫₀¹ f(c) 2c dc by eight points in each of three parts, which crowd where reflectances rise.
-template <class F>
-double over_hemisphere(const F& f) {
+/// body(c, weight) with ∫₀¹ f(c) 2c dc = Σ weight f(c), by eight points in each of three parts,
+/// which crowd where reflectances rise.
+template <class Body>
+void each_over_hemisphere(const Body& body) {
     static const std::array<Quadrature, 3> parts = {
         gauss_legendre(8, 0.0, 0.15), gauss_legendre(8, 0.15, 0.5), gauss_legendre(8, 0.5, 1.0)};
-    double sum = 0.0;
     for (const Quadrature& part : parts) {
         for (std::size_t i = 0; i < part.size(); ++i) {
-            const double c = part.node[i];
-            sum += part.weight[i] * 2.0 * c * f(c);
+            body(part.node[i], part.weight[i] * 2.0 * part.node[i]);
         }
     }
+}
+
+template <class F>
+double over_hemisphere(const F& f) {
+    double sum = 0.0;
+    each_over_hemisphere([&](double c, double weight) { sum += weight * f(c); });
     return sum;
 }
 
 }  // namespace
 
+double smooth_reflectance(const Glossy& finish, double wavelength_um, double cosine) {
+    if (finish.metal) return std::pow(1.0 - cosine, 5);
+    return fresnel(cosine, {finish.index.at(wavelength_um), finish.extinction.at(wavelength_um)});
+}
+
 double interface_reflectance(const Finish& finish, double wavelength_um, double cosine) {
     const auto* glossy = std::get_if<Glossy>(&finish);
     if (glossy == nullptr) return 0.0;
-    const Microfacets surface{.roughness = glossy->roughness};
-    if (glossy->metal) {
-        return microfacet_reflectance(surface, cosine,
-                                      [](double c) { return std::pow(1.0 - c, 5); });
-    }
-    const std::complex<double> index(glossy->index.at(wavelength_um),
-                                     glossy->extinction.at(wavelength_um));
-    return microfacet_reflectance(surface, cosine, [&](double c) { return fresnel(c, index); });
+    return microfacet_reflectance(microfacets_of(*glossy), cosine, [&](double c) {
+        return smooth_reflectance(*glossy, wavelength_um, c);
+    });
 }
 
 DirectionalOptics directional_optics(const Material& material, double wavelength_um, double cosine,
@@ -65,8 +70,9 @@ DirectionalOptics directional_optics(const Material& material, double wavelength
             optics.mirrored = reflectance + (1.0 - reflectance) * interface_here;
             normal = reflectance + (1.0 - reflectance) * interface_normal;
         } else {
-            // An interface that alone would reflect more than was measured is held to that.
-            const double held = normal > reflectance ? reflectance / normal : 1.0;
+            // An interface that alone would reflect more than was measured is held to that; but
+            // water, whose waves change what was measured.
+            const double held = normal > reflectance && !glossy->waves ? reflectance / normal : 1.0;
             optics.mirrored = held * interface_here;
             normal *= held;
         }
@@ -102,6 +108,34 @@ DirectionalOptics hemispherical_optics(const Material& material, double waveleng
                              .transmittance = mean(&DirectionalOptics::transmittance)};
     optics.emissivity = 1.0 - optics.mirrored - optics.diffuse - optics.transmittance;
     return optics;
+}
+
+std::vector<DirectionalOptics> hemispherical_optics_at(const Material& material,
+                                                       std::span<const double> wavelengths_um) {
+    std::vector<DirectionalOptics> all;
+    const auto* glossy = std::get_if<Glossy>(&material.finish);
+    if (glossy == nullptr) {
+        for (const double um : wavelengths_um) all.push_back(hemispherical_optics(material, um));
+        return all;
+    }
+    // The optics are linear in what the interface reflects, and that in the microfacets' angles.
+    const Microfacets surface = microfacets_of(*glossy);
+    const std::vector<double> upright = facing_shares(surface, laboratory_cosine);
+    std::vector<double> mean(facing_nodes, 0.0);
+    each_over_hemisphere([&](double cosine, double weight) {
+        const std::vector<double> shares = facing_shares(surface, cosine);
+        for (std::size_t k = 0; k < mean.size(); ++k) mean[k] += weight * shares[k];
+    });
+    for (const double um : wavelengths_um) {
+        double here = 0.0, normal = 0.0;
+        for (std::size_t k = 0; k < facing_nodes; ++k) {
+            const double reflected = smooth_reflectance(*glossy, um, facing_cosine(k));
+            here += mean[k] * reflected;
+            normal += upright[k] * reflected;
+        }
+        all.push_back(directional_optics(material, um, 1.0, here, normal));
+    }
+    return all;
 }
 
 }  // namespace diurna

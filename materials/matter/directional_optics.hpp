@@ -1,6 +1,10 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "materials/matter/material.hpp"
+#include "materials/matter/microfacet.hpp"
 
 namespace diurna {
 
@@ -17,6 +21,12 @@ inline constexpr double laboratory_cosine = 0.98480775301220806;
 /// dielectric R, of a metal the share s of Schlick's law, R = ρ + (1 − ρ) s. A rough one costs a
 /// thousand evaluations. Zero for other finishes.
 double interface_reflectance(const Finish& finish, double wavelength_um, double cosine);
+/// The same of one of its microfacets.
+double smooth_reflectance(const Glossy& finish, double wavelength_um, double cosine);
+/// The microfacets of a finish.
+inline Microfacets microfacets_of(const Glossy& finish) {
+    return {.roughness = finish.roughness, .gaussian = finish.waves};
+}
 
 /// The optics at a wavelength from the interface's values at the angle and at the laboratory's.
 DirectionalOptics directional_optics(const Material& material, double wavelength_um, double cosine,
@@ -28,5 +38,8 @@ DirectionalOptics directional_optics(const Material& material, double wavelength
 
 /// The same averaged over the hemisphere, ∫ f 2 cosθ d cosθ: what counts in exchange and balance.
 DirectionalOptics hemispherical_optics(const Material& material, double wavelength_um);
+/// At many wavelengths, for little more.
+std::vector<DirectionalOptics> hemispherical_optics_at(const Material& material,
+                                                       std::span<const double> wavelengths_um);
 
 }  // namespace diurna

@@ -10,8 +10,8 @@ namespace diurna {
 /// Light is sent back alike into all directions, whatever the angle.
 struct Lambert {};
 
-/// Microfacets (materials/matter/microfacet.hpp) over a body: gloss paint, varnish, glass, water,
-/// metal.
+/// Microfacets (materials/matter/microfacet.hpp) over a body: gloss paint, varnish, metal; water in
+/// the wind; a pane of glass.
 ///
 /// The spectrum `reflectance` holds near the normal, at 10° as laboratories measure. Of it the
 /// interface takes what Fresnel's formula says, or all (metal, Schlick's law of angle); the body
@@ -22,6 +22,11 @@ struct Glossy {
     bool metal = false;
     Spectrum index;       // n(λ); of a dielectric
     Spectrum extinction;  // k(λ); empty: none
+    /// Water: its slopes are Gaussian and the wind's (materials/matter/waves.hpp); `roughness` is
+    /// that of the wind that means are taken at.
+    bool waves = false;
+    /// A sheet with two smooth faces that reflect to and fro (materials/matter/pane.hpp).
+    bool pane = false;
 };
 
 /// The reflectance by angle as a table of factors to the spectrum, alike into all directions:

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -13,14 +14,17 @@ namespace diurna {
 /// index   n + ik of the matter below relative to that above, n > 0, k >= 0
 double fresnel(double cosine, std::complex<double> index);
 
-/// Microfacets of the GGX distribution (Walter et al. 2007), isotropic, with Smith's
-/// height-correlated masking and shadowing (Heitz 2014). Directions are unit vectors away from the
-/// surface in a frame whose z is the surface's normal.
+/// Microfacets, isotropic, with Smith's height-correlated masking and shadowing (Heitz 2014; Ross,
+/// Potvin & Dion 2005 of the sea). Directions are unit vectors away from the surface in a frame
+/// whose z is the surface's normal.
 ///
-/// roughness  α: 0 (a mirror) to 1; slopes have the density of Student's t with two degrees of
-///            freedom and the scale α
+/// roughness  α: 0 (a mirror) to 1. GGX (Walter et al. 2007): slopes have the density of Student's
+/// t
+///            with two degrees of freedom and the scale α
+/// gaussian   water's: slopes are normal, α² their mean square (Cox & Munk 1954)
 struct Microfacets {
     double roughness = 0.1;
+    bool gaussian = false;
 
     /// Density of microfacet normals over solid angle: ∫ D cosθ dω = 1.
     double density(double cosine) const;
@@ -28,10 +32,12 @@ struct Microfacets {
     double hidden(double cosine) const;
     /// Share of microfacets that neither hide from the eye nor lie in shadow.
     double lit_and_seen(double cosine_eye, double cosine_light) const;
-    /// A microfacet's normal, as often as it is seen from `eye` (Heitz 2018); u, v uniform in
-    /// [0, 1).
+    /// A microfacet's normal; u, v uniform in [0, 1). GGX: as often as it is seen from `eye` (Heitz
+    /// 2018); Gaussian: as often as it is with slopes of twice the mean square, as steep ones show
+    /// most at grazing angles.
     Eigen::Vector3d normal(const Eigen::Vector3d& eye, double u, double v) const;
-    /// Weight of the reflection about a sampled normal, 0 if it goes below the surface.
+    /// Weight of the reflection about a sampled normal, 0 if it goes below the surface; on average
+    /// the share of light that a lossless surface reflects once.
     double weight(const Eigen::Vector3d& eye, const Eigen::Vector3d& microfacet) const;
     /// The lobe D G / (4 cosθ_eye cosθ_light) [sr⁻¹] without Fresnel's factor, from the cosines of
     /// the half vector, the eye and the light, the last two above zero.
@@ -42,12 +48,24 @@ struct Microfacets {
 };
 
 /// Directional-hemispherical reflectance of such a surface whose microfacets reflect the share
-/// reflected(cosine at the microfacet), light reflected twice between microfacets included: the
-/// single reflection over that of a lossless surface, so that nothing is lost at any roughness
-/// (Turquin 2019).
+/// reflected(cosine at the microfacet). GGX: light reflected twice between microfacets included,
+/// the single reflection over that of a lossless surface, so that nothing is lost at any roughness
+/// (Turquin 2019). Gaussian: single reflection; what meets a second wave, steeply, goes into the
+/// water there but for some 2 % (Wu & Smith 1997: the sea sees itself).
 ///
 /// Within 1e-3 of adaptive integration for α up to 1 (tests/materials/microfacet_test.cpp).
 double microfacet_reflectance(const Microfacets& surface, double cosine,
                               const std::function<double(double)>& reflected);
+
+// The same for many wavelengths: R = Σ share[k] reflected(facing_cosine(k)).
+
+inline constexpr std::size_t facing_nodes = 128;
+/// Nodes crowd at grazing angles.
+inline double facing_cosine(std::size_t node) {
+    const double root = double(node) / double(facing_nodes - 1);
+    return root * root;
+}
+/// Shares of what leaves at a cosine by the angle at which it met its microfacet.
+std::vector<double> facing_shares(const Microfacets& surface, double cosine);
 
 }  // namespace diurna

@@ -10,6 +10,7 @@
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/waves.hpp"
 
 namespace diurna {
 
@@ -88,16 +89,20 @@ Finish read_by_angle(const Section& section) {
 
 Finish read_law(const Section& section, const std::filesystem::path& folder) {
     const std::string kind = section.kind_or(
-        "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish, glass, "
-        "water; metal: a bare one; by_angle: a table",
-        "lambert", {"lambert", "gloss", "metal", "by_angle"});
+        "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish; metal: "
+        "a bare one; waves: water, as rough as the wind makes it; by_angle: a table",
+        "lambert", {"lambert", "gloss", "metal", "waves", "by_angle"});
     if (kind == "by_angle") return read_by_angle(section);
-    if (kind != "gloss" && kind != "metal") return Lambert{};
-    Glossy finish{
-        .roughness = section.number("roughness", "of its microfacets: 0 a mirror", {0.0, 1.0}),
-        .metal = kind == "metal",
-        .index = {},
-        .extinction = {}};
+    if (kind != "gloss" && kind != "metal" && kind != "waves") return Lambert{};
+    Glossy finish;
+    finish.metal = kind == "metal";
+    finish.waves = kind == "waves";
+    if (finish.waves) {
+        finish.roughness = roughness_under(finish, mean_wind_over_water);
+    } else {
+        finish.roughness =
+            section.number("roughness", "of its microfacets: 0 a mirror", {0.0, 1.0});
+    }
     if (!finish.metal) read_refraction(section, folder, finish);
     return finish;
 }
@@ -113,19 +118,30 @@ void open_up(double cover, Material& material) {
     for (double& value : material.reflectance.value) value *= cover;
 }
 
+/// The heat balance takes what a law of angle comes to over the hemisphere: the emissivity, and of
+/// water, which is bright at grazing angles only, the albedo.
+void average_over_hemisphere(const Section& section, Material& material) {
+    if (std::holds_alternative<Lambert>(material.finish)) return;
+    const std::vector<double>& um = material.reflectance.wavelength_um;
+    Spectrum emissivity{.wavelength_um = um, .value = {}}, reflectance = emissivity;
+    for (const DirectionalOptics& optics : hemispherical_optics_at(material, um)) {
+        emissivity.value.push_back(optics.emissivity);
+        reflectance.value.push_back(optics.mirrored + optics.diffuse);
+    }
+    const auto* glossy = std::get_if<Glossy>(&material.finish);
+    if (!section.has("emissivity")) material.thermal.emissivity = planck_mean(emissivity);
+    if (glossy && glossy->waves && !section.has("albedo")) {
+        material.thermal.albedo = solar_mean(reflectance);
+    }
+}
+
 }  // namespace
 
 void read_finish(const Section& section, const std::filesystem::path& folder, Material& material) {
     if (section.has("finish")) {
         material.finish =
             read_law(section.section("finish", "how light is sent back over the angle"), folder);
-        if (!section.has("emissivity") && !std::holds_alternative<Lambert>(material.finish)) {
-            Spectrum emissivity{.wavelength_um = material.reflectance.wavelength_um, .value = {}};
-            for (const double um : emissivity.wavelength_um) {
-                emissivity.value.push_back(hemispherical_optics(material, um).emissivity);
-            }
-            material.thermal.emissivity = planck_mean(emissivity);
-        }
+        average_over_hemisphere(section, material);
     }
     material.see_through = section.flag_or(
         "see_through", "rays go on behind it, where its transmittance lets them: panes",

@@ -31,6 +31,7 @@ struct RadianceInput {
     /// The moon shines in the sun's place: sun_fraction, to_sun and sun_zenith_deg are the moon's,
     /// sun_distance_au is 1.
     std::optional<MoonLight> moon{};
+    double wind_speed = 3.0;  // [m s⁻¹] 12.5 m above water, which it roughens
 
     /// Height above the sea [km] of a height above the origin's level surface [m].
     double above_sea_km(double height) const { return ground_height_km + 1e-3 * height; }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "materials/base/parallel.hpp"
 #include "materials/matter/directional_optics.hpp"
@@ -30,8 +32,17 @@ AngleTable::AngleTable(const Material& material, std::span<const BandLight> band
     values_.assign(nodes * parts * lanes_, 0.0f);
     hemisphere_.assign(lanes_, 0.0f);
     const auto* glossy = std::get_if<Glossy>(&material.finish);
-    if (glossy) roughness_ = glossy->roughness;
-    // A rough interface costs a thousand evaluations an angle: once for all bands where it can.
+    if (glossy) {
+        roughness_ = glossy->roughness;
+        shares_.resize(nodes + 1);
+        for_each_index(
+            nodes + 1,
+            [&](std::size_t k) {
+                shares_[k] = facing_shares(microfacets_of(*glossy),
+                                           k < nodes ? cosine_at(k) : laboratory_cosine);
+            },
+            8);
+    }
     std::optional<Interface> grey;
     if (glossy && is_grey(*glossy)) grey = interface_of(material, 10.0);
     for (std::size_t b = 0; b < bands.size(); ++b) {
@@ -53,20 +64,25 @@ AngleTable::AngleTable(const Material& material, std::span<const BandLight> band
             },
             1);
     }
+    shares_.clear();
 }
 
-AngleTable::Interface AngleTable::interface_of(const Material& material, double wavelength_um) {
-    Interface interface {
-        std::vector<double>(nodes),
-            interface_reflectance(material.finish, wavelength_um, laboratory_cosine)
+AngleTable::Interface AngleTable::interface_of(const Material& material,
+                                               double wavelength_um) const {
+    Interface interface { std::vector<double>(nodes, 0.0), std::vector<double>(nodes, 0.0), 0.0 };
+    const auto* glossy = std::get_if<Glossy>(&material.finish);
+    if (glossy == nullptr) return interface;
+    std::vector<double> smooth(facing_nodes);
+    for (std::size_t k = 0; k < facing_nodes; ++k) {
+        smooth[k] = smooth_reflectance(*glossy, wavelength_um, facing_cosine(k));
+    }
+    const auto mean = [&](const std::vector<double>& shares) {
+        return std::inner_product(smooth.begin(), smooth.end(), shares.begin(), 0.0);
     };
-    for_each_index(
-        nodes,
-        [&](std::size_t k) {
-            interface.at_node[k] =
-                interface_reflectance(material.finish, wavelength_um, cosine_at(k));
-        },
-        8);
+    for (std::size_t k = 0; k < nodes; ++k) interface.at_node[k] = mean(shares_[k]);
+    interface.normal = mean(shares_[nodes]);
+    static_assert(nodes == facing_nodes);
+    interface.smooth = std::move(smooth);
     return interface;
 }
 
@@ -87,6 +103,10 @@ void AngleTable::fill(const Material& material, const BandLight& band,
             at[0] += static_cast<float>(share * o.mirrored);
             at[lanes_] += static_cast<float>(share * o.diffuse);
             at[2 * lanes_] += static_cast<float>(share * o.transmittance);
+            const DirectionalOptics smooth =
+                directional_optics(material, band.band.node_um[n], cosine_at(k),
+                                   interface.smooth[k], interface.normal);
+            at[3 * lanes_] += static_cast<float>(share * smooth.mirrored);
         }
     }
 }

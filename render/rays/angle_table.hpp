@@ -26,6 +26,8 @@ class AngleTable {
         float mirrored(std::size_t c) const { return low[c] + t * (high[c] - low[c]); }
         float diffuse(std::size_t c) const { return mirrored(lanes + c); }
         float transmittance(std::size_t c) const { return mirrored(2 * lanes + c); }
+        /// What one of the microfacets of a rough surface mirrors.
+        float facing(std::size_t c) const { return mirrored(3 * lanes + c); }
     };
     Place at(double cosine) const;
     /// Diffuse share (lane) averaged over the hemisphere, ∫ 2 cosθ d cosθ.
@@ -34,15 +36,15 @@ class AngleTable {
     double roughness() const { return roughness_; }
 
  private:
-    static constexpr std::size_t nodes = 128, parts = 3;
+    static constexpr std::size_t nodes = 128, parts = 4;
     /// Reflectance of the material's interface at the nodes and at the laboratory's angle.
     struct Interface {
-        std::vector<double> at_node;
+        std::vector<double> at_node, smooth;
         double normal = 0.0;
     };
     static double root_at(std::size_t node) { return double(node) / double(nodes - 1); }
     static double cosine_at(std::size_t node) { return root_at(node) * root_at(node); }
-    static Interface interface_of(const Material& material, double wavelength_um);
+    Interface interface_of(const Material& material, double wavelength_um) const;
     void fill(const Material& material, const BandLight& band, std::span<const double> shape,
               std::size_t channel, std::size_t lane, const Interface& interface);
     void average(std::size_t lane);
@@ -51,6 +53,7 @@ class AngleTable {
     double roughness_ = -1.0;
     std::vector<float> values_;  // (node, part, lane)
     std::vector<float> hemisphere_;
+    std::vector<std::vector<double>> shares_;  // (node, and the laboratory's angle) facing_shares()
 };
 
 }  // namespace diurna

@@ -1,8 +1,10 @@
 #include "render/rays/directional_light.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include "materials/matter/directional_optics.hpp"
+#include "render/rays/lobe.hpp"
 #include "render/rays/sun_glint.hpp"
 
 namespace diurna {
@@ -43,7 +45,7 @@ void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint
 /// Sunlight, diffuse and mirrored.
 void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
              const AngleTable::Place& at, std::uint32_t target, float* out) {
-    const std::size_t n = tables.lanes.size(), i = tables.lit.target[target];
+    const std::size_t n = tables.lanes.size(), i = tables.lit_index(target);
     float* light = row(Term::sun, Origin::sunlight, n, out);
     std::fill_n(light, n, 0.0f);
     const float sunlight = tables.light.state.sunlight[i];
@@ -54,11 +56,16 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
     const AngleTable::Place towards_sun = table.at(std::max(0.0, normal.dot(to_sun)));
     float glint = 0.0f;
     AngleTable::Place half_way = at;
-    if (table.roughness() >= 0.0) {
-        half_way = table.at(std::max(0.0, (eye + to_sun).normalized().dot(eye)));
-        glint = static_cast<float>(
-            sun_glint(table.roughness(), normal, eye, to_sun, double{hop.cosine}) *
-            double{sunlight});
+    if (const auto* glossy = std::get_if<Glossy>(&tables.material(hop).finish)) {
+        Microfacets surface = microfacets_of(*glossy);
+        surface.roughness = table.roughness();
+        half_way = table.at(facing_between(eye, to_sun));
+        // Water lies level: what its facet gets of the sun, a level one gets.
+        const Eigen::Vector3d level =
+            glossy->waves ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : normal;
+        const double turned = level.dot(to_sun) / std::max(1e-6, normal.dot(to_sun));
+        glint = static_cast<float>(sun_glint(surface, level, eye, to_sun, double{hop.cosine}) *
+                                   turned * double{sunlight});
     }
     const std::array<float, 3> up = height_weights(tables.lit.height[i]);
     const auto at_height = [&up](const std::array<std::vector<float>, 3>& sun, std::size_t c) {
@@ -68,7 +75,7 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
         const float mean = table.mean_diffuse(c);
         const float slant = mean > 0.0f ? towards_sun.diffuse(c) / mean : 0.0f;
         light[c] = at.diffuse(c) * slant * sunlight * at_height(tables.sun_and_aureole, c) +
-                   glint * half_way.mirrored(c) * at_height(tables.sun, c);
+                   glint * half_way.facing(c) * at_height(tables.sun, c);
     }
 }
 

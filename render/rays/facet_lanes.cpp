@@ -91,15 +91,15 @@ class BandRows {
 
 }  // namespace
 
-FacetLanes::FacetLanes(const SceneLight& light, const ChannelLanes& lanes, bool by_term)
+FacetLanes::FacetLanes(const SceneLight& light, std::size_t first, std::size_t targets,
+                       const ChannelLanes& lanes, bool by_term)
     : lanes_(lanes.size()), rows_of_facet_(by_term ? all_rows : arriving_rows) {
     const RadiosityTables& tables = light.tables;
-    const std::size_t targets = light.lit.target.size();
     rows_.assign(targets * rows_of_facet_ * lanes_, 0.0f);
     for_each_block(targets, 16, [&](std::size_t begin, std::size_t end) {
         std::vector<float> black(tables.lanes), arriving(tables.lanes);
         for (std::size_t t = begin; t < end; ++t) {
-            const std::size_t i = light.lit.target[t];
+            const std::size_t i = light.lit.target[first + t];
             black_modes(tables, light.state.temperature[i], black.data());
             light.radiosity.arriving(i, black.data(), arriving.data());
             for (std::size_t b = 0; b < light.band.size(); ++b) {

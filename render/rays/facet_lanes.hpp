@@ -31,10 +31,11 @@ inline constexpr std::array<SentRow, 8> sent_rows = {{
 /// side: rows of lanes.
 class FacetLanes {
  public:
-    /// Of the facets handed to lit_facets().
+    /// Of the facets handed to lit_facets() from `first` on, so many.
     ///
     /// - by_term: sent() is asked for
-    FacetLanes(const SceneLight& light, const ChannelLanes& lanes, bool by_term);
+    FacetLanes(const SceneLight& light, std::size_t first, std::size_t targets,
+               const ChannelLanes& lanes, bool by_term);
 
     /// Black body at a facet's temperature.
     ///

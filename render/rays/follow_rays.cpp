@@ -1,6 +1,7 @@
 #include "render/rays/follow_rays.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +13,8 @@
 namespace diurna {
 
 namespace {
+
+double fraction(double x) { return x - std::floor(x); }
 
 /// (target of the view) whether its material needs rays.
 std::vector<bool> targets_that_need_rays(const View& view, const HopScene& scene) {
@@ -68,7 +71,9 @@ std::vector<Hop> hops_of_pixel(std::size_t p, const HopScene& scene, const Obser
     const auto [columns, rows] = nearly_square(options.samples);
     const auto width = static_cast<std::size_t>(observer.width);
     std::vector<Hop> sample, seen;
-    const double offset = RandomStream{(options.seed << 32) + p}();
+    RandomStream of_pixel{(options.seed << 32) + p};
+    const double offset = of_pixel();
+    const std::array<double, 2> turn = {of_pixel(), of_pixel()};
     for (int s = 0; s < options.samples; ++s) {
         RandomStream chance{(options.seed * golden_step) ^
                             ((std::uint64_t{p} << 16) + std::uint64_t(s)) * second_step};
@@ -77,13 +82,19 @@ std::vector<Hop> hops_of_pixel(std::size_t p, const HopScene& scene, const Obser
         const double row = double(p / width) + (double(s / columns) + y) / rows;
         const double when = exposed(std::size_t(s), offset);
         sample.clear();
-        walk(scene, observer.position + eye.start(column, row, when), eye.towards(column, row),
-             1.0f / static_cast<float>(options.samples), chance, sample);
+        walk(
+            scene,
+            {.origin = observer.position + eye.start(column, row, when),
+             .direction = eye.towards(column, row),
+             .weight = 1.0f / static_cast<float>(options.samples),
+             .in_lobe = {fraction(turn[0] + s * even_step_x), fraction(turn[1] + s * even_step_y)}},
+            chance, sample);
         add_sample(sample, scene.plumes, seen);
     }
     // Past the plumes after all?
-    const bool plain = std::all_of(seen.begin(), seen.end(), [](const Hop& hop) {
-        return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume;
+    const bool plain = std::all_of(seen.begin(), seen.end(), [&](const Hop& hop) {
+        return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume &&
+               !(hop.kind == Hop::Kind::facet && scene.needs_rays(FacetId{hop.what}));
     });
     if (plain) seen.clear();
     return seen;

@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "materials/base/fast_exp.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/path/direction_angles.hpp"
 #include "render/rays/directional_light.hpp"
 #include "render/rays/hop_tables.hpp"
+#include "render/rays/lobe.hpp"
+#include "render/rays/rough_mirror.hpp"
 
 namespace diurna {
 
@@ -17,13 +21,16 @@ namespace {
 /// Sums the light of one pixel after another; its memory, rows of lanes, is kept between them.
 class PixelSum {
  public:
-    PixelSum(const HopTables& tables, bool by_term)
+    PixelSum(const HopTables& tables, const RoughMirrors& rough, bool by_term)
         : tables_(tables),
+          rough_(rough),
           lanes_(tables.lanes.size()),
           bands_(tables.band.size()),
           by_term_(by_term),
           filter_(origin_count * lanes_),
-          own_(sent_rows.size() * lanes_) {}
+          own_(sent_rows.size() * lanes_),
+          background_(lanes_),
+          share_(lanes_) {}
 
     /// Adds the k-th pixel of the hops to its place in the planes.
     void add(std::size_t k, std::span<std::vector<float>> planes) {
@@ -34,6 +41,7 @@ class PixelSum {
         radiance_.resize(list_.size() * lanes_);
         scattered_.assign(list_.size() * bands_, 0.0f);
         as_.assign(list_.size(), Term::path);
+        lobe_.resize(list_.size() * RoughMirrors::row_count * lanes_);
         sum_.assign((by_term_ ? term_count : 1) * lanes_, 0.0);
         for (std::size_t i = 0; i < list_.size(); ++i) add_hop(i);
         const std::size_t rows = planes.size() / bands_;
@@ -69,6 +77,7 @@ class PixelSum {
             if (tables_.scattered_path[b]) add_scattered_path(i, b);
         }
         add_air(i);
+        if (hop.way == Hop::Way::mirrored && rough_.has(list_[before(hop)])) take_expected(i);
         if (hop.kind == Hop::Kind::sky) return;
         const float* passed = &passed_[i * lanes_];
         for (std::size_t o = 0; o < origin_count; ++o) {
@@ -82,6 +91,67 @@ class PixelSum {
             add_plume(i);
         } else {
             add_facet(i);
+            if (rough_.has(hop)) add_lobe(i);
+        }
+    }
+
+    float* lobe(std::size_t i, RoughMirrors::Row row) {
+        return &lobe_[(i * RoughMirrors::row_count + row) * lanes_];
+    }
+
+    /// What a rough mirror shows of the background and, by their mean, of the facets around.
+    void add_lobe(std::size_t i) {
+        const Hop& hop = list_[i];
+        rough_.look(hop, lobe(i, RoughMirrors::reflected));
+        const float* all = lobe(i, RoughMirrors::reflected);
+        const MaterialId material = tables_.input.facets.material[hop.what];
+        const AngleTable::Place at = tables_.angle[index(material)].at(double{hop.cosine});
+        const float* passed = &passed_[i * lanes_];
+        for (std::size_t c = 0; c < lanes_; ++c) {
+            share_[c] = hop.weight * passed[c] * at.mirrored(c) / std::max(all[c], 1e-30f);
+        }
+        add_background(i, lobe(i, RoughMirrors::sky));
+        const float* near = lobe(i, RoughMirrors::around);
+        for (std::size_t c = 0; c < lanes_; ++c) share_[c] *= near[c];
+        add_around(i);
+    }
+
+    /// Takes away what the sum over the lobe has for what a ray off a rough mirror meets.
+    void take_expected(std::size_t i) {
+        const Hop& hop = list_[i];
+        const std::size_t mirror = before(hop);
+        const float* passed = &passed_[i * lanes_];
+        for (std::size_t c = 0; c < lanes_; ++c) share_[c] = -hop.weight * passed[c];
+        const Eigen::Vector3d direction = hop.direction.cast<double>();
+        if (rough_.around_towards(list_[mirror], direction)) {
+            add_around(mirror);
+        } else {
+            tables_.mirrored_background(direction, list_[mirror].range, background_);
+            add_background(mirror, background_.data());
+        }
+    }
+
+    /// Radiance of the background (lane) at a mirror, by the shares of it.
+    void add_background(std::size_t mirror, const float* light) {
+        const float* dimmed = transmittance_to(mirror, Origin::surface);
+        double* sum = row(mirror, Term::sky);
+        for (std::size_t c = 0; c < lanes_; ++c) {
+            sum[c] += double{share_[c] * dimmed[c] * light[c]};
+        }
+    }
+
+    /// The mean of what arrives at a mirror from the facets around, by the shares of it.
+    void add_around(std::size_t mirror) {
+        const std::uint32_t target = tables_.target[first_ + mirror];
+        const float seen = 1.0f - tables_.lit.sky_view[tables_.lit_index(target)];
+        if (!(seen > 0.0f)) return;
+        double* sum = row(mirror, Term::surroundings);
+        for (const Origin origin : all_origins) {
+            const float* dimmed = transmittance_to(mirror, origin);
+            const float* light = tables_.facet_lanes.from_surroundings(target, origin);
+            for (std::size_t c = 0; c < lanes_; ++c) {
+                sum[c] += double{share_[c] * dimmed[c] * light[c] / seen};
+            }
         }
     }
 
@@ -104,7 +174,16 @@ class PixelSum {
         } else {
             const MaterialId material = tables_.input.facets.material[last.what];
             const AngleTable::Place at = tables_.angle[index(material)].at(double{last.cosine});
-            if (hop.way == Hop::Way::mirrored) {
+            if (hop.way == Hop::Way::mirrored && rough_.has(last)) {
+                // Of the lobe's rays, the share that the sum over the lobe gives this one.
+                const AngleTable::Place here = tables_.angle[index(material)].at(
+                    facing_between(-last.direction.cast<double>(), hop.direction.cast<double>()));
+                const float* all = lobe(before(hop), RoughMirrors::reflected);
+                for (std::size_t c = 0; c < n; ++c) {
+                    passed[c] =
+                        earlier[c] * at.mirrored(c) * here.facing(c) / std::max(all[c], 1e-30f);
+                }
+            } else if (hop.way == Hop::Way::mirrored) {
                 for (std::size_t c = 0; c < n; ++c) passed[c] = earlier[c] * at.mirrored(c);
             } else {
                 for (std::size_t c = 0; c < n; ++c) passed[c] = earlier[c] * at.transmittance(c);
@@ -205,36 +284,59 @@ class PixelSum {
     }
 
     const HopTables& tables_;
+    const RoughMirrors& rough_;
     std::size_t lanes_, bands_;
     bool by_term_;
-    std::span<const Hop> list_;             // of the pixel
-    std::size_t first_ = 0;                 // hop of the list among all
-    std::vector<float> passed_, radiance_;  // (hop, lane)
-    std::vector<float> scattered_;          // (hop, band)
-    std::vector<Term> as_;                  // (hop) what its light counts as
-    std::vector<float> transmittance_;      // (hop, origin, lane)
-    std::vector<float> filter_;             // (origin, lane)
-    std::vector<float> own_;                // (sent row, lane)
-    std::vector<double> sum_;               // (row, lane): terms, or one for all
+    std::span<const Hop> list_;              // of the pixel
+    std::size_t first_ = 0;                  // hop of the list among all
+    std::vector<float> passed_, radiance_;   // (hop, lane)
+    std::vector<float> scattered_;           // (hop, band)
+    std::vector<Term> as_;                   // (hop) what its light counts as
+    std::vector<float> transmittance_;       // (hop, origin, lane)
+    std::vector<float> filter_;              // (origin, lane)
+    std::vector<float> own_;                 // (sent row, lane)
+    std::vector<float> lobe_;                // (hop, RoughMirrors::Row, lane)
+    std::vector<float> background_, share_;  // (lane)
+    std::vector<double> sum_;                // (row, lane): terms, or one for all
 };
 
 }  // namespace
 
-struct HopLight::State : HopTables {
-    using HopTables::HopTables;
+/// Light of the hops' facets alone.
+struct OwnLight {
+    LitFacets lit;
+    SceneLight light;
+    OwnLight(const Hops& hops, std::span<const Band> bands, const RadianceInput& input,
+             const HopOptions& options)
+        : lit(lit_facets(input, facets_of(hops), bands)),
+          light(input, lit, bands, options.bounces, options.tolerance) {}
+};
+
+struct HopLight::State {
+    std::unique_ptr<OwnLight> own;  // null: that of a whole picture
+    HopTables tables;
+    RoughMirrors rough{tables};
 };
 
 HopLight::HopLight(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
-                   const RadianceInput& input, const HopOptions& options)
-    : state_(std::make_unique<State>(hops, plumes, bands, input, options)) {}
+                   const RadianceInput& input, const HopOptions& options) {
+    auto own = std::make_unique<OwnLight>(hops, bands, input, options);
+    const SceneLight& light = own->light;
+    state_.reset(new State{std::move(own), {hops, plumes, light, 0, options}});
+}
+
+HopLight::HopLight(const Hops& hops, std::span<const Plume> plumes, const SceneLight& light,
+                   std::size_t first, const HopOptions& options)
+    : state_(new State{nullptr, {hops, plumes, light, first, options}}) {}
 
 HopLight::~HopLight() = default;
 
 void HopLight::add(std::span<std::vector<float>> planes) const {
-    const bool by_term = planes.size() > state_->band.size();
-    assert(!by_term || state_->options.by_term);
-    for_each_block(state_->hops.pixel.size(), 64, [&](std::size_t begin, std::size_t end) {
-        PixelSum sum(*state_, by_term);
+    const HopTables& tables = state_->tables;
+    const bool by_term = planes.size() > tables.band.size();
+    assert(!by_term || tables.options.by_term);
+    for_each_block(tables.hops.pixel.size(), 64, [&](std::size_t begin, std::size_t end) {
+        PixelSum sum(tables, state_->rough, by_term);
         for (std::size_t k = begin; k < end; ++k) sum.add(k, planes);
     });
 }

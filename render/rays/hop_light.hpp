@@ -6,6 +6,7 @@
 
 #include "materials/radiation/band.hpp"
 #include "render/light/radiance_input.hpp"
+#include "render/light/scene_light.hpp"
 #include "render/rays/hop_options.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
@@ -31,6 +32,11 @@ class HopLight {
  public:
     HopLight(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
              const RadianceInput& input, const HopOptions& options = {});
+    /// By the light of a whole picture, whose facets were lit with seen_facets().
+    ///
+    /// - first: number of the facets before those of the hops
+    HopLight(const Hops& hops, std::span<const Plume> plumes, const SceneLight& light,
+             std::size_t first, const HopOptions& options);
     ~HopLight();
 
     /// Adds to the pixels of the hops: planes (band, term), if so asked, or (band) for the sum of

@@ -10,6 +10,7 @@
 #include "render/light/node_optics.hpp"
 #include "render/path/background.hpp"
 #include "render/path/direction_angles.hpp"
+#include "render/rays/lobe.hpp"
 #include "render/rays/sun_glint.hpp"
 
 namespace diurna {
@@ -50,6 +51,30 @@ std::vector<double> mean_diffuse(const Material& material, const Band& band) {
     return mean;
 }
 
+/// What one of the microfacets of a rough surface mirrors, (node).
+std::vector<double> facing_optics(const Material& material, const Band& band, double cosine) {
+    const auto& glossy = std::get<Glossy>(material.finish);
+    std::vector<double> mirrored;
+    const bool once = glossy.metal || glossy.index.value.size() == 2;
+    double normal = 0.0;
+    for (std::size_t n = 0; n < band.node_um.size(); ++n) {
+        const double um = band.node_um[n];
+        if (n == 0 || !once) {
+            normal = interface_reflectance(material.finish, um, laboratory_cosine);
+        }
+        mirrored.push_back(
+            directional_optics(material, um, cosine, smooth_reflectance(glossy, um, cosine), normal)
+                .mirrored);
+    }
+    return mirrored;
+}
+
+/// The sum over a rough mirror's lobe (rough_mirror.hpp), (node).
+struct LobeSum {
+    std::vector<double> reflected, sky, around;
+    bool sees_facets = false;
+};
+
 /// One pixel's hops, one after the other.
 class NodeSum {
  public:
@@ -66,8 +91,13 @@ class NodeSum {
         double sum = 0.0;
         for (const Hop& hop : list_) {
             passed_.push_back(past(hop));
+            lobe_.emplace_back();
             std::vector<double> light =
                 hop.kind == Hop::Kind::sky ? background(hop) : air_and_own(hop);
+            if (is_rough(hop)) add_lobe(hop, light);
+            if (hop.way == Hop::Way::mirrored && is_rough(mirror_of(hop))) {
+                take_expected(hop, light);
+            }
             for (std::size_t n = 0; n < light.size(); ++n) {
                 sum += double{hop.weight} * band_.weight[n] * passed_.back()[n] * light[n];
             }
@@ -99,6 +129,15 @@ class NodeSum {
             return passed;
         }
         const auto optics = optics_of(material(before), band_, double{before.cosine});
+        if (hop.way == Hop::Way::mirrored && is_rough(before)) {
+            const auto facing = facing_optics(
+                material(before), band_,
+                facing_between(-before.direction.cast<double>(), hop.direction.cast<double>()));
+            for (std::size_t n = 0; n < nodes(); ++n) {
+                passed[n] = passed_[j][n] * optics[n].mirrored * facing[n] / lobe_[j].reflected[n];
+            }
+            return passed;
+        }
         for (std::size_t n = 0; n < nodes(); ++n) {
             passed[n] = passed_[j][n] * (hop.way == Hop::Way::mirrored ? optics[n].mirrored
                                                                        : optics[n].transmittance);
@@ -110,12 +149,92 @@ class NodeSum {
         return chord(eye_km_, input_.above_sea_km(double{hop.height}), 1e-3 * double{hop.range});
     }
 
+    bool is_rough(const Hop& hop) const {
+        return hop.kind == Hop::Kind::facet && !hop.closed &&
+               std::holds_alternative<Glossy>(material(hop).finish) &&
+               std::get<Glossy>(material(hop).finish).roughness >= least_lobe;
+    }
+    const Hop& mirror_of(const Hop& hop) const {
+        return list_[static_cast<std::size_t>(hop.before)];
+    }
+    Eigen::Vector3d normal_of(const Hop& hop) const {
+        Eigen::Vector3d normal = input_.facets.normal[hop.what].cast<double>();
+        if (std::get<Glossy>(material(hop).finish).waves) normal = Eigen::Vector3d::UnitZ();
+        return normal.dot(hop.direction.cast<double>()) > 0.0 ? Eigen::Vector3d(-normal) : normal;
+    }
+
+    /// The background in a mirror as it arrives at the eye.
+    std::vector<double> in_mirror(const Hop& mirror, const Eigen::Vector3d& to) const {
+        return towards(to, input_.above_sea_km(double{mirror.height}), line_to(mirror));
+    }
+    /// What arrives at a mirror from the facets around, their mean, as it arrives at the eye.
+    std::vector<double> mean_around(const Hop& mirror) const {
+        const TermsByOrigin terms =
+            radiosity_by_origin(input_, FacetId{mirror.what}, band_.node_um, 2, scattered_);
+        const LightByOrigin& sent = terms[static_cast<std::size_t>(Term::surroundings)];
+        const LightByOrigin shares = onward_shares(
+            input_, line_to(mirror), input_.above_sea_km(double{mirror.height}), band_.node_um);
+        const double seen = 1.0 - double{input_.views.sky[mirror.what]};
+        std::vector<double> light(nodes(), 0.0);
+        for (std::size_t o = 0; o < origin_count; ++o) {
+            for (std::size_t n = 0; n < sent[o].size(); ++n) {
+                const double reflectance = material(mirror).reflectance.at(band_.node_um[n]);
+                light[n] += shares[o][n] * sent[o][n] / (reflectance * seen);
+            }
+        }
+        return light;
+    }
+
+    void add_lobe(const Hop& hop, std::vector<double>& light) {
+        LobeSum& lobe = lobe_.back();
+        lobe.sees_facets = counts_around(float(input_.views.sky[hop.what]), normal_of(hop));
+        for (auto* row : {&lobe.reflected, &lobe.sky, &lobe.around}) row->assign(nodes(), 0.0);
+        const Microfacets surface = microfacets_of(std::get<Glossy>(material(hop).finish));
+        Lobe(surface, normal_of(hop), -hop.direction.cast<double>())
+            .each(lobe.sees_facets, [&](const Lobe::Ray& ray, double share) {
+                const auto facing = facing_optics(material(hop), band_, ray.facing);
+                const bool below = lobe.sees_facets && ray.direction.z() < 0.0;
+                std::vector<double> far(nodes(), 0.0);
+                if (!below) far = in_mirror(hop, ray.direction);
+                for (std::size_t n = 0; n < nodes(); ++n) {
+                    const double part = share * ray.weight * facing[n];
+                    lobe.reflected[n] += part;
+                    lobe.sky[n] += part * far[n];
+                    if (below) lobe.around[n] += part;
+                }
+            });
+        const auto optics = optics_of(material(hop), band_, double{hop.cosine});
+        std::vector<double> near(nodes(), 0.0);
+        if (lobe.sees_facets) near = mean_around(hop);
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            light[n] +=
+                optics[n].mirrored / lobe.reflected[n] * (lobe.sky[n] + lobe.around[n] * near[n]);
+        }
+    }
+
+    void take_expected(const Hop& hop, std::vector<double>& light) const {
+        const Hop& mirror = mirror_of(hop);
+        const bool around =
+            lobe_[static_cast<std::size_t>(hop.before)].sees_facets && hop.direction.z() < 0.0f;
+        const std::vector<double> expected =
+            around ? mean_around(mirror) : in_mirror(mirror, hop.direction.cast<double>());
+        for (std::size_t n = 0; n < nodes(); ++n) light[n] -= expected[n];
+    }
+
     /// Past a mirror: as it arrives at the eye, on one way with that from the mirror on.
     std::vector<double> background(const Hop& hop) {
-        const Eigen::Vector3d to = hop.direction.cast<double>();
         const double from_km = hop.straight ? eye_km_ : input_.above_sea_km(double{hop.height});
         SightLine onward;
-        if (!hop.straight) onward = line_to(list_[static_cast<std::size_t>(hop.before)]);
+        if (!hop.straight) onward = line_to(mirror_of(hop));
+        std::vector<double> light = towards(hop.direction.cast<double>(), from_km, onward);
+        const PathSpectrum* before = hop.straight ? air_before(hop) : nullptr;
+        for (std::size_t n = 0; before && n < nodes(); ++n) light[n] -= before->radiance[n];
+        air_.emplace_back();
+        return light;
+    }
+
+    std::vector<double> towards(const Eigen::Vector3d& to, double from_km,
+                                const SightLine& onward) const {
         std::vector<double> light =
             background_at(input_, from_km, zenith_deg_of(to), band_.node_um, onward);
         if (scattered_ != nullptr) {
@@ -124,9 +243,6 @@ class NodeSum {
                 input_, *scattered_, from_km, zenith_deg_of(to), {&azimuth_deg, 1}, onward);
             for (std::size_t n = 0; n < nodes(); ++n) light[n] += sunlit[0][n];
         }
-        const PathSpectrum* before = hop.straight ? air_before(hop) : nullptr;
-        for (std::size_t n = 0; before && n < nodes(); ++n) light[n] -= before->radiance[n];
-        air_.emplace_back();
         return light;
     }
 
@@ -214,18 +330,20 @@ class NodeSum {
         const IncidentLight light =
             incident_light(input_, input_.height_km(facet), band_.node_um, scattered_);
         const auto lit = optics_of(of, band_, normal.dot(input_.to_sun));
-        const auto half_way = optics_of(of, band_, (eye + input_.to_sun).normalized().dot(eye));
         const std::vector<double> mean = mean_diffuse(of, band_);
         const auto* glossy = std::get_if<Glossy>(&of.finish);
-        const double glint =
-            glossy ? sun_glint(glossy->roughness, normal, eye, input_.to_sun, double{hop.cosine})
-                   : 0.0;
+        const double glint = glossy ? sun_glint(microfacets_of(*glossy), normal, eye, input_.to_sun,
+                                                double{hop.cosine})
+                                    : 0.0;
+        const std::vector<double> facing =
+            glossy ? facing_optics(of, band_, facing_between(eye, input_.to_sun))
+                   : std::vector<double>(nodes(), 0.0);
         for (std::size_t n = 0; n < nodes(); ++n) {
             if (mean[n] > 0.0) {
                 sent[n] +=
                     seen[n].diffuse * lit[n].diffuse / mean[n] * sunlight * light.from_sun(n);
             }
-            sent[n] += half_way[n].mirrored * glint * sunlight * light.sun[n];
+            sent[n] += facing[n] * glint * sunlight * light.sun[n];
         }
     }
 
@@ -237,6 +355,7 @@ class NodeSum {
     double eye_km_;
     std::vector<std::vector<double>> passed_;  // (hop)(node)
     std::vector<PathSpectrum> air_;            // (hop) before it
+    std::vector<LobeSum> lobe_;                // (hop) of rough mirrors
 };
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <cmath>
 
 #include "materials/air/sight_line.hpp"
+#include "materials/matter/waves.hpp"
 #include "render/light/node_spectra.hpp"
 #include "render/path/direction_angles.hpp"
+#include "render/rays/lobe.hpp"
 
 namespace diurna {
 
@@ -27,31 +29,6 @@ PathExtent extent_of(const Hops& hops, const RadianceInput& input) {
             .most_range_km = std::max(1e-3, 1e-3 * double(far)),
             .least_height_km = input.above_sea_km(double(low)),
             .most_height_km = input.above_sea_km(double(high))};
-}
-
-/// Height from which mirrors see the sky, its mean [km].
-double mirror_height_km(const Hops& hops, const RadianceInput& input) {
-    double sum = 0.0, count = 0.0;
-    for (const Hop& hop : hops.hop) {
-        if (hop.kind != Hop::Kind::sky || hop.straight) continue;
-        sum += input.above_sea_km(double{hop.height});
-        count += 1.0;
-    }
-    return count > 0.0 ? sum / count : input.ground_height_km;
-}
-
-/// Ranges [m] of the mirrors that show the sky, the nearest and the farthest.
-std::array<double, 2> mirror_ranges(const Hops& hops) {
-    std::array<double, 2> ranges = {1e30, 0.0};
-    for (std::size_t k = 0; k < hops.pixel.size(); ++k) {
-        const std::span<const Hop> list = hops.of(k);
-        for (const Hop& hop : list) {
-            if (hop.kind != Hop::Kind::sky || hop.straight) continue;
-            const double range{list[static_cast<std::size_t>(hop.before)].range};
-            ranges = {std::min(ranges[0], range), std::max(ranges[1], range)};
-        }
-    }
-    return ranges;
 }
 
 std::vector<std::uint32_t> targets_of(const Hops& hops, std::span<const FacetId> facets) {
@@ -81,19 +58,19 @@ std::vector<float> absorption_of(const BandLight& of, const Plume& plume) {
 
 }  // namespace
 
-HopTables::HopTables(const Hops& hops_of, std::span<const Plume> plumes,
-                     std::span<const Band> bands, const RadianceInput& input_of,
-                     const HopOptions& options_of)
+HopTables::HopTables(const Hops& hops_of, std::span<const Plume> plumes, const SceneLight& light_of,
+                     std::size_t first_of, const HopOptions& options_of)
     : hops(hops_of),
-      input(input_of),
+      light(light_of),
+      lit(light.lit),
+      input(light.input),
       options(options_of),
+      first(first_of),
       facet(facets_of(hops)),
       target(targets_of(hops, facet)),
-      lit(lit_facets(input, facet, bands)),
-      light(input, lit, bands, options.bounces, options.tolerance),
       band(light.band),
       lanes(band),
-      facet_lanes(light, lanes, options.by_term),
+      facet_lanes(light, first, facet.size(), lanes, options.by_term),
       air(input, extent_of(hops, input), band, lanes, options.tolerance) {
     fill_materials();
     fill_plumes(plumes);
@@ -111,10 +88,13 @@ void HopTables::fill_materials() {
     }
     angle.resize(input.materials.size());
     room.resize(input.materials.size());
+    std::vector<bool> met(input.materials.size(), false);
+    for (const FacetId f : facet) met[index(input.facets.material[index(f)])] = true;
     for (std::size_t m = 0; m < input.materials.size(); ++m) {
         const Material& of = input.materials[MaterialId{static_cast<std::uint16_t>(m)}];
-        if (!lit.material_used[m] || !of.needs_rays()) continue;
-        angle[m] = AngleTable(of, band, lanes, double{light.state.extent.middle()});
+        if (!met[m] || !of.needs_rays()) continue;
+        angle[m] = AngleTable(under_wind(of, input.wind_speed), band, lanes,
+                              double{light.state.extent.middle()});
         if (band.empty() || band[0].optics[m].room.empty()) continue;
         room[m] = lanes.side_by_side(
             [&](std::size_t b) { return sums(band[b], band[b].optics[m].room); });
@@ -131,9 +111,57 @@ void HopTables::fill_plumes(std::span<const Plume> plumes) {
     }
 }
 
+bool HopTables::is_rough_mirror(const Hop& hop) const {
+    return hop.kind == Hop::Kind::facet && !hop.closed &&
+           std::holds_alternative<Glossy>(material(hop).finish) &&
+           roughness_under(material(hop).finish, input.wind_speed) >= least_lobe;
+}
+
+/// Whether a hop is sky in a mirror, or a mirror that shows it all over its lobe.
+bool HopTables::shows_sky(const Hop& hop) const {
+    return (hop.kind == Hop::Kind::sky && !hop.straight) || is_rough_mirror(hop);
+}
+
+/// Height from which mirrors see the sky, its mean [km].
+double HopTables::mirror_height_km() const {
+    double sum = 0.0, count = 0.0;
+    for (const Hop& hop : hops.hop) {
+        if (!shows_sky(hop)) continue;
+        sum += input.above_sea_km(double{hop.height});
+        count += 1.0;
+    }
+    return count > 0.0 ? sum / count : input.ground_height_km;
+}
+
+/// Ranges [m] of the mirrors that show the sky, the nearest and the farthest.
+std::array<double, 2> HopTables::mirror_ranges() const {
+    std::array<double, 2> ranges = {1e30, 0.0};
+    for (std::size_t k = 0; k < hops.pixel.size(); ++k) {
+        const std::span<const Hop> list = hops.of(k);
+        for (const Hop& hop : list) {
+            if (!shows_sky(hop)) continue;
+            const Hop& mirror =
+                hop.kind == Hop::Kind::sky ? list[static_cast<std::size_t>(hop.before)] : hop;
+            ranges = {std::min(ranges[0], double{mirror.range}),
+                      std::max(ranges[1], double{mirror.range})};
+        }
+    }
+    return ranges;
+}
+
 void HopTables::fill_backgrounds() {
     BackgroundChannels::Extent straight, in_mirrors;
     for (const Hop& hop : hops.hop) {
+        if (is_rough_mirror(hop)) {
+            // A lobe goes anywhere above its surface; that of water, which is level, upward.
+            const bool level = std::get<Glossy>(material(hop).finish).waves;
+            in_mirrors.include(Eigen::Vector3d::UnitZ(), input.to_sun);
+            in_mirrors.include(level ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
+                                     : Eigen::Vector3d(-Eigen::Vector3d::UnitZ()),
+                               input.to_sun);
+            in_mirrors.least_azimuth_deg = 0.0;
+            in_mirrors.most_azimuth_deg = 180.0;
+        }
         if (hop.kind != Hop::Kind::sky) continue;
         (hop.straight ? straight : in_mirrors).include(hop.direction.cast<double>(), input.to_sun);
     }
@@ -145,13 +173,13 @@ void HopTables::fill_backgrounds() {
 }
 
 void HopTables::fill_mirrored(const BackgroundChannels::Extent& extent) {
-    const auto [near, far] = mirror_ranges(hops);
+    const auto [near, far] = mirror_ranges();
     const double spread = far / near;
     const std::size_t ranges = spread < 1.001 ? 1 : spread < 2.0 ? 3 : most_few;
     mirrored.root_low = std::cbrt(near);
     if (ranges > 1) mirrored.root_step = (std::cbrt(far) - std::cbrt(near)) / double(ranges - 1);
     const double eye_km = input.above_sea_km(hops.observer_height);
-    const double mirror_km = mirror_height_km(hops, input);
+    const double mirror_km = mirror_height_km();
     for (std::size_t k = 0; k < ranges; ++k) {
         const double root = mirrored.root_low + mirrored.root_step * double(k);
         const SightLine to_mirror = chord(eye_km, mirror_km, 1e-3 * root * root * root);

@@ -29,17 +29,21 @@ struct MirroredBackground {
 /// All that the hops of a view need at an instant before any pixel is looked at, in the channels of
 /// all bands side by side (lanes): so that a hop's place in a table is found once for all of them.
 struct HopTables {
-    HopTables(const Hops& hops, std::span<const Plume> plumes, std::span<const Band> bands,
-              const RadianceInput& input, const HopOptions& options);
+    /// - light: of a scene whose lit facets were handed in with those of the hops, facets_of(),
+    /// from
+    ///   the place `first` on
+    HopTables(const Hops& hops, std::span<const Plume> plumes, const SceneLight& light,
+              std::size_t first, const HopOptions& options);
     HopTables(const HopTables&) = delete;  // its tables refer to each other
 
     const Hops& hops;
+    const SceneLight& light;
+    const LitFacets& lit;
     const RadianceInput& input;
     HopOptions options;
+    std::size_t first;
     std::vector<FacetId> facet;         // met by the hops
     std::vector<std::uint32_t> target;  // (hop) index of its facet above
-    LitFacets lit;
-    SceneLight light;
     const std::vector<BandLight>& band;
     ChannelLanes lanes;
     FacetLanes facet_lanes;
@@ -61,15 +65,22 @@ struct HopTables {
     /// what arrives at the eye, both ways being one path.
     void mirrored_background(const Eigen::Vector3d& direction, float range,
                              std::span<float> out) const;
+    /// Index of a target among the facets lit.
+    std::uint32_t lit_index(std::uint32_t of_target) const { return lit.target[first + of_target]; }
     const Material& material(const Hop& hop) const {
         return input.materials[input.facets.material[hop.what]];
     }
+    /// Whether a hop is a facet that mirrors into a lobe (rough_mirror.hpp).
+    bool is_rough_mirror(const Hop& hop) const;
 
  private:
     void fill_materials();
     void fill_plumes(std::span<const Plume> plumes);
     void fill_backgrounds();
     void fill_mirrored(const BackgroundChannels::Extent& extent);
+    bool shows_sky(const Hop& hop) const;
+    double mirror_height_km() const;
+    std::array<double, 2> mirror_ranges() const;
     void fill_scattered_paths(const PathExtent& extent);
 };
 

@@ -16,4 +16,11 @@ std::vector<FacetId> facets_of(const Hops& hops) {
     return facets;
 }
 
+std::vector<FacetId> seen_facets(std::span<const FacetId> targets, const Hops& hops) {
+    std::vector<FacetId> seen(targets.begin(), targets.end());
+    const std::vector<FacetId> of_hops = facets_of(hops);
+    seen.insert(seen.end(), of_hops.begin(), of_hops.end());
+    return seen;
+}
+
 }  // namespace diurna

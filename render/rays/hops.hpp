@@ -44,5 +44,7 @@ struct Hops {
 
 /// Every facet in the hops, ascending, each once.
 std::vector<FacetId> facets_of(const Hops& hops);
+/// What a picture sees: the targets of its view, then facets_of() the hops.
+std::vector<FacetId> seen_facets(std::span<const FacetId> targets, const Hops& hops);
 
 }  // namespace diurna

@@ -10,6 +10,8 @@ namespace {
 constexpr double most_depth = 0.01;  // of optical depth, from the mean chord
 constexpr float most_deep = 0.06f;   // of the mean range
 constexpr float most_turn = 2e-3f;   // [rad] of sky, from the mean direction
+constexpr float most_lobe = 3e-2f;   // [rad] the same of what mirrors' rays meet
+constexpr float most_seen = 6e-3f;   // [rad] of facets, whose lobes turn with it
 
 /// Whether a hop is another sight of `mean`.
 bool alike(const Hop& mean, const Hop& hop, const PlumeScene& plumes) {
@@ -17,14 +19,17 @@ bool alike(const Hop& mean, const Hop& hop, const PlumeScene& plumes) {
         mean.before != hop.before || mean.closed != hop.closed) {
         return false;
     }
+    const float turned = (hop.direction - mean.direction).norm();
+    if (hop.way == Hop::Way::mirrored && turned > most_lobe) return false;
     if (hop.kind == Hop::Kind::plume) {
         const double apart = std::abs(double{hop.chord} - double{mean.chord});
         return apart * plumes.greatest_absorption(hop.what) <= most_depth;
     }
     if (hop.kind == Hop::Kind::facet) {
+        if (hop.way != Hop::Way::mirrored && turned > most_seen) return false;
         return std::abs(hop.range - mean.range) <= most_deep * mean.range;
     }
-    return (hop.direction - mean.direction).norm() <= most_turn;
+    return turned <= most_turn;
 }
 
 void merge(const Hop& hop, Hop& mean) {

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "materials/matter/microfacet.hpp"
+#include "materials/matter/directional_optics.hpp"
+#include "materials/matter/waves.hpp"
+#include "render/rays/lobe.hpp"
 #include "render/view/view.hpp"
 #include "terrain/place/site.hpp"
 
@@ -23,44 +25,17 @@ struct Walker {
     std::int32_t before = -1;
     Hop::Way way = Hop::Way::direct;
     bool straight = true;
+    bool from_lobe = false;  // of a rough mirror, just now
+    float weight = 1.0f;
     int through = 0, mirrored = 0;
 };
-
-/// A direction of the mirrored lobe about `normal` for a ray that arrives along `direction`.
-Eigen::Vector3d mirrored(const Eigen::Vector3d& direction, const Eigen::Vector3d& normal,
-                         double roughness, RandomStream& chance) {
-    const Eigen::Vector3d plain = direction - 2.0 * direction.dot(normal) * normal;
-    if (roughness < 1e-3) return plain;
-    const Eigen::Vector3d aside =
-        std::abs(normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
-    const Eigen::Vector3d x = aside.cross(normal).normalized(), y = normal.cross(x);
-    Eigen::Vector3d eye(-direction.dot(x), -direction.dot(y), -direction.dot(normal));
-    eye.z() = std::max(eye.z(), 1e-3);
-    eye.normalize();
-    const Microfacets surface{.roughness = roughness};
-    constexpr std::size_t candidates = 4;
-    std::array<Eigen::Vector3d, candidates> half;
-    std::array<double, candidates> weight{};
-    double total = 0.0;
-    for (std::size_t i = 0; i < candidates; ++i) {
-        const double u = chance(), v = chance();
-        half[i] = surface.normal(eye, u, v);
-        weight[i] = surface.weight(eye, half[i]);
-        total += weight[i];
-    }
-    double pick = chance() * total;
-    if (!(total > 0.0)) return plain;
-    std::size_t i = 0;
-    while (i + 1 < candidates && pick >= weight[i]) pick -= weight[i++];
-    const Eigen::Vector3d out = 2.0 * eye.dot(half[i]) * half[i] - eye;
-    return (out.x() * x + out.y() * y + out.z() * normal).normalized();
-}
 
 /// A walk from the eye to all its ends.
 class Walk {
  public:
-    Walk(const HopScene& scene, float weight, RandomStream& chance, std::vector<Hop>& out)
-        : scene_(scene), weight_(weight), chance_(chance), out_(out) {}
+    Walk(const HopScene& scene, const std::array<double, 2>& in_lobe, RandomStream& chance,
+         std::vector<Hop>& out)
+        : scene_(scene), in_lobe_(in_lobe), chance_(chance), out_(out) {}
 
     void follow(Walker walker) {
         for (;;) {
@@ -72,6 +47,7 @@ class Walk {
             const double far = hit.facet == no_facet ? 1e30 : double{hit.range};
             add_plumes(walker, far);
             if (hit.facet == no_facet) {
+                if (walker.from_lobe && walker.direction.z() >= 0.0) return;
                 add(walker, {.kind = Hop::Kind::sky}, 0.0);
                 return;
             }
@@ -90,13 +66,14 @@ class Walk {
         hop.way = walker.way;
         hop.straight = walker.straight;
         hop.before = walker.before;
-        hop.weight = weight_;
+        hop.weight = walker.weight;
         hop.range = static_cast<float>(walker.walked + along);
         hop.height = static_cast<float>(level_height(walker.origin + along * walker.direction));
         hop.direction = walker.direction.cast<float>();
         out_.push_back(hop);
         walker.before = static_cast<std::int32_t>(out_.size()) - 1;
         walker.way = Hop::Way::through;
+        walker.from_lobe = false;
     }
 
     void add_plumes(Walker& walker, double far) {
@@ -143,9 +120,10 @@ class Walk {
     /// Returns whether the walker goes on through it; what it mirrors is followed here.
     bool add_facet(Walker& walker, FacetId facet, double far) {
         const Material& material = scene_.material(facet);
-        Eigen::Vector3d normal = scene_.facets.normal[index(facet)].cast<double>();
-        if (normal.dot(walker.direction) > 0.0) normal = -normal;
         const auto* glossy = std::get_if<Glossy>(&material.finish);
+        Eigen::Vector3d normal = scene_.facets.normal[index(facet)].cast<double>();
+        if (glossy && glossy->waves) normal = Eigen::Vector3d::UnitZ();  // water lies level
+        if (normal.dot(walker.direction) > 0.0) normal = -normal;
         Hop hop{.kind = Hop::Kind::facet, .what = static_cast<std::uint32_t>(index(facet))};
         hop.cosine = static_cast<float>(-normal.dot(walker.direction));
         hop.closed = (material.see_through && walker.through >= most_through) ||
@@ -153,33 +131,50 @@ class Walk {
         add(walker, hop, far);
         if (hop.closed || !material.needs_rays()) return false;
         const double step = std::max(1e-3, 2e-6 * (far + walker.origin.norm()));
-        if (glossy) {
-            Walker other = walker;
-            other.origin = walker.origin + far * walker.direction;
-            other.direction = mirrored(walker.direction, normal, glossy->roughness, chance_);
-            other.near = step;
-            other.walked = walker.walked + far;
-            other.way = Hop::Way::mirrored;
-            other.straight = false;
-            other.mirrored = walker.mirrored + 1;
-            follow(other);
-        }
+        if (glossy) mirror(walker, *glossy, normal, far, step);
         walker.near = far + step;
         ++walker.through;
         return material.see_through;
     }
 
+    void mirror(const Walker& walker, const Glossy& glossy, const Eigen::Vector3d& normal,
+                double far, double step) {
+        Walker other = walker;
+        const double roughness = roughness_under(glossy, scene_.wind_speed);
+        if (roughness < least_lobe) {
+            other.direction = walker.direction - 2.0 * walker.direction.dot(normal) * normal;
+        } else {
+            Microfacets surface = microfacets_of(glossy);
+            surface.roughness = roughness;
+            const bool placed = walker.mirrored == 0 && in_lobe_[0] >= 0.0;
+            const double u = placed ? in_lobe_[0] : chance_();
+            const double v = placed ? in_lobe_[1] : chance_();
+            const Lobe::Ray ray = Lobe(surface, normal, -walker.direction).ray(u, v);
+            if (!(ray.weight > 0.0)) return;
+            other.direction = ray.direction;
+            other.weight *= static_cast<float>(ray.weight);
+            other.from_lobe = true;
+        }
+        other.origin = walker.origin + far * walker.direction;
+        other.near = step;
+        other.walked = walker.walked + far;
+        other.way = Hop::Way::mirrored;
+        other.straight = false;
+        other.mirrored = walker.mirrored + 1;
+        follow(other);
+    }
+
     const HopScene& scene_;
-    float weight_;
+    std::array<double, 2> in_lobe_;
     RandomStream& chance_;
     std::vector<Hop>& out_;
 };
 
 }  // namespace
 
-void walk(const HopScene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-          float weight, RandomStream& chance, std::vector<Hop>& out) {
-    Walk(scene, weight, chance, out).follow({.origin = origin, .direction = direction});
+void walk(const HopScene& scene, const EyeRay& ray, RandomStream& chance, std::vector<Hop>& out) {
+    Walk(scene, ray.in_lobe, chance, out)
+        .follow({.origin = ray.origin, .direction = ray.direction, .weight = ray.weight});
 }
 
 }  // namespace diurna

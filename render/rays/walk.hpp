@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct HopScene {
     const MaterialLibrary& materials;
     const PlumeScene& plumes;
     const TexturedHit* textured = nullptr;  // null: no textures
+    double wind_speed = 3.0;                // [m s⁻¹] over water (materials/matter/waves.hpp)
 
     const Material& material(FacetId facet) const {
         return materials[facets.material[index(facet)]];
@@ -28,13 +30,23 @@ struct HopScene {
     bool needs_rays(FacetId facet) const { return material(facet).needs_rays(); }
 };
 
+/// A ray from the eye.
+struct EyeRay {
+    Eigen::Vector3d origin, direction;
+    float weight = 1.0f;  // share of the pixel
+    /// Where in the lobe of the first rough mirror it goes on, each in [0, 1): spread evenly over a
+    /// pixel's rays. Negative: by chance.
+    std::array<double, 2> in_lobe = {-1.0, -1.0};
+};
+
 /// Follows one ray to its ends and adds what it meets to `out`, a hop before those behind it, each
-/// with the given weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one ray
-/// into its lobe (the best of four of the visible microfacets, picked by weight), twice at most.
+/// with its weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one ray into
+/// its lobe, twice at most, with the weight of the microfacet that it meets (microfacet.hpp) but
+/// for Fresnel's factor; off a rough one into the sky it is left out,
+/// as the lobe's sum has it (rough_mirror.hpp).
 /// What is met after that is closed: it mirrors as if diffuse and shows its own temperature. A
 /// textured facet where a ray ends is two hops that share the weight; one that lets rays go on is
 /// one of its two surfaces by chance.
-void walk(const HopScene& scene, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-          float weight, RandomStream& chance, std::vector<Hop>& out);
+void walk(const HopScene& scene, const EyeRay& ray, RandomStream& chance, std::vector<Hop>& out);
 
 }  // namespace diurna

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "materials/base/parallel.hpp"
+#include "materials/matter/waves.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
@@ -63,6 +64,19 @@ struct Series {
     std::vector<CubeSeries> cubes;
 };
 
+/// Wind over water at an instant [m s⁻¹].
+double wind_at(const Prepared& prepared, Instant instant) {
+    return wind_over_water(prepared.weather.at(instant).wind_speed, prepared.weather.wind_height);
+}
+
+/// The mean of all frames': for rays off water, of which a view has one set. What they meet near by
+/// is weighed as in that wind; the sky between is that of each instant's.
+double mean_wind(const Prepared& prepared) {
+    double sum = 0.0;
+    for (const Instant instant : prepared.plan.frames) sum += wind_at(prepared, instant);
+    return sum / std::max<double>(1.0, double(prepared.plan.frames.size()));
+}
+
 /// Casts the view of an observer and lights what is the same at every instant.
 Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& views,
                    const TemperatureField& field) {
@@ -86,21 +100,27 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
                                                    *s.input.adaptive, sampling)
                               : cast_view(prepared.rays, surfaces, s.observer, sampling);
     const PlumeScene plumes(prepared.plumes);
-    s.hops = follow_rays(s.view, {prepared.rays, surfaces, scene.materials, plumes}, s.observer,
-                         sampling);
+    s.hops = follow_rays(s.view,
+                         {.rays = prepared.rays,
+                          .facets = surfaces,
+                          .materials = scene.materials,
+                          .plumes = plumes,
+                          .wind_speed = mean_wind(prepared)},
+                         s.observer, sampling);
     const RadianceInput still{.facets = surfaces,
                               .views = views,
                               .materials = scene.materials,
                               .atmosphere = Vacuum{},
                               .temperature = {},
                               .ground_height_km = prepared.world.sea_level_height / 1000.0};
-    s.lit = lit_facets(still, s.view.facet, s.bands);
+    const std::vector<FacetId> seen = seen_facets(s.view.facet, s.hops);
+    s.lit = lit_facets(still, seen, s.bands);
     for (const std::string& name : s.input.cubes) {
         const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
                                        [&](const CubeInput& c) { return c.name == name; });
         CubeSeries& series = s.cubes.emplace_back(CubeSeries{
             name, channel_bands(cube->from_um, cube->to_um, cube->channels, bin_edges_um()), {}});
-        series.lit = lit_facets(still, s.view.facet, series.channels);
+        series.lit = lit_facets(still, seen, series.channels);
     }
     return s;
 }
@@ -160,7 +180,8 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                             .sun_distance_au = sun.distance_au,
                             .ground_height_km = world.sea_level_height / 1000.0,
                             .instant = instant,
-                            .moon = light.moon};
+                            .moon = light.moon,
+                            .wind_speed = wind_at(prepared, instant)};
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,

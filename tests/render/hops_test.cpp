@@ -273,8 +273,10 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
         for (int s = 0; s < 16; ++s) {
             RandomStream chance{std::uint64_t{p} * 16 + std::uint64_t(s) + 1};
             std::vector<Hop> sample;
-            walk(place, Eigen::Vector3d::Zero(), eye.towards(p % 24 + chance(), p / 24 + chance()),
-                 1.0f / 16.0f, chance, sample);
+            const Eigen::Vector3d towards = eye.towards(p % 24 + chance(), p / 24 + chance());
+            walk(place,
+                 {.origin = Eigen::Vector3d::Zero(), .direction = towards, .weight = 1.0f / 16.0f},
+                 chance, sample);
             add_sample(sample, volumes, one);
             const auto offset = std::int32_t(apart.hop.size() - apart.row.back());
             for (Hop hop : sample) {

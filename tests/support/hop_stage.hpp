@@ -26,6 +26,7 @@ struct Stage {
     std::vector<float> temperature, sun;
     Atmosphere air = Vacuum{.space_temperature = 3.0};
     double ground_km = 0.3;
+    double wind_speed = 3.0;
     Eigen::Vector3d to_sun = direction(200.0, 40.0);
 
     /// An upright rectangle across the line of sight, `north` metres away, that faces south.
@@ -90,8 +91,12 @@ struct Stage {
         Seen seen;
         seen.view = cast_view(scene, facets, eye, {.samples = samples});
         const PlumeScene volumes(plumes);
-        seen.hops =
-            follow_rays(seen.view, {scene, facets, materials, volumes}, eye, {.samples = samples});
+        const HopScene place{.rays = scene,
+                             .facets = facets,
+                             .materials = materials,
+                             .plumes = volumes,
+                             .wind_speed = wind_speed};
+        seen.hops = follow_rays(seen.view, place, eye, {.samples = samples});
         const RadianceInput input{.facets = facets,
                                   .views = sky,
                                   .materials = materials,
@@ -100,7 +105,8 @@ struct Stage {
                                   .sun_fraction = sun,
                                   .to_sun = to_sun,
                                   .sun_zenith_deg = degrees(std::acos(to_sun.z())),
-                                  .ground_height_km = ground_km};
+                                  .ground_height_km = ground_km,
+                                  .wind_speed = wind_speed};
         seen.planes.assign(term_count, std::vector<float>(seen.view.pixels(), 0.0f));
         const HopLight light(seen.hops, plumes, {&band, 1}, input);
         light.add(seen.planes);

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "materials/matter/microfacet.hpp"
+
+namespace diurna {
+
+/// Rough mirrors whose lobe is summed, not only sampled (rough_mirror.hpp): from this roughness on.
+inline constexpr double least_lobe = 1e-3;
+
+/// The lobe of a rough mirror about the way to an eye.
+class Lobe {
+ public:
+    /// - normal, eye: unit vectors away from the surface
+    Lobe(const Microfacets& surface, const Eigen::Vector3d& normal, const Eigen::Vector3d& eye)
+        : surface_(surface), normal_(normal) {
+        const Eigen::Vector3d aside =
+            std::abs(normal.z()) < 0.9 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+        x_ = aside.cross(normal).normalized();
+        y_ = normal.cross(x_);
+        eye_ = {eye.dot(x_), eye.dot(y_), std::max(1e-3, eye.dot(normal))};
+        eye_.normalize();
+    }
+
+    struct Ray {
+        Eigen::Vector3d direction;  // unit, away from the surface
+        double facing = 0.0;        // cosine at the microfacet
+        double weight = 0.0;  // its mean over u, v is what a lossless surface reflects; 0: none
+    };
+    /// - u, v: uniform in [0, 1)
+    Ray ray(double u, double v) const {
+        const Eigen::Vector3d half = surface_.normal(eye_, u, v);
+        const double facing = eye_.dot(half);
+        const Eigen::Vector3d out = 2.0 * facing * half - eye_;
+        return {(out.x() * x_ + out.y() * y_ + out.z() * normal_).normalized(),
+                std::min(1.0, facing), surface_.weight(eye_, half)};
+    }
+
+    /// body(ray, share of the cells) of those with a weight, at the middles of even cells.
+    ///
+    /// - finely: where a horizon crosses the lobe, with ground below that is not as the sky
+    template <class Body>
+    void each(bool finely, const Body& body) const {
+        const int rings = finely ? 16 : 8, spokes = finely ? 48 : 24;
+        for (int i = 0; i < rings; ++i) {
+            for (int k = 0; k < spokes; ++k) {
+                const Ray one = ray((i + 0.5) / rings, (k + 0.5) / spokes);
+                if (one.weight > 0.0) body(one, 1.0 / (rings * spokes));
+            }
+        }
+    }
+
+ private:
+    const Microfacets& surface_;
+    Eigen::Vector3d normal_, x_, y_, eye_;
+};
+
+/// Whether below the horizon the mean over the facets around stands for what a mirror sees.
+inline bool counts_around(float sky_view, const Eigen::Vector3d& normal) {
+    return 1.0f - sky_view > 1e-3f && normal.z() < 1.0 - 1e-9;
+}
+
+/// Cosine at the microfacet that sends light from one direction into another.
+inline double facing_between(const Eigen::Vector3d& eye, const Eigen::Vector3d& light) {
+    return std::sqrt(0.5 * std::max(0.0, 1.0 + eye.dot(light)));
+}
+
+}  // namespace diurna

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/rays/hop_tables.hpp"
+
+namespace diurna {
+
+/// What rough mirrors (rough metal, gloss, water in the wind) show of their surroundings at large,
+/// in lanes:
+///
+///     L = R(θ) Σ a F(χ) L(ω) / Σ a F(χ)
+///
+/// summed over microfacets, a their weight, F what they reflect at the angle χ they are met at.
+/// L(ω) is the background (sky, far plain) or, below the horizon of a facet that sees others, the
+/// mean of what arrives from those. Rays into the lobe then add only by how much what they meet
+/// differs from that: a mirror on open ground has no speckle.
+///
+/// Facets of one material and one normal share a table over the way to the eye where it has fewer
+/// nodes than there are hops; else each hop is summed by itself. Isothermal surroundings come out
+/// exact.
+class RoughMirrors {
+ public:
+    explicit RoughMirrors(const HopTables& tables);
+
+    /// Whether a hop is one of them.
+    bool has(const Hop& hop) const;
+    /// Normal of a hop's facet towards the eye; water lies level.
+    Eigen::Vector3d normal(const Hop& hop) const;
+    /// Whether towards a direction the facets around stand for what is seen, not the background.
+    bool around_towards(const Hop& mirror, const Eigen::Vector3d& direction) const;
+
+    /// Rows of lanes of a hop, 0 to 1 times radiance.
+    enum Row : std::size_t {
+        reflected,  // Σ a F over the number of microfacets
+        sky,        // Σ a F L of the background, as seen from the eye through no air before
+        around,     // Σ a F where the mean of the facets around stands for L
+        row_count
+    };
+    /// - out: (row, lane)
+    void look(const Hop& hop, float* out) const;
+
+ private:
+    /// Facets of one material and normal, and a table over the way from them to the eye: in the
+    /// plane (θ cosφ, θ sinφ), θ from the normal, φ about it.
+    struct Group {
+        MaterialId material{};
+        bool sees_facets = false;  // below the horizon, each of them
+        Eigen::Vector3d normal;    // towards the eye
+        Eigen::Vector3d x, y;      // across it; x towards the eyes' middle
+        double distance = 0.0;     // [m] of the eye from the facets' planes, mean
+        std::array<double, 2> low{}, step{};
+        std::array<std::size_t, 2> nodes{};  // 0: no table
+        std::vector<float> value;            // (node, node, row, lane)
+    };
+    using Point = std::array<double, 2>;
+    void find_groups();
+    void lay_out(Group& group, std::span<const std::uint32_t> hops) const;
+    void fill(Group& group) const;
+    void sum(const Group& group, const Eigen::Vector3d& to_eye, float range, float* out) const;
+    /// Of a hop by its number among all.
+    std::size_t place(const Hop& hop) const;
+
+    const HopTables& tables_;
+    std::vector<Group> group_;
+    std::vector<std::int32_t> group_of_;  // (facet of HopTables, side) −1: no rough mirror
+};
+
+}  // namespace diurna

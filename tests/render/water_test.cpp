@@ -1,0 +1,193 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "materials/base/units.hpp"
+#include "materials/matter/read_library.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/rays/hop_light.hpp"
+#include "tests/support/hop_stage.hpp"
+#include "tests/support/isothermal.hpp"
+#include "tests/support/sea.hpp"
+
+using namespace diurna;
+
+namespace {
+
+Material water() {
+    static const MaterialLibrary library = default_material_library();
+    return library[library.find("water")];
+}
+
+/// The eye 3 m over a wide lake, a pixel that looks down at an angle [deg].
+struct Lake {
+    Stage stage;
+    Observer eye;
+    explicit Lake(double down_deg, double wind, Atmosphere air, float kelvins = 290.0f) {
+        stage.air = std::move(air);
+        stage.wind_speed = wind;
+        stage.rectangle({{-300, -300, -3}, {300, -300, -3}, {300, 300, -3}, {-300, 300, -3}},
+                        water(), kelvins);
+        eye = stage.observer(1, 0.02);
+        eye.elevation_deg = -down_deg;
+    }
+};
+
+Atmosphere summer() {
+    return BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
+}
+
+/// The sky at a band's nodes, straight between zenith angles that crowd at the horizon.
+class SkyByAngle {
+ public:
+    SkyByAngle(const Atmosphere& air, double height_km, const Band& band) {
+        for (int i = 0; i <= steps; ++i) {
+            sky_.push_back(sky_at_nodes(air, height_km, zenith_deg(i), band.node_um));
+        }
+    }
+    double at(double up, std::size_t node) const {
+        const double place = steps * (1.0 - std::sqrt(degrees(std::asin(up)) / 90.0));
+        const auto i = std::min(static_cast<std::size_t>(place), std::size_t(steps - 1));
+        return std::lerp(sky_[i][node], sky_[i + 1][node], place - double(i));
+    }
+
+ private:
+    static constexpr int steps = 60;
+    static double zenith_deg(int i) {
+        return std::min(89.99, 90.0 - 90.0 * std::pow(1.0 - double(i) / steps, 2));
+    }
+    std::vector<std::vector<double>> sky_;
+};
+
+/// By slopes, Fresnel and the sky's radiance by angle: what the water sends to an eye.
+double lake_radiance(double down_deg, double wind, const Atmosphere& air, const Band& band,
+                     double kelvins, double height_km) {
+    const SkyByAngle sky(air, height_km, band);
+    const std::size_t nodes = band.node_um.size();
+    std::vector<double> light(nodes, 0.0), mirrored(nodes, 0.0);
+    Sea{wind}.each_wave(
+        std::sin(radians(down_deg)), [&](double share, double cosine, const Eigen::Vector3d& out) {
+            for (std::size_t n = 0; n < nodes; ++n) {
+                const double r = share * Sea::reflectance(cosine, Sea::index(band.node_um[n]));
+                mirrored[n] += r;
+                light[n] += r * sky.at(out.z(), n);
+            }
+        });
+    double sum = 0.0;
+    for (std::size_t n = 0; n < nodes; ++n) {
+        sum += band.weight[n] * ((1.0 - mirrored[n]) * planck(band.node_um[n], kelvins) + light[n]);
+    }
+    return sum;
+}
+
+}  // namespace
+
+// 5° above the water the Lambertian pond of emissivity 0.99 was 4.2 K too warm.
+TEST_CASE("a lake by night is the sum over its waves, at any angle", "[render][water]") {
+    const double wind = GENERATE(1.0, 3.0, 8.0);
+    const Atmosphere air = summer();
+    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    for (const double down_deg : {3.0, 5.0, 10.0, 20.0, 45.0, 90.0}) {
+        Lake lake(down_deg, wind, air);
+        const auto seen = lake.stage.look(lake.eye, band);
+        const double found = brightness_temperature(band, seen.at(0));
+        const double expected =
+            brightness_temperature(band, lake_radiance(down_deg, wind, air, band, 290.0, 0.297));
+        CAPTURE(wind, down_deg, found, expected);
+        CHECK(std::abs(found - expected) < 0.3);
+    }
+}
+
+// L = E F(χ) P(slopes) / (4 cosθ cos⁴β): Cox & Munk 1954. P the Gaussian density of slopes, β the
+// tilt of the waves that shine, E the sun's on a plane facing it; no air.
+TEST_CASE("the sun glitters on water as Cox and Munk have it", "[render][water][glint]") {
+    const double wind = GENERATE(2.0, 6.0, 12.0);
+    const Band band = flat_band("1.5-1.8", 1.5, 1.8, bin_edges_um());
+    for (const double sun_deg : {30.0, 50.0}) {
+        for (const double down_deg : {25.0, 40.0, 60.0}) {
+            for (const double aside_deg : {0.0, 8.0, 20.0}) {
+                Lake lake(down_deg, wind, Vacuum{.space_temperature = 3.0});
+                lake.stage.to_sun = direction(aside_deg, sun_deg);
+                lake.stage.sun.assign(lake.stage.facets.size(), 1.0f);
+                const auto seen = lake.stage.look(lake.eye, band);
+                const double found = double{seen.planes[std::size_t(Term::sun)][0]};
+
+                const Eigen::Vector3d eye = -direction(0.0, -down_deg);
+                const Eigen::Vector3d wave = (eye + lake.stage.to_sun).normalized();
+                const double rise = (1.0 - wave.z() * wave.z()) / (wave.z() * wave.z());
+                const double variance = 0.003 + 0.00512 * wind;
+                const double slopes = std::exp(-rise / variance) / (std::numbers::pi * variance);
+                if (slopes < 0.02) continue;  // no glint
+                const double reflected = Sea::reflectance(eye.dot(wave), {1.3165, 1.0e-4});
+                const double sun = band_sum_nodes(
+                    band, solar_at_nodes(Vacuum{}, 0.3, 90.0 - sun_deg, 1.0, band.node_um));
+                const double expected =
+                    sun * reflected * slopes / (4.0 * eye.z() * std::pow(wave.z(), 4));
+                CAPTURE(wind, sun_deg, down_deg, aside_deg, slopes);
+                CHECK(found == Approx(expected).epsilon(0.03));
+            }
+        }
+    }
+}
+
+TEST_CASE("water, gloss and rough metal as warm as all around look black",
+          "[render][water][furnace]") {
+    const double kelvins = GENERATE(260.0, 300.0);
+    const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
+                               flat_band("8-12", 8.0, 12.0, bin_edges_um()));
+    const auto warm = static_cast<float>(kelvins);
+    Lake lake(6.0, 4.0,
+              BandModel{.profile = isothermal(afgl_profile("MLS"), kelvins),
+                        .aerosol = "rural",
+                        .visibility_km = 5.0,
+                        .space_temperature = kelvins},
+              warm);
+    lake.stage.rectangle({{-20, 60, -3}, {-4, 70, -3}, {-4, 70, 5}, {-20, 60, 5}}, metal(0.9, 0.3),
+                         warm);
+    lake.stage.rectangle({{4, 50, -3}, {20, 55, -3}, {20, 55, 5}, {4, 50, 5}}, plain(0.4), warm);
+    lake.eye.width = lake.eye.height = 25;
+    lake.eye.horizontal_fov_deg = 16.0;
+    const auto seen = lake.stage.look(lake.eye, band);
+    REQUIRE(seen.hops.pixel.size() > 300);
+    double worst = 0.0;
+    for (const std::uint32_t p : seen.hops.pixel) {
+        worst = std::max(worst, std::abs(seen.at(p) / band_radiance(band, kelvins) - 1.0));
+    }
+    CAPTURE(kelvins, band.name, worst);
+    CHECK(worst < 1e-6);
+}
+
+// A plate of rough metal, 45° back over warm ground: 16 samples a pixel against many.
+TEST_CASE("rough metal has no speckle", "[render][water][speckle]") {
+    const double roughness = GENERATE(0.1, 0.3, 0.6);
+    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    Stage stage;
+    stage.air = summer();
+    stage.rectangle({{-900, -900, -3}, {900, -900, -3}, {900, 900, -3}, {-900, 900, -3}},
+                    plain(0.05), 310.0f);
+    stage.rectangle({{-4, 50, -2}, {4, 50, -2}, {4, 55, 3}, {-4, 55, 3}}, metal(0.9, roughness),
+                    300.0f);
+    const Observer eye = stage.observer(12, 2.0);
+    std::array<double, 2> mean{}, square{};
+    std::array<int, 2> count{};
+    for (const int i : {0, 1}) {
+        const auto seen = stage.look(eye, band, i == 0 ? 16 : 1024);
+        for (const std::uint32_t p : seen.hops.pixel) {
+            const double t = brightness_temperature(band, seen.at(p));
+            mean[std::size_t(i)] += t;
+            square[std::size_t(i)] += t * t;
+            ++count[std::size_t(i)];
+        }
+        mean[std::size_t(i)] /= count[std::size_t(i)];
+        square[std::size_t(i)] /= count[std::size_t(i)];
+    }
+    const double speckle = std::sqrt(std::max(0.0, square[0] - mean[0] * mean[0]));
+    const double smooth = std::sqrt(std::max(0.0, square[1] - mean[1] * mean[1]));
+    CAPTURE(roughness, mean[0], mean[1], speckle, smooth);
+    CHECK(count[0] == 144);
+    CHECK(std::abs(mean[0] - mean[1]) < 0.1);
+    CHECK(std::sqrt(std::max(0.0, speckle * speckle - smooth * smooth)) < 0.2);
+}

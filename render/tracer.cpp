@@ -163,7 +163,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
             const HopLight of_hops(*options.hops, options.plumes, light, view.facet.size(),
                                    {.bounces = options.bounces,
                                     .tolerance = options.tolerance,
-                                    .by_term = options.terms});
+                                    .by_term = options.terms,
+                                    .path = &path});
             of_hops.add(planes);
         }
 

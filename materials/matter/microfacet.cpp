@@ -87,10 +87,12 @@ template <class Body>
 double each_microfacet(const Microfacets& surface, double cosine, const Body& body) {
     const double c = std::max(cosine, 1e-3);
     const Eigen::Vector3d eye(std::sqrt(1.0 - c * c), 0.0, c);
-    constexpr int rings = 24, spokes = 48;
+    // Gaussian ones are smoother, and the same on either side of the plane of incidence.
+    const int rings = surface.gaussian ? 16 : 24, all = surface.gaussian ? 32 : 48;
+    const int spokes = surface.gaussian ? all / 2 : all;
     for (int i = 0; i < rings; ++i) {
         for (int k = 0; k < spokes; ++k) {
-            const Eigen::Vector3d n = surface.normal(eye, (i + 0.5) / rings, (k + 0.5) / spokes);
+            const Eigen::Vector3d n = surface.normal(eye, (i + 0.5) / rings, (k + 0.5) / all);
             const double weight = surface.weight(eye, n);
             if (weight > 0.0) body(weight, std::min(1.0, eye.dot(n)));
         }

@@ -10,11 +10,9 @@ constexpr std::size_t rows = origin_count + 1;
 
 }  // namespace
 
-AirLanes::AirLanes(const RadianceInput& input, const PathExtent& extent,
-                   std::span<const BandLight> bands, const ChannelLanes& lanes, double tolerance)
-    : grid_(extent), lanes_(lanes.size()) {
-    const PathTable path(input, extent, bands, tolerance);
-    grid_ = path.grid();
+AirLanes::AirLanes(const PathTable& path, std::span<const BandLight> bands,
+                   const ChannelLanes& lanes)
+    : grid_(path.grid()), lanes_(lanes.size()) {
     air_.assign(path.nodes() * rows * lanes_, 0.0f);
     for (std::size_t k = 0; k < path.nodes(); ++k) {
         for (std::size_t b = 0; b < bands.size(); ++b) {

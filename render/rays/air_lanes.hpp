@@ -12,9 +12,8 @@ namespace diurna {
 /// radiance in the channels of all bands side by side.
 class AirLanes {
  public:
-    /// - bands: to outlive it
-    AirLanes(const RadianceInput& input, const PathExtent& extent, std::span<const BandLight> bands,
-             const ChannelLanes& lanes, double tolerance);
+    /// - bands: of the table
+    AirLanes(const PathTable& path, std::span<const BandLight> bands, const ChannelLanes& lanes);
 
     /// Transmittance, (origin, lane), and radiance, (lane), of the air to a range [m] and a height
     /// above the sea.

@@ -93,21 +93,45 @@ void AngleTable::fill(const Material& material, const BandLight& band,
     const std::size_t begin = band.channels.first[channel], end = band.channels.first[channel + 1];
     double total = 0.0;
     for (std::size_t n = begin; n < end; ++n) total += shape[n];
+    const auto add = [&](float* to, double share, const DirectionalOptics& o) {
+        to[0] += static_cast<float>(share * o.mirrored);
+        to[lanes_] += static_cast<float>(share * o.diffuse);
+        to[2 * lanes_] += static_cast<float>(share * o.transmittance);
+    };
+    const auto optics = [&](std::size_t n, std::size_t k, double here) {
+        return directional_optics(material, band.band.node_um[n], cosine_at(k), here,
+                                  interface.normal);
+    };
+    if (!std::holds_alternative<Glossy>(material.finish)) {
+        for (std::size_t k = 0; k < nodes; ++k) {
+            for (std::size_t n = begin; n < end; ++n) {
+                add(&values_[k * parts * lanes_ + lane], shape[n] / total, optics(n, k, 0.0));
+            }
+        }
+        return;
+    }
+    // Linear in what the interface reflects, whatever the angle: two suffice.
+    DirectionalOptics none{}, all{};
+    for (std::size_t n = begin; n < end; ++n) {
+        for (const bool of_all : {false, true}) {
+            const DirectionalOptics o = optics(n, 0, of_all ? 1.0 : 0.0);
+            DirectionalOptics& to = of_all ? all : none;
+            to.mirrored += shape[n] / total * o.mirrored;
+            to.diffuse += shape[n] / total * o.diffuse;
+            to.transmittance += shape[n] / total * o.transmittance;
+        }
+    }
+    const auto between = [&](double here) {
+        return DirectionalOptics{
+            .emissivity = 0.0,
+            .mirrored = std::lerp(none.mirrored, all.mirrored, here),
+            .diffuse = std::lerp(none.diffuse, all.diffuse, here),
+            .transmittance = std::lerp(none.transmittance, all.transmittance, here)};
+    };
     for (std::size_t k = 0; k < nodes; ++k) {
         float* at = &values_[k * parts * lanes_ + lane];
-        for (std::size_t n = begin; n < end; ++n) {
-            const double share = shape[n] / total;
-            const DirectionalOptics o =
-                directional_optics(material, band.band.node_um[n], cosine_at(k),
-                                   interface.at_node[k], interface.normal);
-            at[0] += static_cast<float>(share * o.mirrored);
-            at[lanes_] += static_cast<float>(share * o.diffuse);
-            at[2 * lanes_] += static_cast<float>(share * o.transmittance);
-            const DirectionalOptics smooth =
-                directional_optics(material, band.band.node_um[n], cosine_at(k),
-                                   interface.smooth[k], interface.normal);
-            at[3 * lanes_] += static_cast<float>(share * smooth.mirrored);
-        }
+        add(at, 1.0, between(interface.at_node[k]));
+        at[3 * lanes_] = static_cast<float>(between(interface.smooth[k]).mirrored);
     }
 }
 

@@ -4,11 +4,15 @@
 
 namespace diurna {
 
+class PathTable;
+
 /// How the light of hops is worked out.
 struct HopOptions {
     int bounces = all_bounces;  // of light between surfaces (bounces.hpp)
     double tolerance = 1e-3;    // [K] of the tables, in apparent temperature
     bool by_term = true;        // the terms of a facet's radiance one by one
+    /// Of the whole picture: used where it reaches as far as the hops do.
+    const PathTable* path = nullptr;
 };
 
 }  // namespace diurna

@@ -1,10 +1,12 @@
 #include "render/rays/hop_tables.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "materials/air/sight_line.hpp"
+#include "materials/base/units.hpp"
 #include "materials/matter/waves.hpp"
 #include "render/light/node_spectra.hpp"
 #include "render/path/direction_angles.hpp"
@@ -29,6 +31,26 @@ PathExtent extent_of(const Hops& hops, const RadianceInput& input) {
             .most_range_km = std::max(1e-3, 1e-3 * double(far)),
             .least_height_km = input.above_sea_km(double(low)),
             .most_height_km = input.above_sea_km(double(high))};
+}
+
+bool contains(const PathExtent& whole, const PathExtent& part) {
+    constexpr double slack = 1e-6;
+    return whole.observer_height_km == part.observer_height_km &&
+           whole.least_range_km <= part.least_range_km + slack &&
+           whole.most_range_km + slack >= part.most_range_km &&
+           whole.least_height_km <= part.least_height_km + slack &&
+           whole.most_height_km + slack >= part.most_height_km;
+}
+
+/// The air before the hops: the whole picture's where that reaches as far.
+AirLanes air_of(const HopTables& tables) {
+    const PathExtent extent = extent_of(tables.hops, tables.input);
+    const PathTable* whole = tables.options.path;
+    if (whole && contains(whole->grid().extent, extent)) {
+        return AirLanes(*whole, tables.band, tables.lanes);
+    }
+    return AirLanes(PathTable(tables.input, extent, tables.band, tables.options.tolerance),
+                    tables.band, tables.lanes);
 }
 
 std::vector<std::uint32_t> targets_of(const Hops& hops, std::span<const FacetId> facets) {
@@ -71,7 +93,7 @@ HopTables::HopTables(const Hops& hops_of, std::span<const Plume> plumes, const S
       band(light.band),
       lanes(band),
       facet_lanes(light, first, facet.size(), lanes, options.by_term),
-      air(input, extent_of(hops, input), band, lanes, options.tolerance) {
+      air(air_of(*this)) {
     fill_materials();
     fill_plumes(plumes);
     fill_backgrounds();
@@ -149,19 +171,30 @@ std::array<double, 2> HopTables::mirror_ranges() const {
     return ranges;
 }
 
+/// A lobe goes anywhere above its surface; that of water, which is level, upward, and of water seen
+/// at a grazing angle to where it is looked along: what is farther aside counts as at 60°.
+void HopTables::include_lobe(const Hop& hop, BackgroundChannels::Extent& extent) const {
+    const Eigen::Vector3d along = hop.direction.cast<double>(), up = Eigen::Vector3d::UnitZ();
+    extent.least_zenith_deg = 0.0;
+    const bool level = std::get<Glossy>(material(hop).finish).waves;
+    if (level && hop.cosine < 0.25f) {
+        for (const double aside : {-radians(60.0), 0.0, radians(60.0)}) {
+            const Eigen::AngleAxisd turn(aside, up);
+            extent.include(turn * Eigen::Vector3d(along.x(), along.y(), 0.0).normalized(),
+                           input.to_sun);
+        }
+        return;
+    }
+    extent.include(level ? Eigen::Vector3d(Eigen::Vector3d::UnitX()) : Eigen::Vector3d(-up),
+                   input.to_sun);
+    extent.least_azimuth_deg = 0.0;
+    extent.most_azimuth_deg = 180.0;
+}
+
 void HopTables::fill_backgrounds() {
     BackgroundChannels::Extent straight, in_mirrors;
     for (const Hop& hop : hops.hop) {
-        if (is_rough_mirror(hop)) {
-            // A lobe goes anywhere above its surface; that of water, which is level, upward.
-            const bool level = std::get<Glossy>(material(hop).finish).waves;
-            in_mirrors.include(Eigen::Vector3d::UnitZ(), input.to_sun);
-            in_mirrors.include(level ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
-                                     : Eigen::Vector3d(-Eigen::Vector3d::UnitZ()),
-                               input.to_sun);
-            in_mirrors.least_azimuth_deg = 0.0;
-            in_mirrors.most_azimuth_deg = 180.0;
-        }
+        if (is_rough_mirror(hop)) include_lobe(hop, in_mirrors);
         if (hop.kind != Hop::Kind::sky) continue;
         (hop.straight ? straight : in_mirrors).include(hop.direction.cast<double>(), input.to_sun);
     }
@@ -175,8 +208,9 @@ void HopTables::fill_backgrounds() {
 void HopTables::fill_mirrored(const BackgroundChannels::Extent& extent) {
     const auto [near, far] = mirror_ranges();
     const double spread = far / near;
-    const std::size_t ranges = spread < 1.001 ? 1 : spread < 2.0 ? 3 : most_few;
-    mirrored.root_low = std::cbrt(near);
+    // What is joined changes slowly with range: within a tenth of it by 0.1 % of the sky.
+    const std::size_t ranges = spread < 1.1 ? 1 : spread < 1.4 ? 2 : spread < 2.0 ? 3 : most_few;
+    mirrored.root_low = ranges > 1 ? std::cbrt(near) : 0.5 * (std::cbrt(near) + std::cbrt(far));
     if (ranges > 1) mirrored.root_step = (std::cbrt(far) - std::cbrt(near)) / double(ranges - 1);
     const double eye_km = input.above_sea_km(hops.observer_height);
     const double mirror_km = mirror_height_km();

@@ -78,6 +78,7 @@ struct HopTables {
     void fill_plumes(std::span<const Plume> plumes);
     void fill_backgrounds();
     void fill_mirrored(const BackgroundChannels::Extent& extent);
+    void include_lobe(const Hop& hop, BackgroundChannels::Extent& extent) const;
     bool shows_sky(const Hop& hop) const;
     double mirror_height_km() const;
     std::array<double, 2> mirror_ranges() const;

@@ -8,6 +8,7 @@
 #include "render/eye/apparent_temperature.hpp"
 #include "render/eye/eye_tables.hpp"
 #include "render/eye/pixel_sum.hpp"
+#include "render/eye/pixel_sun_sum.hpp"
 #include "render/eye/truth.hpp"
 #include "render/light/reused_floats.hpp"
 #include "render/light/scene_light.hpp"
@@ -156,6 +157,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         const EyeTables eye(path, light,
                             {.by_term = options.terms, .tolerance = 0.5 * options.tolerance});
         Planes planes = see(view, observer, eye, light);
+        if (options.pixel_sun) add_pixel_sun(view, *options.pixel_sun, light, eye, planes);
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.

@@ -9,6 +9,7 @@
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
 #include "render/view/observer.hpp"
+#include "render/view/pixel_sun.hpp"
 #include "render/view/view.hpp"
 
 namespace diurna {
@@ -23,6 +24,8 @@ struct FrameOptions {
     const LitFacets* lit = nullptr;
     /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_light.hpp).
     const Hops* hops = nullptr;
+    /// cast_pixel_sun() of the view and the instant: shadows by pixel, not by facet. Null: none.
+    const PixelSun* pixel_sun = nullptr;
     std::span<const Plume> plumes{};
 };
 

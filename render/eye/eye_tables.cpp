@@ -100,4 +100,44 @@ void EyeTables::look(const View& view, const SceneLight& light, std::size_t begi
     }
 }
 
+/// A row is what it is times the sunlit share and what does not change with that.
+void EyeTables::look_at_sun(const View& view, const SceneLight& light,
+                            std::span<const std::uint32_t> targets, std::span<AtEye> out) const {
+    const std::size_t columns = tables_.size(), per_band = columns_of_band();
+    const Eigen::Vector3f to_sun = light.input.to_sun.cast<float>();
+    for_each_block(targets.size(), GridPlaces::most, [&](std::size_t begin, std::size_t end) {
+        std::array<float, GridPlaces::most> range, root, height;
+        GridPlaces places;
+        TargetRows facets;
+        const std::size_t count = end - begin;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::uint32_t t = targets[begin + k];
+            range[k] = view.range[t];
+            root[k] = view.range_root[t];
+            height[k] = view.target_height[t];
+            facets.slot[k] = static_cast<std::uint32_t>(k);
+            facets.material[k] = light.lit.material[light.lit.target[t]];
+        }
+        find_places(grid_, {range.data(), count}, {root.data(), count}, {height.data(), count},
+                    places);
+        for (std::size_t b = 0; b < rows_.size(); ++b) {
+            const std::size_t width = rows_[b].width();
+            std::vector<float> row(count * width, 0.0f);
+            for (std::size_t k = 0; k < count; ++k) {
+                const std::uint32_t i = light.lit.target[targets[begin + k]];
+                const std::array<float, 3> up = height_weights(light.lit.height[i]);
+                const float cosine =
+                    light.input.facets.normal[index(light.lit.facet[i])].dot(to_sun);
+                for (std::size_t h = 0; h < 3; ++h) {
+                    row[k * width + rows_[b].sun() + h] = sunlight_on(1.0f, cosine) * up[h];
+                }
+            }
+            for (std::size_t c = b * per_band; c < (b + 1) * per_band; ++c) {
+                tables_[c].look(places, facets, row.data(), count, columns,
+                                &out[begin * columns + c]);
+            }
+        }
+    });
+}
+
 }  // namespace diurna

@@ -27,6 +27,9 @@ class EyeTables {
 
     /// Radiance at the eye of every target of a view, (target, column).
     void look(const View& view, const SceneLight& light, std::span<AtEye> out) const;
+    /// What the whole sun on some targets of a view adds to that, (target chosen, column).
+    void look_at_sun(const View& view, const SceneLight& light,
+                     std::span<const std::uint32_t> targets, std::span<AtEye> out) const;
 
  private:
     void look(const View& view, const SceneLight& light, std::size_t begin, std::size_t end,

@@ -18,6 +18,7 @@
 #include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
 #include "render/view/cast_view.hpp"
+#include "render/view/pixel_sun.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
 #include "scenes/run/luminary.hpp"
@@ -58,6 +59,7 @@ struct Series {
     const ObserverInput& input;
     const Observer& observer;
     std::vector<Band> bands;
+    ViewOptions sampling;
     View view;
     Hops hops;
     LitFacets lit;
@@ -85,6 +87,9 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
     Series s{.input = scene.observers[o],
              .observer = prepared.observers[o],
              .bands = {},
+             .sampling = {.samples = scene.observers[o].samples,
+                          .seed = scene.seed,
+                          .texture_levels = &prepared.world.texture_levels},
              .view = {},
              .hops = {},
              .lit = {},
@@ -92,13 +97,10 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
     for (const std::string& band : s.input.bands) {
         s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
     }
-    const ViewOptions sampling{.samples = s.input.samples,
-                               .seed = scene.seed,
-                               .texture_levels = &prepared.world.texture_levels};
     s.view = s.input.adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer,
                                                    appearances(prepared, views, field, s.bands),
-                                                   *s.input.adaptive, sampling)
-                              : cast_view(prepared.rays, surfaces, s.observer, sampling);
+                                                   *s.input.adaptive, s.sampling)
+                              : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
     const PlumeScene plumes(prepared.plumes);
     s.hops = follow_rays(s.view,
                          {.rays = prepared.rays,
@@ -106,7 +108,7 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
                           .materials = scene.materials,
                           .plumes = plumes,
                           .wind_speed = mean_wind(prepared)},
-                         s.observer, sampling);
+                         s.observer, s.sampling);
     const RadianceInput still{.facets = surfaces,
                               .views = views,
                               .materials = scene.materials,
@@ -182,11 +184,14 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                             .instant = instant,
                             .moon = light.moon,
                             .wind_speed = wind_at(prepared, instant)};
+    const PixelSun pixel_sun = cast_pixel_sun(
+        s.view, {prepared.rays, world.surfaces(), fraction, now.to_sun}, s.observer, s.sampling);
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,
                           .lit = &s.lit,
                           .hops = &s.hops,
+                          .pixel_sun = &pixel_sun,
                           .plumes = prepared.plumes});
     check_finite(frame, s.input.bands);
     frame.notes["local_time"] = format_local(instant, prepared.scene.time.utc_offset);
@@ -200,6 +205,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                                        .terms = false,
                                        .lit = &cube.lit,
                                        .hops = &s.hops,
+                                       .pixel_sun = &pixel_sun,
                                        .plumes = prepared.plumes});
         write_cube(out / frame_base(s.input.name, cube.name, instant),
                    cube_of(channels, cube.channels));

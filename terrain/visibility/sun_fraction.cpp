@@ -1,17 +1,14 @@
 #include "terrain/visibility/sun_fraction.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/random.hpp"
-#include "terrain/place/sun.hpp"
 #include "terrain/visibility/lifted_facet.hpp"
+#include "terrain/visibility/sun_disc.hpp"
 
 namespace diurna {
 
@@ -32,31 +29,12 @@ class Uniform {
     std::uint64_t state_;
 };
 
-/// The unit square to the unit disc, equal areas to equal areas, neighbours to neighbours
-/// (Shirley & Chiu 1997).
-Eigen::Vector2d to_disc(double u, double v) {
-    const double a = 2.0 * u - 1.0, b = 2.0 * v - 1.0;
-    if (a == 0.0 && b == 0.0) return {0.0, 0.0};
-    constexpr double quarter = std::numbers::pi / 4.0;
-    const bool flat = std::abs(a) > std::abs(b);
-    const double radius = flat ? a : b;
-    const double angle = flat ? quarter * (b / a) : 2.0 * quarter - quarter * (a / b);
-    return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-/// The k-th of a sequence that fills the unit square evenly (Roberts' R2), from a random start.
-Eigen::Vector2d evenly(int k, const Eigen::Vector2d& start) {
-    const double x = start.x() + even_step_x * k, y = start.y() + even_step_y * k;
-    return {x - std::floor(x), y - std::floor(y)};
-}
-
 /// Rays from points of facets to points of the sun's disc.
 class SunRays {
  public:
     SunRays(const FacetSet& facets, const Eigen::Vector3d& direction,
             const SunFractionOptions& options)
-        : facets_(facets), direction_(direction), options_(options) {
-        std::tie(east_, north_) = tangents(direction);
+        : facets_(facets), direction_(direction), disc_(direction), options_(options) {
         std::tie(columns_, rows_) = nearly_square(options.samples);
     }
 
@@ -69,10 +47,8 @@ class SunRays {
         const double start_y = random(), start_x = random();
         for (int k = 0; k < options_.samples; ++k) {
             const double down = random(), across = random();
-            const Eigen::Vector2d disc = disc_radius_ * to_disc((k % columns_ + across) / columns_,
-                                                                (k / columns_ + down) / rows_);
             const Eigen::Vector3d towards =
-                (direction_ + disc.x() * east_ + disc.y() * north_).normalized();
+                disc_.towards((k % columns_ + across) / columns_, (k / columns_ + down) / rows_);
             if (points.normal.dot(towards) <= 0.0) continue;
             const Eigen::Vector2d place = evenly(k, {start_x, start_y});
             rays.push_back(
@@ -87,10 +63,9 @@ class SunRays {
  private:
     const FacetSet& facets_;
     const Eigen::Vector3d& direction_;
+    SunDisc disc_;
     const SunFractionOptions& options_;
-    Eigen::Vector3d east_, north_;
     int columns_, rows_;
-    double disc_radius_ = std::tan(sun_angular_radius);
 };
 
 }  // namespace

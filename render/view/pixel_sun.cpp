@@ -1,0 +1,220 @@
+#include "render/view/pixel_sun.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "materials/base/parallel.hpp"
+#include "materials/base/random.hpp"
+#include "render/view/pixel_samples.hpp"
+#include "terrain/visibility/lifted_facet.hpp"
+#include "terrain/visibility/sun_disc.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t lanes = RayBundles::lanes;
+constexpr float all_or_nothing = 0.02f;  // shares that near to 0 or 1 count as these
+
+/// The facet that rays know in the place of each.
+struct InPlace {
+    const TextureLevels* levels;
+    std::size_t operator()(FacetId facet) const {
+        return levels == nullptr || levels->empty() ? index(facet) : levels->origin[index(facet)];
+    }
+};
+
+/// Pixels that see facets with edges, and their sightings of these.
+PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InPlace in_place) {
+    std::vector<std::uint8_t> target(view.facet.size());
+    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.facet[t])];
+    PixelSun out;
+    out.row.push_back(0);
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
+            if (target[view.sighting[k].target] != 0) out.sighting.push_back(k);
+        }
+        if (out.sighting.size() == out.row.back()) continue;
+        out.pixel.push_back(static_cast<std::uint32_t>(p));
+        out.row.push_back(static_cast<std::uint32_t>(out.sighting.size()));
+    }
+    return out;
+}
+
+/// Casts the samples of a few pixels at a time and asks for the sun at what they meet. For one
+/// thread.
+class SampleCaster {
+ public:
+    SampleCaster(const View& view, const SunOverFacets& sun, const PixelSamples& samples,
+                 const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out)
+        : view_(view),
+          sun_(sun),
+          disc_(sun.to_sun),
+          samples_(samples),
+          seed_(options.seed),
+          in_place_{options.texture_levels},
+          crossed_(crossed),
+          out_(out),
+          at_a_time_(std::max<std::size_t>(1, 16 / samples.bundles())),
+          rays_(sun.rays, at_a_time_ * samples.bundles()) {
+        rays_.set_origin(samples.origin());
+    }
+
+    /// Pixels [begin, end) of `out`; returns how many rays went to the sun.
+    std::size_t cast(std::size_t begin, std::size_t end) {
+        std::size_t cast = 0;
+        for (std::size_t k = begin; k < end; k += at_a_time_) {
+            const std::size_t last = std::min(end, k + at_a_time_);
+            first_pixel_ = k;
+            to_sun_.clear();
+            entry_.clear();
+            count_.assign(out_.row[last] - out_.row[k], 0);
+            aim(k, last);
+            for (std::size_t i = k; i < last; ++i) start_from(i, (i - k) * samples_.bundles());
+            share_.resize(to_sun_.size());
+            sun_.rays.beam(to_sun_, share_);
+            average(k, last);
+            cast += to_sun_.size();
+        }
+        return cast;
+    }
+
+ private:
+    std::size_t pixel_of(std::size_t k) const { return out_.pixel[k]; }
+
+    void aim(std::size_t begin, std::size_t end) {
+        const auto width = static_cast<std::size_t>(view_.width);
+        std::size_t bundle = 0;
+        for (std::size_t k = begin; k < end; ++k) {
+            for (std::size_t part = 0; part < samples_.bundles(); ++part) {
+                samples_.aim(pixel_of(k) % width, pixel_of(k) / width, part, bundle++, rays_);
+            }
+        }
+        rays_.closest(bundle);
+    }
+
+    /// Rays to the sun from what the samples of the k-th pixel meet.
+    void start_from(std::size_t k, std::size_t first_bundle) {
+        RandomStream random{hashed(seed_ ^ hashed(pixel_of(k)))};
+        const double start_x = random(), start_y = random();
+        int sample = 0;
+        for (std::size_t part = 0; part < samples_.bundles(); ++part) {
+            for (std::size_t s = 0; s < samples_.used(part); ++s, ++sample) {
+                const std::size_t ray = (first_bundle + part) * lanes + s;
+                const std::uint32_t facet = rays_.facet[ray];
+                if (facet == index(no_facet) || crossed_[facet] == 0) continue;
+                const Eigen::Vector2d at = evenly(sample, {start_x, start_y});
+                add_ray(k, ray, facet, disc_.towards(at.x(), at.y()));
+            }
+        }
+    }
+
+    void add_ray(std::size_t k, std::size_t ray, std::uint32_t facet,
+                 const Eigen::Vector3d& towards) {
+        std::uint32_t entry = out_.row[k];
+        while (entry < out_.row[k + 1] && place_of(entry) != facet) ++entry;
+        if (entry == out_.row[k + 1]) return;
+        ++count_[entry - out_.row[first_pixel_]];
+        // Where the sun is below the facet's own plane it does not shine.
+        const LiftedFacet lifted(sun_.facets, facet);
+        if (lifted.normal.dot(towards) <= 0.0) return;
+        to_sun_.push_back({.origin = place(ray, lifted), .direction = towards.cast<float>()});
+        entry_.push_back(entry);
+    }
+
+    /// Where a ray of the picture meets the facet's plane, lifted off it.
+    Eigen::Vector3f place(std::size_t ray, const LiftedFacet& lifted) const {
+        const Eigen::Vector3d from(rays_.origin_x[ray], rays_.origin_y[ray], rays_.origin_z[ray]);
+        const Eigen::Vector3d to(rays_.direction_x[ray], rays_.direction_y[ray],
+                                 rays_.direction_z[ray]);
+        const double descent = lifted.normal.dot(to);
+        const double beside = lifted.normal.dot(lifted.corner - from);
+        double range = rays_.range[ray];  // at grazing incidence that of a double
+        if (std::abs(descent) > 0.05) range = beside / descent;
+        const Eigen::Vector3d at = from + range * to;
+        return (at + lifted.normal * (lifted.normal.dot(lifted.corner - at))).cast<float>();
+    }
+
+    /// Shares of the entries of pixels [begin, end): of levels in one place the first has the
+    /// samples of all. Where no sample met the facet, it is the facet's mean.
+    void average(std::size_t begin, std::size_t end) {
+        const std::size_t first_entry = out_.row[begin];
+        sum_.assign(count_.size(), 0.0f);
+        for (std::size_t i = 0; i < share_.size(); ++i) sum_[entry_[i] - first_entry] += share_[i];
+        for (std::size_t k = begin; k < end; ++k) {
+            for (std::uint32_t e = out_.row[k]; e < out_.row[k + 1]; ++e) {
+                std::uint32_t first = out_.row[k];
+                while (place_of(first) != place_of(e)) ++first;
+                const int count = count_[first - first_entry];
+                out_.share[e] = count > 0 ? sum_[first - first_entry] / static_cast<float>(count)
+                                          : sun_.fraction[place_of(e)];
+            }
+        }
+    }
+
+    /// Of an entry.
+    std::size_t place_of(std::uint32_t entry) const {
+        return in_place_(view_.facet[view_.sighting[out_.sighting[entry]].target]);
+    }
+
+    const View& view_;
+    const SunOverFacets& sun_;
+    SunDisc disc_;
+    const PixelSamples& samples_;
+    std::uint64_t seed_;
+    InPlace in_place_;
+    std::span<const std::uint8_t> crossed_;
+    PixelSun& out_;
+    std::size_t at_a_time_;  // pixels
+    RayBundles rays_;
+    std::size_t first_pixel_ = 0;
+    std::vector<Ray> to_sun_;
+    std::vector<std::uint32_t> entry_;  // (ray to the sun)
+    std::vector<float> share_;          // (ray to the sun)
+    std::vector<int> count_;            // (entry of these pixels) samples
+    std::vector<float> sum_;            // (entry of these pixels) of their shares
+};
+
+}  // namespace
+
+std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const TextureLevels* levels) {
+    const FacetSet& facets = sun.facets;
+    const std::size_t known = levels == nullptr || levels->empty() ? facets.size() : levels->solid;
+    std::vector<std::uint8_t> crossed(known, 0);
+    if (sun.fraction.empty()) return crossed;
+    const Eigen::Vector3f to_sun = sun.to_sun.cast<float>();
+    std::vector<float> least(facets.vertex.size(), 1.0f), most(facets.vertex.size(), 0.0f);
+    for (std::size_t f = 0; f < known; ++f) {
+        if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
+        for (const std::uint32_t v : facets.corner[f]) {
+            least[v] = std::min(least[v], sun.fraction[f]);
+            most[v] = std::max(most[v], sun.fraction[f]);
+        }
+    }
+    for (std::size_t f = 0; f < known; ++f) {
+        if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
+        const auto& [a, b, c] = facets.corner[f];
+        crossed[f] = std::max({most[a], most[b], most[c]}) > all_or_nothing &&
+                     std::min({least[a], least[b], least[c]}) < 1.0f - all_or_nothing;
+    }
+    return crossed;
+}
+
+PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observer& observer,
+                        const ViewOptions& options) {
+    const std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
+    PixelSun out = entries_of(view, crossed, {options.texture_levels});
+    out.share.resize(out.sighting.size());
+    const PixelSamples samples(observer, options.samples, options.seed);
+    constexpr std::size_t grain = 256;
+    std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
+    for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
+        SampleCaster caster(view, sun, samples, options, crossed, out);
+        rays[begin / grain] = caster.cast(begin, end);
+    });
+    out.rays = std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
+    return out;
+}
+
+}  // namespace diurna

@@ -9,6 +9,7 @@
 #include "render/eye/eye_tables.hpp"
 #include "render/eye/pixel_sum.hpp"
 #include "render/eye/pixel_sun_sum.hpp"
+#include "render/eye/surface_planes.hpp"
 #include "render/eye/truth.hpp"
 #include "render/light/reused_floats.hpp"
 #include "render/light/scene_light.hpp"
@@ -155,7 +156,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         const PathTable path(input, path_extent(view, input.ground_height_km), light.band,
                              options.tolerance);
         const EyeTables eye(path, light,
-                            {.by_term = options.terms, .tolerance = 0.5 * options.tolerance});
+                            {.by_term = options.terms || options.surfaces > 0,
+                             .tolerance = 0.5 * options.tolerance});
         Planes planes = see(view, observer, eye, light);
         if (options.pixel_sun) add_pixel_sun(view, *options.pixel_sun, light, eye, planes);
         add_scattered(view, observer, light, planes, frame);
@@ -165,7 +167,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
             const HopLight of_hops(*options.hops, options.plumes, light, view.facet.size(),
                                    {.bounces = options.bounces,
                                     .tolerance = options.tolerance,
-                                    .by_term = options.terms,
+                                    .by_term = eye.columns_of_band() > 1,
                                     .path = &path});
             of_hops.add(planes);
         }
@@ -174,6 +176,10 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         for (std::size_t b = 0; b < bands.size(); ++b) {
             add_planes(bands[b], of_band(planes, b, bands.size()), frame);
             add_notes(b, light, path, eye.grid(), frame);
+        }
+        if (options.surfaces > 0) {
+            add_surface_planes(view, light, eye, options.pixel_sun,
+                               static_cast<std::size_t>(options.surfaces), frame);
         }
     }
     if (options.truth) add_truth(view, input, frame);

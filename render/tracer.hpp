@@ -17,6 +17,7 @@ namespace diurna {
 struct FrameOptions {
     bool truth = true;          // temperature, range, facet, object, material, normal
     bool terms = false;         // the terms of the radiance one by one
+    int surfaces = 0;           // of each pixel in planes (surface_planes.hpp); with `terms`
     double tolerance = 1e-3;    // [K] aimed at by the tables, in apparent temperature
     int bounces = all_bounces;  // of light between surfaces, at most (radiosity.hpp)
     /// lit_facets(input, seen_facets(view.facet, hops), bands), for a series of frames in which

@@ -137,6 +137,16 @@ EyeTable::EyeTable(const PathTable& path, std::size_t band_index, const BandLigh
         1);
 }
 
+std::vector<double> worth_on_leaving(const BandLight& band, const NodeOptics& optics,
+                                     const TermSet& terms) {
+    const RowWorth worth{band, optics, terms, EyeRow(band)};
+    Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(Eigen::Index(worth.layout.width()));
+    for (const Origin origin : all_origins) {
+        sum += channel_weights(worth, origin).colwise().sum();
+    }
+    return {sum.begin(), sum.end()};
+}
+
 std::vector<Eigen::MatrixXd> EyeTable::radiance_of(std::span<const float> row) const {
     std::vector<Eigen::MatrixXd> all;
     for (const std::vector<float>& table : table_) {

@@ -51,4 +51,9 @@ class EyeTable {
     std::vector<std::vector<float>> table_;  // (material)(range, height, number)
 };
 
+/// What the numbers of an EyeRow are worth where light leaves a surface of such optics, before the
+/// air: (number).
+std::vector<double> worth_on_leaving(const BandLight& band, const NodeOptics& optics,
+                                     const TermSet& terms);
+
 }  // namespace diurna

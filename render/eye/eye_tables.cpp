@@ -4,6 +4,7 @@
 #include <array>
 
 #include "materials/base/parallel.hpp"
+#include "render/eye/facet_rows.hpp"
 
 namespace diurna {
 
@@ -60,13 +61,11 @@ void EyeTables::look(const View& view, const SceneLight& light, std::size_t begi
     constexpr std::size_t ahead = 12;
     constexpr auto none = ~std::uint32_t{0};
     const LitFacets& lit = light.lit;
-    const RadiosityTables& tables = light.tables;
-    const Radiosity& radiosity = light.radiosity;
     const std::size_t columns = tables_.size(), per_band = columns_of_band();
-    std::vector<float> black(tables.lanes), arriving(tables.lanes);
-    std::array<float, SkyModes::most> sky;
+    FacetRows of_facet(light);
     std::vector<std::vector<float>> row;  // (band)(slot, number) of the facets of a few targets
     for (const EyeRow& r : rows_) row.emplace_back(GridPlaces::most * r.width(), 0.0f);
+    std::vector<float*> next(rows_.size());
     GridPlaces places;
     TargetRows facets;
     for (std::size_t t0 = begin; t0 < end; t0 += GridPlaces::most) {
@@ -77,17 +76,13 @@ void EyeTables::look(const View& view, const SceneLight& light, std::size_t begi
         std::uint32_t last = none, slots = 0;
         for (std::size_t k = 0; k < count; ++k) {
             const std::uint32_t i = lit.target[t0 + k];
-            if (t0 + k + ahead < end) radiosity.fetch(lit.target[t0 + k + ahead]);
+            if (t0 + k + ahead < end) light.radiosity.fetch(lit.target[t0 + k + ahead]);
             if (i != last) {
                 last = i;
-                black_modes(tables, light.state.temperature[i], black.data());
-                radiosity.arriving(i, black.data(), arriving.data());
-                const std::array<float, 3> up = height_weights(lit.height[i]);
                 for (std::size_t b = 0; b < rows_.size(); ++b) {
-                    light.band[b].sky.of(lit.sky_view[i], light.state.uneven[i], up, sky.data());
-                    rows_[b].fill(&black[tables.first[b]], &arriving[tables.first[b]], sky.data(),
-                                  light.state.sunlight[i], up, &row[b][slots * rows_[b].width()]);
+                    next[b] = &row[b][slots * rows_[b].width()];
                 }
+                of_facet.fill(i, next);
                 ++slots;
             }
             facets.slot[k] = slots - 1;

@@ -104,8 +104,14 @@ void read_sampling(const Section& section, ObserverInput& observer) {
 
 void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& bands,
                           const std::vector<CubeInput>& cubes, ObserverInput& observer) {
+    observer.surfaces = section.integer_or(
+        "surfaces",
+        "of each pixel, those it sees most of, that have planes of their own: from these and the "
+        "terms, which come with them, its radiance can be added up anew",
+        0, {0, 8});
     observer.terms =
-        section.flag_or("terms", "planes for the terms of the radiance, one by one", false);
+        section.flag_or("terms", "planes for the terms of the radiance, one by one", false) ||
+        observer.surfaces > 0;
     observer.bands = section.texts_or(
         "bands", "FROM-TO in µm, visible, nir, swir, mwir, lwir, or names of [[bands]]",
         std::vector<std::string>{"3-5", "8-12"});

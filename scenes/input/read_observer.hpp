@@ -28,6 +28,7 @@ struct ObserverInput {
     std::vector<std::string> bands;           // "3-5", "8-12", "lwir", a name of [[bands]]
     std::vector<std::string> cubes;           // names of [[cubes]]
     bool terms = false;                       // planes for the terms of the radiance, one by one
+    int surfaces = 0;                         // of each pixel that have planes of their own
 };
 
 /// One table [[observer]]; the scene's bands and cubes are known already.

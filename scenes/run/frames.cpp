@@ -160,6 +160,20 @@ std::string moon_note(const Luminary& light) {
         light.moon->phase_deg, 100.0 * lit_share(*light.moon), moon_over_sun(0.55, *light.moon));
 }
 
+/// Planes "place_k": the facet in whose place the k-th surface is, another where that is a level of
+/// a texture. The weights of surfaces in one place are the texture's shares.
+void add_places(const TextureLevels& levels, int surfaces, Frame& frame) {
+    for (int k = 1; k <= surfaces; ++k) {
+        Plane plane = frame[fmt::format("facet_{}", k)];
+        plane.name = fmt::format("place_{}", k);
+        for (float& facet : plane.pixel) {
+            if (facet < 0.0f || levels.empty()) continue;
+            facet = static_cast<float>(levels.origin[static_cast<std::size_t>(facet)]);
+        }
+        frame.planes.push_back(std::move(plane));
+    }
+}
+
 /// Renders and writes the bands and cubes of one instant; returns the tables' notes of their error.
 std::map<std::string, std::string> render_instant(const Prepared& prepared, const Series& s,
                                                   const FacetViews& views,
@@ -189,6 +203,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,
+                          .surfaces = s.input.surfaces,
                           .lit = &s.lit,
                           .hops = &s.hops,
                           .pixel_sun = &pixel_sun,
@@ -198,6 +213,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     frame.notes["solar_time"] = format_solar_time(world.site, instant);
     if (light.moon) frame.notes["moon"] = moon_note(light);
     if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
+    add_places(world.texture_levels, s.input.surfaces, frame);
     write_bands(out, frame, s.bands);
     for (const CubeSeries& cube : s.cubes) {
         const Frame channels = render(s.view, s.observer, cube.channels, now,

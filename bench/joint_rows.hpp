@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/thermal_rows.hpp"
+#include "tests/support/box_shadow.hpp"
 #include "tests/support/canyon.hpp"
 #include "tests/support/hall.hpp"
 #include "tests/support/hourly_sun.hpp"
@@ -94,6 +95,18 @@ inline std::string heated_sheet() {
                        exact - air);
 }
 
+/// Outlines of a box's shadow, by facet and by pixel: the worst of suns at 12, 25, 45, 65°.
+inline std::string shadow_outline() {
+    double worst = 1.0, worst_by_facet = 1.0;
+    for (const double elevation : {12.0, 25.0, 45.0, 65.0}) {
+        BoxStage stage(1.5, elevation);
+        const BoxStage::Picture picture = stage.picture();
+        worst = std::min(worst, overlap(stage, picture.view, picture.by_pixel));
+        worst_by_facet = std::min(worst_by_facet, overlap(stage, picture.view, picture.by_facet));
+    }
+    return fmt::format("{:.3f} worst ({:.2f} by facets)", worst, worst_by_facet);
+}
+
 inline std::vector<thermal_rows::Case> cases() {
     return {
         {"direct light on walls from hourly global sunlight, a clear day at 36°",
@@ -105,7 +118,9 @@ inline std::vector<thermal_rows::Case> cases() {
         {"sunlit walls on a slope, eaves to foot", "closed form",
          "33 K facets that dip into the ground", wall_foot},
         {"ground warmed by a sheet over it, 500 W/m²", "sums over squares",
-         "-5.4 K one-sided sheets", heated_sheet}};
+         "-5.4 K one-sided sheets", heated_sheet},
+        {"a box's shadow on facets of 1.5 m, intersection over union, suns of 12 to 65°",
+         "the sun's ray through each pixel", "", shadow_outline}};
 }
 
 }  // namespace joint_rows

@@ -159,7 +159,10 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
                             {.by_term = options.terms || options.surfaces > 0,
                              .tolerance = 0.5 * options.tolerance});
         Planes planes = see(view, observer, eye, light);
-        if (options.pixel_sun) add_pixel_sun(view, *options.pixel_sun, light, eye, planes);
+        if (options.pixel_sun) {
+            add_pixel_sun(view, *options.pixel_sun, light, eye, planes);
+            add_pixel_heat(view, *options.pixel_sun, light, eye, planes);
+        }
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.
@@ -182,7 +185,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
                                static_cast<std::size_t>(options.surfaces), frame);
         }
     }
-    if (options.truth) add_truth(view, input, frame);
+    if (options.truth) add_truth(view, input, options.pixel_sun, frame);
     return frame;
 }
 

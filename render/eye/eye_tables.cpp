@@ -95,11 +95,10 @@ void EyeTables::look(const View& view, const SceneLight& light, std::size_t begi
     }
 }
 
-/// A row is what it is times the sunlit share and what does not change with that.
-void EyeTables::look_at_sun(const View& view, const SceneLight& light,
-                            std::span<const std::uint32_t> targets, std::span<AtEye> out) const {
+void EyeTables::look_at(const View& view, const SceneLight& light,
+                        std::span<const std::uint32_t> targets, const Fill& fill,
+                        std::span<AtEye> out) const {
     const std::size_t columns = tables_.size(), per_band = columns_of_band();
-    const Eigen::Vector3f to_sun = light.input.to_sun.cast<float>();
     for_each_block(targets.size(), GridPlaces::most, [&](std::size_t begin, std::size_t end) {
         std::array<float, GridPlaces::most> range, root, height;
         GridPlaces places;
@@ -118,21 +117,45 @@ void EyeTables::look_at_sun(const View& view, const SceneLight& light,
         for (std::size_t b = 0; b < rows_.size(); ++b) {
             const std::size_t width = rows_[b].width();
             std::vector<float> row(count * width, 0.0f);
-            for (std::size_t k = 0; k < count; ++k) {
-                const std::uint32_t i = light.lit.target[targets[begin + k]];
-                const std::array<float, 3> up = height_weights(light.lit.height[i]);
-                const float cosine =
-                    light.input.facets.normal[index(light.lit.facet[i])].dot(to_sun);
-                for (std::size_t h = 0; h < 3; ++h) {
-                    row[k * width + rows_[b].sun() + h] = sunlight_on(1.0f, cosine) * up[h];
-                }
-            }
+            for (std::size_t k = 0; k < count; ++k) fill(b, begin + k, &row[k * width]);
             for (std::size_t c = b * per_band; c < (b + 1) * per_band; ++c) {
                 tables_[c].look(places, facets, row.data(), count, columns,
                                 &out[begin * columns + c]);
             }
         }
     });
+}
+
+/// A row is what it is times the sunlit share and what does not change with that.
+void EyeTables::look_at_sun(const View& view, const SceneLight& light,
+                            std::span<const std::uint32_t> targets, std::span<AtEye> out) const {
+    const Eigen::Vector3f to_sun = light.input.to_sun.cast<float>();
+    const auto fill = [&](std::size_t b, std::size_t k, float* row) {
+        const std::uint32_t lit = light.lit.target[targets[k]];
+        const Eigen::Vector3f& normal = light.input.facets.normal[index(light.lit.facet[lit])];
+        const float whole = sunlight_on(1.0f, normal.dot(to_sun));
+        const std::array<float, 3> up = height_weights(light.lit.height[lit]);
+        for (std::size_t h = 0; h < 3; ++h) row[rows_[b].sun() + h] = whole * up[h];
+    };
+    look_at(view, light, targets, fill, out);
+}
+
+void EyeTables::look_at_warmth(const View& view, const SceneLight& light,
+                               std::span<const std::uint32_t> targets,
+                               std::span<const float> warmer, std::span<AtEye> out) const {
+    const RadiosityTables& tables = light.tables;
+    const auto fill = [&](std::size_t b, std::size_t k, float* row) {
+        std::array<std::vector<float>, 2> black;
+        const float mean = light.state.temperature[light.lit.target[targets[k]]];
+        for (std::size_t i = 0; i < 2; ++i) {
+            black[i].resize(tables.lanes);
+            black_modes(tables, i == 0 ? mean : mean + warmer[k], black[i].data());
+        }
+        for (std::size_t j = 0; j < rows_[b].thermal; ++j) {
+            row[j] = black[1][tables.first[b] + j] - black[0][tables.first[b] + j];
+        }
+    };
+    look_at(view, light, targets, fill, out);
 }
 
 }  // namespace diurna

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -30,10 +31,21 @@ class EyeTables {
     /// What the whole sun on some targets of a view adds to that, (target chosen, column).
     void look_at_sun(const View& view, const SceneLight& light,
                      std::span<const std::uint32_t> targets, std::span<AtEye> out) const;
+    /// What they send more of themselves when they are warmer by so many kelvins.
+    ///
+    /// - warmer: (target chosen) [K]; targets may be chosen several times
+    void look_at_warmth(const View& view, const SceneLight& light,
+                        std::span<const std::uint32_t> targets, std::span<const float> warmer,
+                        std::span<AtEye> out) const;
 
  private:
     void look(const View& view, const SceneLight& light, std::size_t begin, std::size_t end,
               std::span<AtEye> out) const;
+
+    /// - fill: (band, target chosen, row of zeros) puts in what is looked for
+    using Fill = std::function<void(std::size_t b, std::size_t k, float* row)>;
+    void look_at(const View& view, const SceneLight& light, std::span<const std::uint32_t> targets,
+                 const Fill& fill, std::span<AtEye> out) const;
 
     std::vector<EyeRow> rows_;      // (band)
     std::vector<EyeTable> tables_;  // (column)

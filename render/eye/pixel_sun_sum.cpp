@@ -6,6 +6,14 @@
 
 namespace diurna {
 
+namespace {
+
+float at_sighting(const AtEye& at, const Sighting& s) {
+    return at.value + s.deeper * at.by_range + s.higher * at.by_height;
+}
+
+}  // namespace
+
 void add_pixel_sun(const View& view, const PixelSun& sun, const SceneLight& light,
                    const EyeTables& tables, std::span<std::vector<float>> planes) {
     if (sun.sighting.empty() || light.input.sun_fraction.empty()) return;
@@ -28,8 +36,32 @@ void add_pixel_sun(const View& view, const PixelSun& sun, const SceneLight& ligh
             const float more = s.weight * (sun.share[e] - mean);
             const AtEye* at = &whole[place[s.target] * columns];
             for (std::size_t c = 0; c < columns; ++c) {
-                planes[c][sun.pixel[k]] +=
-                    more * (at[c].value + s.deeper * at[c].by_range + s.higher * at[c].by_height);
+                planes[c][sun.pixel[k]] += more * at_sighting(at[c], s);
+            }
+        }
+    });
+}
+
+void add_pixel_heat(const View& view, const PixelSun& sun, const SceneLight& light,
+                    const EyeTables& tables, std::span<std::vector<float>> planes) {
+    if (sun.warmer.empty()) return;
+    const std::size_t columns = planes.size();
+    for_each_block(sun.pixel.size(), 4096, [&](std::size_t begin, std::size_t end) {
+        const std::uint32_t first = sun.row[begin], last = sun.row[end];
+        std::vector<std::uint32_t> targets;
+        for (std::uint32_t e = first; e < last; ++e) {
+            targets.push_back(view.sighting[sun.sighting[e]].target);
+        }
+        std::vector<AtEye> more(targets.size() * columns);
+        tables.look_at_warmth(view, light, targets,
+                              std::span(sun.warmer).subspan(first, last - first), more);
+        for (std::size_t k = begin; k < end; ++k) {
+            for (std::uint32_t e = sun.row[k]; e < sun.row[k + 1]; ++e) {
+                const Sighting& s = view.sighting[sun.sighting[e]];
+                for (std::size_t c = 0; c < columns; ++c) {
+                    planes[c][sun.pixel[k]] +=
+                        s.weight * at_sighting(more[(e - first) * columns + c], s);
+                }
             }
         }
     });

@@ -15,4 +15,8 @@ namespace diurna {
 void add_pixel_sun(const View& view, const PixelSun& sun, const SceneLight& light,
                    const EyeTables& tables, std::span<std::vector<float>> planes);
 
+/// Adds what pixels that are warmer than their facets' mean send more (pixel_heat.hpp).
+void add_pixel_heat(const View& view, const PixelSun& sun, const SceneLight& light,
+                    const EyeTables& tables, std::span<std::vector<float>> planes);
+
 }  // namespace diurna

@@ -81,18 +81,27 @@ std::vector<std::uint32_t> seen_most(const View& view, std::size_t surfaces) {
     return seen;
 }
 
-/// (sighting) the share of the sun.
-std::vector<float> sun_shares(const View& view, const RadianceInput& input, const PixelSun* sun) {
-    std::vector<float> share(view.sighting.size(), 0.0f);
-    if (input.sun_fraction.empty()) return share;
-    for (std::size_t s = 0; s < share.size(); ++s) {
-        share[s] = input.sun_fraction[index(view.facet[view.sighting[s].target])];
+/// What sightings have of their own, (sighting).
+struct OwnState {
+    std::vector<float> sun, warmer;          // share of the sun; [K] than the facet
+    std::vector<std::uint32_t> warm, place;  // sightings that are warmer; index of each in `warm`
+
+    OwnState(const View& view, const RadianceInput& input, const PixelSun* pixels)
+        : sun(view.sighting.size(), 0.0f), warmer(sun), place(sun.size(), nothing_seen) {
+        for (std::size_t s = 0; s < sun.size() && !input.sun_fraction.empty(); ++s) {
+            sun[s] = input.sun_fraction[index(view.facet[view.sighting[s].target])];
+        }
+        if (pixels == nullptr) return;
+        for (std::size_t e = 0; e < pixels->share.size(); ++e) {
+            const std::uint32_t s = pixels->sighting[e];
+            sun[s] = pixels->share[e];
+            if (pixels->warmer.empty() || pixels->warmer[e] == 0.0f) continue;
+            warmer[s] = pixels->warmer[e];
+            place[s] = static_cast<std::uint32_t>(warm.size());
+            warm.push_back(s);
+        }
     }
-    for (std::size_t e = 0; sun != nullptr && e < sun->share.size(); ++e) {
-        share[sun->sighting[e]] = sun->share[e];
-    }
-    return share;
-}
+};
 
 float at_sighting(const AtEye& at, const Sighting& s) {
     return at.value + s.deeper * at.by_range + s.higher * at.by_height;
@@ -103,18 +112,26 @@ float ratio(double of, double to) { return to > 0.0 ? static_cast<float>(of / to
 class SurfaceLight {
  public:
     SurfaceLight(const View& view, const SceneLight& light, const EyeTables& eye,
-                 std::span<const float> sun_share)
+                 const OwnState& own)
         : view_(view),
           light_(light),
           columns_(eye.columns()),
-          sun_share_(sun_share),
+          own_(own),
           at_eye_(view.facet.size() * columns_),
           whole_sun_(view.facet.size() * columns_),
+          warmth_(own.warm.size() * columns_),
           to_sun_(light.input.to_sun.cast<float>()) {
         std::vector<std::uint32_t> all(view.facet.size());
         std::iota(all.begin(), all.end(), 0u);
         eye.look(view, light, at_eye_);
         eye.look_at_sun(view, light, all, whole_sun_);
+        std::vector<std::uint32_t> targets;
+        std::vector<float> warmer;
+        for (const std::uint32_t s : own.warm) {
+            targets.push_back(view.sighting[s].target);
+            warmer.push_back(own.warmer[s]);
+        }
+        eye.look_at_warmth(view, light, targets, warmer, warmth_);
         for (const BandLight& band : light.band) worth_.push_back(worth_in(band));
     }
 
@@ -132,11 +149,16 @@ class SurfaceLight {
             FacetRows rows(light_);
             std::vector<std::vector<float>> row;
             std::vector<float*> to;
+            std::vector<float> black(light_.tables.lanes);
             for (const EyeRow& r : rows.layout()) row.emplace_back(r.width(), 0.0f);
             for (auto& r : row) to.push_back(r.data());
             for (std::size_t p = begin; p < end; ++p) {
                 if (seen[p] == nothing_seen) continue;
-                rows.fill(light_.lit.target[view_.sighting[seen[p]].target], to);
+                const std::uint32_t lit = light_.lit.target[view_.sighting[seen[p]].target];
+                rows.fill(lit, to);
+                black_modes(light_.tables, light_.state.temperature[lit] + own_.warmer[seen[p]],
+                            black.data());
+                std::copy_n(&black[light_.tables.first[b]], rows.layout()[b].thermal, to[b]);
                 const std::array<float, out.size()> value = of_sighting(b, seen[p], row[b]);
                 for (std::size_t i = 0; i < out.size(); ++i) out[i][p] = value[i];
             }
@@ -172,13 +194,16 @@ class SurfaceLight {
         const auto at_eye = [&](Term term) {
             const auto& from = term == Term::sun ? whole_sun_ : at_eye_;
             const std::size_t column = b * term_count + static_cast<std::size_t>(term);
-            return double{at_sighting(from[s.target * columns_ + column], s)};
+            const float mean = at_sighting(from[s.target * columns_ + column], s);
+            const std::size_t warm = own_.place[sighting];
+            if (warm == nothing_seen || term == Term::sun) return double{mean};
+            return double{mean + at_sighting(warmth_[warm * columns_ + column], s)};
         };
         std::array<float, 3 * products.size() + 1> out{};
         for (std::size_t i = 0; i < products.size(); ++i) {
             const double arrives = sum(worth_[b].arriving[i]), leaves = sum(leaving[i]);
             const Term term = products[i].term;
-            const double part = term == Term::sun ? double{sun_share_[sighting]} : 1.0;
+            const double part = term == Term::sun ? double{own_.sun[sighting]} : 1.0;
             out[3 * i] = static_cast<float>(part * arrives);
             out[3 * i + 1] = ratio(leaves, arrives);
             out[3 * i + 2] = ratio(at_eye(term), leaves);
@@ -190,8 +215,9 @@ class SurfaceLight {
     const View& view_;
     const SceneLight& light_;
     std::size_t columns_;
-    std::span<const float> sun_share_;
+    const OwnState& own_;
     std::vector<AtEye> at_eye_, whole_sun_;  // (target, column)
+    std::vector<AtEye> warmth_;              // (sighting that is warmer, column)
     Eigen::Vector3f to_sun_;
     std::vector<BandWorth> worth_;  // (band)
 };
@@ -202,8 +228,8 @@ void add_surface_planes(const View& view, const SceneLight& light, const EyeTabl
                         const PixelSun* sun, std::size_t surfaces, Frame& frame) {
     assert(eye.columns_of_band() == term_count);
     const RadianceInput& input = light.input;
-    const std::vector<float> share = sun_shares(view, input, sun);
-    const SurfaceLight of_surface(view, light, eye, share);
+    const OwnState own(view, input, sun);
+    const SurfaceLight of_surface(view, light, eye, own);
     const std::vector<std::uint32_t> seen = seen_most(view, surfaces);
     std::vector<float> unlisted(view.pixels());
     for (std::size_t p = 0; p < unlisted.size(); ++p) {
@@ -230,9 +256,10 @@ void add_surface_planes(const View& view, const SceneLight& light, const EyeTabl
         add("facet", "1", -1.0f, [&](std::uint32_t, FacetId f) { return index(f); });
         add("material", "1", -1.0f,
             [&](std::uint32_t, FacetId f) { return index(input.facets.material[index(f)]); });
-        add("temperature", "K", 0.0f,
-            [&](std::uint32_t, FacetId f) { return input.temperature[index(f)]; });
-        add("sun_fraction", "1", 0.0f, [&](std::uint32_t s, FacetId) { return share[s]; });
+        add("temperature", "K", 0.0f, [&](std::uint32_t s, FacetId f) {
+            return input.temperature[index(f)] + own.warmer[s];
+        });
+        add("sun_fraction", "1", 0.0f, [&](std::uint32_t s, FacetId) { return own.sun[s]; });
         add("cosine_sun", "1", 0.0f,
             [&](std::uint32_t, FacetId f) { return of_surface.cosine_to_sun(f); });
         add("sky_view", "1", 0.0f,

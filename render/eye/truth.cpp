@@ -7,7 +7,30 @@
 
 namespace diurna {
 
-void add_truth(const View& view, const RadianceInput& input, Frame& frame) {
+namespace {
+
+/// (pixel) [K] what its centre's facet is warmer there; empty: nothing anywhere.
+std::vector<float> warmer_centres(const View& view, const PixelSun* sun) {
+    std::vector<float> warmer;
+    if (sun == nullptr || sun->warmer.empty()) return warmer;
+    warmer.assign(view.pixels(), 0.0f);
+    for (std::size_t k = 0; k < sun->pixel.size(); ++k) {
+        const std::size_t p = sun->pixel[k];
+        const FacetId centre =
+            view.centre_blend.empty() ? view.centre[p] : view.centre_blend[p].first;
+        for (std::uint32_t e = sun->row[k]; e < sun->row[k + 1]; ++e) {
+            if (view.facet[view.sighting[sun->sighting[e]].target] == centre) {
+                warmer[p] = sun->warmer[e];
+            }
+        }
+    }
+    return warmer;
+}
+
+}  // namespace
+
+void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun, Frame& frame) {
+    const std::vector<float> warmer = warmer_centres(view, sun);
     constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
     const FacetSet& facets = input.facets;
     const auto add_pixels = [&](const char* name, const char* unit, float sky, const auto& value) {
@@ -30,9 +53,10 @@ void add_truth(const View& view, const RadianceInput& input, Frame& frame) {
     };
     add_pixels("temperature", "K", nothing, [&](std::size_t p) {
         const Blend b = blend(p);
-        const double first = input.temperature[index(b.first)];
+        const double more = warmer.empty() ? 0.0 : double{warmer[p]};
+        const double first = more + input.temperature[index(b.first)];
         if (b.second_share == 0.0f) return first;
-        const double second = input.temperature[index(b.second)];
+        const double second = more + input.temperature[index(b.second)];
         return std::sqrt(
             std::sqrt(std::lerp(std::pow(first, 4), std::pow(second, 4), double{b.second_share})));
     });

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/random.hpp"
@@ -27,10 +28,11 @@ struct InPlace {
 
 /// Pixels that see facets with edges, and their sightings of these.
 PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InPlace in_place) {
-    std::vector<std::uint8_t> target(view.facet.size());
-    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.facet[t])];
     PixelSun out;
     out.row.push_back(0);
+    if (std::find(crossed.begin(), crossed.end(), 1) == crossed.end()) return out;
+    std::vector<std::uint8_t> target(view.facet.size());
+    for (std::size_t t = 0; t < target.size(); ++t) target[t] = crossed[in_place(view.facet[t])];
     for (std::size_t p = 0; p < view.pixels(); ++p) {
         for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
             if (target[view.sighting[k].target] != 0) out.sighting.push_back(k);
@@ -203,7 +205,7 @@ std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const Text
 
 PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observer& observer,
                         const ViewOptions& options) {
-    const std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
+    std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
     PixelSun out = entries_of(view, crossed, {options.texture_levels});
     out.share.resize(out.sighting.size());
     const PixelSamples samples(observer, options.samples, options.seed);
@@ -213,6 +215,7 @@ PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observ
         SampleCaster caster(view, sun, samples, options, crossed, out);
         rays[begin / grain] = caster.cast(begin, end);
     });
+    out.crossed = std::move(crossed);
     out.rays = std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
     return out;
 }

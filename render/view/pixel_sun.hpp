@@ -27,6 +27,8 @@ struct PixelSun {
     std::vector<std::uint32_t> row;       // (pixel + 1) entries of pixel k: [row[k], row[k + 1])
     std::vector<std::uint32_t> sighting;  // (entry) index into View::sighting
     std::vector<float> share;             // (entry) 0 to 1
+    std::vector<std::uint8_t> crossed{};  // facets_with_edges()
+    std::vector<float> warmer{};          // (entry) [K] than its facet (pixel_heat.hpp); empty: not
     std::uint64_t rays = 0;               // cast to the sun
 };
 

@@ -18,6 +18,7 @@
 #include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
 #include "render/view/cast_view.hpp"
+#include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
@@ -198,8 +199,11 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                             .instant = instant,
                             .moon = light.moon,
                             .wind_speed = wind_at(prepared, instant)};
-    const PixelSun pixel_sun = cast_pixel_sun(
-        s.view, {prepared.rays, world.surfaces(), fraction, now.to_sun}, s.observer, s.sampling);
+    const SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
+    PixelSun pixel_sun = cast_pixel_sun(s.view, over, s.observer, s.sampling);
+    if (!light.moon) {
+        set_pixel_heat(s.view, over, temperature, s.sampling.texture_levels, pixel_sun);
+    }
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,
                           .terms = s.input.terms,

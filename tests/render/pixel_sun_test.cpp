@@ -5,172 +5,21 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 
 #include "materials/base/parallel.hpp"
-#include "render/tracer.hpp"
 #include "render/view/cast_view.hpp"
-#include "render/view/pixel_rays.hpp"
 #include "terrain/place/site.hpp"
-#include "terrain/visibility/sun_fraction.hpp"
-#include "tests/support/render_scene.hpp"
+#include "tests/support/box_shadow.hpp"
 #include "tests/support/sheets.hpp"
 
 using namespace diurna;
 using namespace diurna::testing;
 
-namespace {
-
-const Band band = flat_band("0.7-1.0", 0.7, 1.0, bin_edges_um());
-const Eigen::Vector3d half(2.5, 1.25, 3.0);  // [m] of the box in plan; its height
-
-/// Whether a ray from a place on the ground meets the box: the slabs between its walls.
-bool meets_box(const Eigen::Vector3d& place, const Eigen::Vector3d& towards) {
-    double first = 0.0, last = std::numeric_limits<double>::infinity();
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = axis == 2 ? 0.0 : -half[axis], high = half[axis];
-        const double a = (low - place[axis]) / towards[axis],
-                     b = (high - place[axis]) / towards[axis];
-        first = std::max(first, std::min(a, b));
-        last = std::min(last, std::max(a, b));
-    }
-    return first < last;
-}
-
-/// A black box on grey ground of triangles of `edge` [m], without air.
-struct Stage {
-    FacetSet facets;
-    std::size_t ground = 0;  // facets of it
-    std::vector<float> temperature, fraction;
-    MaterialLibrary materials{
-        {material("ground", flat_spectrum(0.4)), material("box", flat_spectrum(0.0))}};
-    Eigen::Vector3d to_sun;
-    double elevation;
-    Observer eye;
-
-    Stage(double edge, double sun_elevation_deg, bool with_box = true)
-        : to_sun(direction(205.0, sun_elevation_deg)), elevation(sun_elevation_deg) {
-        std::vector<Eigen::Vector3d> vertex;
-        std::vector<std::array<std::uint32_t, 3>> triangle;
-        const int n = static_cast<int>(60.0 / edge);
-        const auto row = static_cast<std::uint32_t>(n + 1);
-        for (int j = 0; j <= n; ++j) {
-            for (int i = 0; i <= n; ++i) {
-                vertex.emplace_back(edge * i - 30.0 + 0.13 * edge, edge * j - 30.0, 0.0);
-            }
-        }
-        for (std::uint32_t j = 0; j + 1 < row; ++j) {
-            for (std::uint32_t i = 0; i + 1 < row; ++i) {
-                const std::uint32_t k = j * row + i;
-                triangle.push_back({k, k + 1, k + row + 1});
-                triangle.push_back({k, k + row + 1, k + row});
-            }
-        }
-        append_facets(facets, vertex, triangle,
-                      std::vector<MaterialId>(triangle.size(), MaterialId{0}), ObjectId{0});
-        ground = facets.size();
-        if (with_box) add_box();
-        temperature.assign(facets.size(), 3.0f);
-        eye.position = {24.0, 14.0, 24.0};
-        eye.width = 320;
-        eye.height = 256;
-        eye.horizontal_fov_deg = 34.0;
-        eye = looking_at(eye, {1.0, 3.0, 0.0});
-    }
-    void add_box() {
-        std::vector<Eigen::Vector3d> vertex;
-        for (const double z : {0.0, half.z()}) {
-            for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
-                vertex.emplace_back(x * half.x(), y * half.y(), z);
-            }
-        }
-        append_facets(facets, vertex,
-                      std::vector<std::array<std::uint32_t, 3>>{{0, 1, 5},
-                                                                {0, 5, 4},
-                                                                {1, 2, 6},
-                                                                {1, 6, 5},
-                                                                {2, 3, 7},
-                                                                {2, 7, 6},
-                                                                {3, 0, 4},
-                                                                {3, 4, 7},
-                                                                {4, 5, 6},
-                                                                {4, 6, 7}},
-                      std::vector<MaterialId>(10, MaterialId{1}), ObjectId{1});
-    }
-
-    struct Picture {
-        View view;
-        PixelSun sun;
-        std::vector<float> by_facet, by_pixel;  // radiance
-    };
-    Picture picture() {
-        const RayScene rays(facets);
-        fraction.resize(facets.size());
-        sun_fraction(facets, rays, to_sun, fraction);
-        const ViewOptions options{.samples = 16};
-        Picture out{.view = cast_view(rays, facets, eye, options),
-                    .sun = {},
-                    .by_facet = {},
-                    .by_pixel = {}};
-        out.sun = cast_pixel_sun(out.view, {rays, facets, fraction, to_sun}, eye, options);
-        const Atmosphere none = Vacuum{.space_temperature = 3.0};
-        FacetViews views;
-        views.sky.assign(facets.size(), 1.0f);
-        views.below.assign(facets.size(), 0.0f);
-        views.others.row.assign(facets.size() + 1, 0);
-        const RadianceInput input{.facets = facets,
-                                  .views = views,
-                                  .materials = materials,
-                                  .atmosphere = none,
-                                  .temperature = temperature,
-                                  .sun_fraction = fraction,
-                                  .to_sun = to_sun,
-                                  .sun_zenith_deg = 90.0 - elevation};
-        const auto radiance = [&](const PixelSun* sun) {
-            return render(out.view, eye, {&band, 1}, input,
-                          {.pixel_sun = sun})["radiance." + band.name]
-                .pixel;
-        };
-        out.by_facet = radiance(nullptr);
-        out.by_pixel = radiance(&out.sun);
-        return out;
-    }
-};
-
-/// Intersection over union of what is darker than half the lit ground with where the sun's ray
-/// meets the box, over pixels that see ground alone.
-double overlap(const Stage& stage, const View& view, const std::vector<float>& radiance) {
-    const PixelRays rays = pixel_rays(stage.eye);
-    const float lit = *std::max_element(radiance.begin(), radiance.end());
-    std::size_t both = 0, either = 0;
-    for (std::size_t p = 0; p < view.pixels(); ++p) {
-        bool plain = view.sky[p] == 0.0f;
-        for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
-            plain = plain && index(view.facet[view.sighting[k].target]) < stage.ground;
-        }
-        if (!plain) continue;
-        int shaded = 0;
-        for (int s = 0; s < 64; ++s) {
-            const Eigen::Vector3d towards =
-                rays.towards(double(p % std::size_t(view.width)) + (s % 8 + 0.5) / 8.0,
-                             double(p / std::size_t(view.width)) + (s / 8 + 0.5) / 8.0);
-            const double range = -stage.eye.position.z() / towards.z();
-            shaded += meets_box(stage.eye.position + range * towards, stage.to_sun);
-        }
-        const bool expected = shaded >= 32, found = radiance[p] < 0.5f * lit;
-        both += expected && found;
-        either += expected || found;
-    }
-    return double(both) / double(either);
-}
-
-}  // namespace
-
 TEST_CASE("a shadow's outline is that of the sun's rays, whatever the facets",
           "[render][pixel_sun]") {
     const double elevation = GENERATE(12.0, 25.0, 45.0, 65.0), edge = GENERATE(0.5, 1.5);
-    Stage stage(edge, elevation);
-    const Stage::Picture picture = stage.picture();
+    BoxStage stage(edge, elevation);
+    const BoxStage::Picture picture = stage.picture();
     const double by_facet = overlap(stage, picture.view, picture.by_facet),
                  by_pixel = overlap(stage, picture.view, picture.by_pixel);
     CAPTURE(elevation, edge, by_facet, by_pixel, picture.sun.pixel.size());
@@ -182,13 +31,13 @@ TEST_CASE("a shadow's outline is that of the sun's rays, whatever the facets",
 // h cot(elevation) times the width across the sun. Seen from straight above, by area of pixels.
 TEST_CASE("the light that a shadow takes is that of the area it covers", "[render][pixel_sun]") {
     const double elevation = GENERATE(20.0, 50.0), edge = GENERATE(0.5, 3.0);
-    Stage stage(edge, elevation);
+    BoxStage stage(edge, elevation);
     stage.eye.projection = Projection::orthographic;
     stage.eye.picture_width = 40.0;
     stage.eye.width = stage.eye.height = 400;
     stage.eye.position = {0.0, 0.0, 50.0};
     stage.eye.elevation_deg = -90.0;
-    const Stage::Picture picture = stage.picture();
+    const BoxStage::Picture picture = stage.picture();
     const auto taken = [&](const std::vector<float>& radiance) {
         const float lit = *std::max_element(radiance.begin(), radiance.end());
         double sum = 0.0;
@@ -196,17 +45,17 @@ TEST_CASE("the light that a shadow takes is that of the area it covers", "[rende
         return sum * 0.1 * 0.1;
     };
     const double azimuth = std::atan2(stage.to_sun.x(), stage.to_sun.y());
-    const double across =
-        2.0 * half.x() * std::abs(std::cos(azimuth)) + 2.0 * half.y() * std::abs(std::sin(azimuth));
-    const double length = half.z() * stage.to_sun.head<2>().norm() / stage.to_sun.z();
-    const double expected = 4.0 * half.x() * half.y() + across * length;
+    const double across = 2.0 * box_half.x() * std::abs(std::cos(azimuth)) +
+                          2.0 * box_half.y() * std::abs(std::sin(azimuth));
+    const double length = box_half.z() * stage.to_sun.head<2>().norm() / stage.to_sun.z();
+    const double expected = 4.0 * box_half.x() * box_half.y() + across * length;
     CAPTURE(elevation, edge, expected, taken(picture.by_facet));
     CHECK(taken(picture.by_pixel) == Approx(expected).epsilon(0.005));
 }
 
 TEST_CASE("ground without shadows costs no rays", "[render][pixel_sun]") {
-    Stage stage(1.0, 40.0, false);
-    const Stage::Picture picture = stage.picture();
+    BoxStage stage(1.0, 40.0, false);
+    const BoxStage::Picture picture = stage.picture();
     CHECK(picture.sun.rays == 0);
     CHECK(picture.sun.sighting.empty());
     CHECK(picture.by_facet == picture.by_pixel);
@@ -242,10 +91,10 @@ TEST_CASE("what lets the beam through dims the sun of a pixel", "[render][pixel_
 }
 
 TEST_CASE("the sun of pixels is the same on any number of threads", "[render][pixel_sun]") {
-    Stage stage(1.5, 30.0);
-    const Stage::Picture all = stage.picture();
+    BoxStage stage(1.5, 30.0);
+    const BoxStage::Picture all = stage.picture();
     set_thread_count(1);
-    const Stage::Picture one = stage.picture();
+    const BoxStage::Picture one = stage.picture();
     set_thread_count(0);
     CHECK(all.sun.share == one.sun.share);
     CHECK(all.by_pixel == one.by_pixel);

@@ -43,6 +43,12 @@ void check_sizes(const View& view, const RadianceInput& input) {
     }
 }
 
+void check_pixel_sun(const PixelSun& sun, const View& view) {
+    if (!sun.sighting.empty() && sun.sighting.back() >= view.sighting.size()) {
+        throw InputError("render", "the sun of pixels was cast for another view");
+    }
+}
+
 void check_lit(const LitFacets& lit, std::size_t seen, std::size_t bands) {
     if (lit.bounds.size() != bands || lit.target.size() != seen) {
         throw InputError("render", "the lit facets were found for another view or other bands");
@@ -140,6 +146,7 @@ void add_notes(std::size_t b, const SceneLight& light, const PathTable& path, co
 Frame render(const View& view, const Observer& observer, std::span<const Band> bands,
              const RadianceInput& input, const FrameOptions& options) {
     check_sizes(view, input);
+    if (options.pixel_sun) check_pixel_sun(*options.pixel_sun, view);
     Frame frame = empty_frame(view, observer, input);
     if (!bands.empty()) {
         // Light the facets that the picture depends on.

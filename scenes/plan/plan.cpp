@@ -165,7 +165,7 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
         {.what = "terms of the radiance as planes",
          .computed = std::any_of(scene.observers.begin(), scene.observers.end(),
                                  [](const ObserverInput& o) { return o.terms; }),
-         .why = "observer.terms asks for them",
+         .why = "observer.terms or surfaces ask for them",
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
     };

@@ -61,6 +61,14 @@ class SampleCaster {
           at_a_time_(std::max<std::size_t>(1, 16 / samples.bundles())),
           rays_(sun.rays, at_a_time_ * samples.bundles()) {
         rays_.set_origin(samples.origin());
+        // One in each row of cells and in each column: rooks a knight's move apart.
+        const auto [columns, rows] = nearly_square(options.samples);
+        is_first_.assign(std::size_t(options.samples), options.samples < 8);
+        for (int r = 0; r < rows; ++r) {
+            const int column = std::min((2 * r + 1) % (columns + 1), columns - 1);
+            is_first_[std::size_t(r * columns + column)] = true;
+        }
+        firsts_ = static_cast<int>(std::count(is_first_.begin(), is_first_.end(), true));
     }
 
     /// Pixels [begin, end) of `out`; returns how many rays went to the sun.
@@ -69,15 +77,11 @@ class SampleCaster {
         for (std::size_t k = begin; k < end; k += at_a_time_) {
             const std::size_t last = std::min(end, k + at_a_time_);
             first_pixel_ = k;
-            to_sun_.clear();
-            entry_.clear();
-            count_.assign(out_.row[last] - out_.row[k], 0);
+            seen_.assign(out_.row[last] - out_.row[k], {});
             aim(k, last);
-            for (std::size_t i = k; i < last; ++i) start_from(i, (i - k) * samples_.bundles());
-            share_.resize(to_sun_.size());
-            sun_.rays.beam(to_sun_, share_);
+            cast += ask(k, last, true, [](std::size_t) { return true; });
+            cast += ask(k, last, false, [&](std::size_t i) { return !alike(i); });
             average(k, last);
-            cast += to_sun_.size();
         }
         return cast;
     }
@@ -96,8 +100,34 @@ class SampleCaster {
         rays_.closest(bundle);
     }
 
-    /// Rays to the sun from what the samples of the k-th pixel meet.
-    void start_from(std::size_t k, std::size_t first_bundle) {
+    /// Asks for the sun at the first samples of those pixels [begin, end) that want it, or at the
+    /// others; returns how many rays went there.
+    template <class Wanted>
+    std::size_t ask(std::size_t begin, std::size_t end, bool first, const Wanted& wanted) {
+        to_sun_.clear();
+        entry_.clear();
+        for (std::size_t k = begin; k < end; ++k) {
+            if (wanted(k)) start_from(k, (k - begin) * samples_.bundles(), first);
+        }
+        share_.resize(to_sun_.size());
+        sun_.rays.beam(to_sun_, share_);
+        for (std::size_t i = 0; i < share_.size(); ++i) {
+            seen_of(entry_[i]).add(share_[i]);
+        }
+        return to_sun_.size();
+    }
+
+    /// Whether the first samples of the k-th pixel have much the same of the sun.
+    bool alike(std::size_t k) const {
+        Seen all;
+        for (std::uint32_t e = out_.row[k]; e < out_.row[k + 1]; ++e) {
+            all.add(seen_[e - out_.row[first_pixel_]]);
+        }
+        return 2 * all.count >= firsts_ && all.most - all.least < all_or_nothing;
+    }
+
+    /// Rays to the sun from what the first samples of the k-th pixel meet, or the others.
+    void start_from(std::size_t k, std::size_t first_bundle, bool first) {
         RandomStream random{hashed(seed_ ^ hashed(pixel_of(k)))};
         const double start_x = random(), start_y = random();
         int sample = 0;
@@ -105,6 +135,7 @@ class SampleCaster {
             for (std::size_t s = 0; s < samples_.used(part); ++s, ++sample) {
                 const std::size_t ray = (first_bundle + part) * lanes + s;
                 const std::uint32_t facet = rays_.facet[ray];
+                if (is_first_[std::size_t(sample)] != first) continue;
                 if (facet == index(no_facet) || crossed_[facet] == 0) continue;
                 const Eigen::Vector2d at = evenly(sample, {start_x, start_y});
                 add_ray(k, ray, facet, disc_.towards(at.x(), at.y()));
@@ -117,10 +148,12 @@ class SampleCaster {
         std::uint32_t entry = out_.row[k];
         while (entry < out_.row[k + 1] && place_of(entry) != facet) ++entry;
         if (entry == out_.row[k + 1]) return;
-        ++count_[entry - out_.row[first_pixel_]];
         // Where the sun is below the facet's own plane it does not shine.
         const LiftedFacet lifted(sun_.facets, facet);
-        if (lifted.normal.dot(towards) <= 0.0) return;
+        if (lifted.normal.dot(towards) <= 0.0) {
+            seen_of(entry).add(0.0f);
+            return;
+        }
         to_sun_.push_back({.origin = place(ray, lifted), .direction = towards.cast<float>()});
         entry_.push_back(entry);
     }
@@ -139,21 +172,38 @@ class SampleCaster {
     }
 
     /// Shares of the entries of pixels [begin, end): of levels in one place the first has the
-    /// samples of all. Where no sample met the facet, it is the facet's mean.
+    /// samples of all. Where no sample met the facet, it has what the pixel's others have if these
+    /// are alike, else the facet's mean.
     void average(std::size_t begin, std::size_t end) {
-        const std::size_t first_entry = out_.row[begin];
-        sum_.assign(count_.size(), 0.0f);
-        for (std::size_t i = 0; i < share_.size(); ++i) sum_[entry_[i] - first_entry] += share_[i];
         for (std::size_t k = begin; k < end; ++k) {
+            Seen all;
+            for (std::uint32_t e = out_.row[k]; e < out_.row[k + 1]; ++e) all.add(seen_of(e));
+            const bool as_others = all.count > 0 && all.most - all.least < all_or_nothing;
             for (std::uint32_t e = out_.row[k]; e < out_.row[k + 1]; ++e) {
                 std::uint32_t first = out_.row[k];
                 while (place_of(first) != place_of(e)) ++first;
-                const int count = count_[first - first_entry];
-                out_.share[e] = count > 0 ? sum_[first - first_entry] / static_cast<float>(count)
-                                          : sun_.fraction[place_of(e)];
+                const Seen& here = seen_of(first);
+                out_.share[e] = here.count > 0 ? here.mean()
+                                : as_others    ? all.mean()
+                                               : sun_.fraction[place_of(e)];
             }
         }
     }
+
+    /// What samples found.
+    struct Seen {
+        int count = 0;
+        float sum = 0.0f, least = 1.0f, most = 0.0f;
+        void add(const Seen& more) {
+            count += more.count;
+            sum += more.sum;
+            least = std::min(least, more.least);
+            most = std::max(most, more.most);
+        }
+        void add(float share) { add({1, share, share, share}); }
+        float mean() const { return sum / static_cast<float>(count); }
+    };
+    Seen& seen_of(std::uint32_t entry) { return seen_[entry - out_.row[first_pixel_]]; }
 
     /// Of an entry.
     std::size_t place_of(std::uint32_t entry) const {
@@ -174,8 +224,9 @@ class SampleCaster {
     std::vector<Ray> to_sun_;
     std::vector<std::uint32_t> entry_;  // (ray to the sun)
     std::vector<float> share_;          // (ray to the sun)
-    std::vector<int> count_;            // (entry of these pixels) samples
-    std::vector<float> sum_;            // (entry of these pixels) of their shares
+    std::vector<Seen> seen_;            // (entry of these pixels)
+    std::vector<bool> is_first_;        // (sample)
+    int firsts_ = 0;                    // samples
 };
 
 }  // namespace

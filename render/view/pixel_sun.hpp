@@ -39,7 +39,8 @@ std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const Text
 
 /// Casts the samples of those pixels again that see such facets, and a ray from each place on them
 /// to a place of the sun's disc; panes and nets on its way dim it. The share of a sighting is the
-/// mean over its samples. Levels of a textured facet in a pixel have the same. The same bytes for
+/// mean over its samples: of a row of them first (4 of 16), and of the others where these differ or
+/// are few. Levels of a textured facet in a pixel have the same. The same bytes for
 /// any number of threads.
 ///
 /// - options: as the view was cast; of an adaptive one `samples` are taken in every pixel

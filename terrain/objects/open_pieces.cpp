@@ -43,14 +43,15 @@ class Pieces {
 struct Rim {
     std::uint32_t triangle;
     Eigen::Vector3d from, to;
+    double length = (to - from).norm();
 };
 
 /// The length of `rim` along which `other` lies on the same line.
 double length_shared(const Rim& rim, const Rim& other) {
-    const Eigen::Vector3d along = rim.to - rim.from;
-    const double length = along.norm(), close = 1e-4 * length;
-    const Eigen::Vector3d unit = along / length;
-    const Eigen::Vector3d a = other.from - rim.from, b = other.to - rim.from;
+    const Eigen::Vector3d a = other.from - rim.from;
+    const double length = rim.length, close = 1e-4 * length, reach = length + other.length;
+    if (a.squaredNorm() > reach * reach) return 0.0;
+    const Eigen::Vector3d unit = (rim.to - rim.from) / length, b = other.to - rim.from;
     if (a.cross(unit).norm() > close || b.cross(unit).norm() > close) return 0.0;
     const double first = std::min(a.dot(unit), b.dot(unit)),
                  last = std::max(a.dot(unit), b.dot(unit));
@@ -63,7 +64,7 @@ bool is_mended(const Rim& rim, const std::vector<Rim>& piece) {
     for (const Rim& other : piece) {
         if (&other != &rim) shared += length_shared(rim, other);
     }
-    return shared > 0.999 * (rim.to - rim.from).norm();
+    return shared > 0.999 * rim.length;
 }
 
 }  // namespace

@@ -109,8 +109,8 @@ struct TwoSource {
 };
 using Canopy = std::variant<std::monostate, BigLeaf, TwoSource>;
 
-/// The open back of a thin plate: air, and surroundings at the air's temperature, behind the last
-/// layer, which then has no other bottom.
+/// The open back of a thin plate: air behind the last layer, which then has no other bottom, and
+/// what the back faces; in a closed mesh, surroundings as warm as the air.
 struct ExposedBack {
     double emissivity = 0.9;
     double albedo = 0.9;

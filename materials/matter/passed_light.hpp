@@ -14,7 +14,7 @@ struct PassedLight {
                               // empty: none
     float heat = 0.0f;        // of diffuse light from surfaces and sky: at 300 K, hemispherical
     float sunlight = 0.0f;    // likewise by the sun's spectrum
-    bool sheet = false;       // has a back (ExposedBack) that looks at what is behind
+    bool sheet = false;       // has a back (ExposedBack), which is no facet in a closed mesh
 };
 /// (material)
 std::vector<PassedLight> passed_light(const MaterialLibrary& materials);

@@ -1,6 +1,5 @@
 #include "scenes/world/sheets.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>

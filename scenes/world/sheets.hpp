@@ -1,8 +1,6 @@
 #pragma once
 
 #include <map>
-#include <string>
-#include <vector>
 
 #include "materials/matter/library.hpp"
 #include "terrain/facets.hpp"

@@ -22,8 +22,8 @@ using SkyShares = std::array<float, 15>;
 /// What each facet sees through its own hemisphere, cosine-weighted about its own normal.
 /// `sky` + Σ row of `others` + `below` = 1, where `below` is what leaves the scene's edge under
 /// the horizontal: far ground not modelled, to be taken as ground like the facet's own
-/// surroundings. Where backs of sheets are seen, `hidden` is in the sum too: it is as warm as the
-/// facet itself and sends no sunlight. `shares` tell where in the sky it is open. Sampled by
+/// surroundings. Where closed meshes of thin plates are seen from inside, so is `hidden`: as warm
+/// as the facet itself, without sunlight. `shares` tell where in the sky it is open. Sampled by
 /// view_factor_sampling.hpp, made reciprocal by reciprocity.hpp.
 struct FacetViews {
     std::vector<float> sky;    // 0 to 1: the sky view factor

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "thermal/solve/block_heat.hpp"
 #include "thermal/solve/heat_record.hpp"

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 
 #include "materials/base/quadrature.hpp"
 #include "materials/base/units.hpp"
+#include "materials/matter/pane.hpp"
 
 namespace diurna {
 
@@ -43,6 +45,22 @@ double over_hemisphere(const F& f) {
     return sum;
 }
 
+/// A pane's, whatever is reflected more than its faces do being dirt.
+DirectionalOptics optics_of_pane(const Material& material, const Glossy& pane, double wavelength_um,
+                                 double cosine) {
+    const std::complex<double> index(pane.index.at(wavelength_um),
+                                     pane.extinction.at(wavelength_um));
+    const double inside = inside_of_pane(material.transmittance.at(wavelength_um), index);
+    const PaneOptics here = pane_optics(cosine, index, inside);
+    const PaneOptics upright = pane_optics(laboratory_cosine, index, inside);
+    const double left = std::max(0.0, 1.0 - here.reflectance - here.transmittance);
+    const double more = std::max(0.0, material.reflectance.at(wavelength_um) - upright.reflectance);
+    return {.emissivity = std::max(0.0, left - more),
+            .mirrored = here.reflectance,
+            .diffuse = std::min(left, more),
+            .transmittance = here.transmittance};
+}
+
 }  // namespace
 
 double smooth_reflectance(const Glossy& finish, double wavelength_um, double cosine) {
@@ -64,7 +82,9 @@ DirectionalOptics directional_optics(const Material& material, double wavelength
     const double transmittance = material.transmittance.at(wavelength_um);
     DirectionalOptics optics{
         .emissivity = 0.0, .mirrored = 0.0, .diffuse = reflectance, .transmittance = transmittance};
-    if (const auto* glossy = std::get_if<Glossy>(&material.finish)) {
+    const auto* glossy = std::get_if<Glossy>(&material.finish);
+    if (glossy && glossy->pane) return optics_of_pane(material, *glossy, wavelength_um, cosine);
+    if (glossy) {
         double normal = interface_normal;
         if (glossy->metal) {
             optics.mirrored = reflectance + (1.0 - reflectance) * interface_here;
@@ -114,7 +134,7 @@ std::vector<DirectionalOptics> hemispherical_optics_at(const Material& material,
                                                        std::span<const double> wavelengths_um) {
     std::vector<DirectionalOptics> all;
     const auto* glossy = std::get_if<Glossy>(&material.finish);
-    if (glossy == nullptr) {
+    if (glossy == nullptr || glossy->pane) {
         for (const double um : wavelengths_um) all.push_back(hemispherical_optics(material, um));
         return all;
     }

@@ -90,14 +90,18 @@ Finish read_by_angle(const Section& section) {
 Finish read_law(const Section& section, const std::filesystem::path& folder) {
     const std::string kind = section.kind_or(
         "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish; metal: "
-        "a bare one; waves: water, as rough as the wind makes it; by_angle: a table",
-        "lambert", {"lambert", "gloss", "metal", "waves", "by_angle"});
+        "a bare one; waves: water, as rough as the wind makes it; pane: a sheet with two smooth "
+        "faces, of the transmittance that is given upright; by_angle: a table",
+        "lambert", {"lambert", "gloss", "metal", "waves", "pane", "by_angle"});
     if (kind == "by_angle") return read_by_angle(section);
-    if (kind != "gloss" && kind != "metal" && kind != "waves") return Lambert{};
+    if (kind == "lambert") return Lambert{};
     Glossy finish;
     finish.metal = kind == "metal";
     finish.waves = kind == "waves";
-    if (finish.waves) {
+    finish.pane = kind == "pane";
+    if (finish.pane) {
+        finish.roughness = 0.0;
+    } else if (finish.waves) {
         finish.roughness = roughness_under(finish, mean_wind_over_water);
     } else {
         finish.roughness =

@@ -102,10 +102,16 @@ void AngleTable::fill(const Material& material, const BandLight& band,
         return directional_optics(material, band.band.node_um[n], cosine_at(k), here,
                                   interface.normal);
     };
-    if (!std::holds_alternative<Glossy>(material.finish)) {
+    const auto* glossy = std::get_if<Glossy>(&material.finish);
+    if (glossy == nullptr || glossy->pane) {
         for (std::size_t k = 0; k < nodes; ++k) {
+            float* at = &values_[k * parts * lanes_ + lane];
+            if (glossy) {  // a pane's optics are those of the channel's middle, as its index is
+                add(at, 1.0, optics((begin + end) / 2, k, 0.0));
+                continue;
+            }
             for (std::size_t n = begin; n < end; ++n) {
-                add(&values_[k * parts * lanes_ + lane], shape[n] / total, optics(n, k, 0.0));
+                add(at, shape[n] / total, optics(n, k, 0.0));
             }
         }
         return;

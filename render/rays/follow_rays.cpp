@@ -65,40 +65,61 @@ std::vector<std::uint32_t> special_pixels(const View& view, const HopScene& scen
     return pixels;
 }
 
-/// What the samples of a pixel meet, merged; empty where they meet what the view has already.
-std::vector<Hop> hops_of_pixel(std::size_t p, const HopScene& scene, const Observer& observer,
-                               const PixelRays& eye, const ViewOptions& options) {
-    const auto [columns, rows] = nearly_square(options.samples);
-    const auto width = static_cast<std::size_t>(observer.width);
-    std::vector<Hop> sample, seen;
-    RandomStream of_pixel{(options.seed << 32) + p};
-    const double offset = of_pixel();
-    const std::array<double, 2> turn = {of_pixel(), of_pixel()};
-    for (int s = 0; s < options.samples; ++s) {
-        RandomStream chance{(options.seed * golden_step) ^
-                            ((std::uint64_t{p} << 16) + std::uint64_t(s)) * second_step};
-        const double x = chance(), y = chance();
-        const double column = double(p % width) + (s % columns + x) / columns;
-        const double row = double(p / width) + (double(s / columns) + y) / rows;
-        const double when = exposed(std::size_t(s), offset);
-        sample.clear();
-        walk(
-            scene,
-            {.origin = observer.position + eye.start(column, row, when),
-             .direction = eye.towards(column, row),
-             .weight = 1.0f / static_cast<float>(options.samples),
-             .in_lobe = {fraction(turn[0] + s * even_step_x), fraction(turn[1] + s * even_step_y)}},
-            chance, sample);
-        add_sample(sample, scene.plumes, seen);
+/// The rays of pixels, followed.
+struct PixelWalks {
+    const HopScene& scene;
+    const Observer& observer;
+    const PixelRays& eye;
+    const ViewOptions& options;
+    const HopSampling* sampling;
+
+    /// What the samples of a pixel meet, merged; empty where they meet what the view has already.
+    std::vector<Hop> of_pixel(std::size_t p) const {
+        std::vector<double> values;
+        if (sampling == nullptr) return walked(p, options.samples, options.seed, nullptr);
+        std::vector<Hop> seen = walked(p, sampling->options.from, options.seed, &values);
+        const int wanted = seen.empty() ? 0 : samples_wanted(values, *sampling);
+        if (wanted <= sampling->options.from) return seen;
+        return walked(p, wanted, options.seed + golden_step, nullptr);
     }
-    // Past the plumes after all?
-    const bool plain = std::all_of(seen.begin(), seen.end(), [&](const Hop& hop) {
-        return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume &&
-               !(hop.kind == Hop::Kind::facet && scene.needs_rays(FacetId{hop.what}));
-    });
-    if (plain) seen.clear();
-    return seen;
-}
+
+ private:
+    /// - values: what each sample shows, if asked for
+    std::vector<Hop> walked(std::size_t p, int samples, std::uint64_t seed,
+                            std::vector<double>* values) const {
+        const auto [columns, rows] = nearly_square(samples);
+        const auto width = static_cast<std::size_t>(observer.width);
+        std::vector<Hop> sample, seen;
+        RandomStream of_pixel{(seed << 32) + p};
+        const double offset = of_pixel();
+        const std::array<double, 2> turn = {of_pixel(), of_pixel()};
+        for (int s = 0; s < samples; ++s) {
+            RandomStream chance{(seed * golden_step) ^
+                                ((std::uint64_t{p} << 16) + std::uint64_t(s)) * second_step};
+            const double x = chance(), y = chance();
+            const double column = double(p % width) + (s % columns + x) / columns;
+            const double row = double(p / width) + (double(s / columns) + y) / rows;
+            const double when = exposed(std::size_t(s), offset);
+            sample.clear();
+            walk(scene,
+                 {.origin = observer.position + eye.start(column, row, when),
+                  .direction = eye.towards(column, row),
+                  .weight = 1.0f / static_cast<float>(samples),
+                  .in_lobe = {fraction(turn[0] + s * even_step_x),
+                              fraction(turn[1] + s * even_step_y)}},
+                 chance, sample);
+            if (values) sample_values(scene, sample, sampling->appearances, *values);
+            add_sample(sample, scene.plumes, seen);
+        }
+        // Past the plumes after all?
+        const bool plain = std::all_of(seen.begin(), seen.end(), [&](const Hop& hop) {
+            return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume &&
+                   !(hop.kind == Hop::Kind::facet && scene.needs_rays(FacetId{hop.what}));
+        });
+        if (plain) seen.clear();
+        return seen;
+    }
+};
 
 /// Takes what pixels see out of a view.
 void take_out(std::span<const std::uint32_t> pixels, View& view) {
@@ -122,7 +143,7 @@ void take_out(std::span<const std::uint32_t> pixels, View& view) {
 }  // namespace
 
 Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
-                 const ViewOptions& options) {
+                 const ViewOptions& options, const HopSampling* sampling) {
     Hops hops;
     hops.observer_height = view.observer_height;
     hops.row.assign(1, 0);
@@ -136,13 +157,10 @@ Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
         with_textures.textured = &*textured;
     }
     const PixelRays eye = pixel_rays(observer);
+    const PixelWalks walks{with_textures, observer, eye, options, sampling};
     std::vector<std::vector<Hop>> found(asked.size());
     for_each_index(
-        asked.size(),
-        [&](std::size_t k) {
-            found[k] = hops_of_pixel(asked[k], with_textures, observer, eye, options);
-        },
-        16);
+        asked.size(), [&](std::size_t k) { found[k] = walks.of_pixel(asked[k]); }, 16);
     for (std::size_t k = 0; k < found.size(); ++k) {
         if (found[k].empty()) continue;
         hops.pixel.push_back(asked[k]);

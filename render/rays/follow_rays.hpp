@@ -1,5 +1,6 @@
 #pragma once
 
+#include "render/rays/hop_samples.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/walk.hpp"
 #include "render/view/observer.hpp"
@@ -10,7 +11,10 @@ namespace diurna {
 /// Follows the rays of every pixel of `view` that sees a material that needs_rays() or comes near
 /// a plume, `samples` a pixel, and takes these pixels' sightings out of `view`:
 /// what they see is in the hops instead. Empty, and nothing cast, where there is no such pixel.
+///
+/// - sampling: if given, its `from` samples tell how many a pixel wants (hop_samples.hpp); where
+///   these are more, they are cast in place of the first, so that choosing does not bias them
 Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
-                 const ViewOptions& options = {});
+                 const ViewOptions& options = {}, const HopSampling* sampling = nullptr);
 
 }  // namespace diurna

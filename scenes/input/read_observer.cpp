@@ -95,7 +95,7 @@ void read_sampling(const Section& section, ObserverInput& observer) {
     observer.adaptive = read_adaptive(
         section.section("adaptive",
                         "in place of samples: more rays where a pixel's facets differ in heat or "
-                        "sunlight; pixels of panes, nets, mirrors and plumes take `from`"));
+                        "sunlight; pixels of panes, nets, mirrors and plumes double theirs"));
     if (section.has("samples")) {
         section.mistake("samples", "is for uniform sampling, adaptive says from and to");
     }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -98,18 +99,21 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
     for (const std::string& band : s.input.bands) {
         s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
     }
-    s.view = s.input.adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer,
-                                                   appearances(prepared, views, field, s.bands),
+    std::vector<Appearance> looks;
+    if (s.input.adaptive) looks = appearances(prepared, views, field, s.bands);
+    s.view = s.input.adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks,
                                                    *s.input.adaptive, s.sampling)
                               : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
     const PlumeScene plumes(prepared.plumes);
+    std::optional<HopSampling> by_need;
+    if (s.input.adaptive) by_need = HopSampling{*s.input.adaptive, looks};
     s.hops = follow_rays(s.view,
                          {.rays = prepared.rays,
                           .facets = surfaces,
                           .materials = scene.materials,
                           .plumes = plumes,
                           .wind_speed = mean_wind(prepared)},
-                         s.observer, s.sampling);
+                         s.observer, s.sampling, by_need ? &*by_need : nullptr);
     const RadianceInput still{.facets = surfaces,
                               .views = views,
                               .materials = scene.materials,

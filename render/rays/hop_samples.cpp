@@ -1,0 +1,85 @@
+#include "render/rays/hop_samples.hpp"
+
+#include <algorithm>
+
+#include "materials/matter/directional_optics.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double heat_um = 10.0;
+
+/// Shares that a facet mirrors and lets through.
+struct Shares {
+    double mirrored = 0.0, through = 0.0;
+};
+
+Shares shares_of(const HopScene& scene, const Hop& hop) {
+    if (hop.kind == Hop::Kind::plume) return {0.0, 1.0};
+    if (hop.kind == Hop::Kind::sky || hop.closed) return {};
+    const Material& material = scene.material(FacetId{hop.what});
+    if (!material.needs_rays()) return {};
+    // Of a rough one what its microfacets do near the normal's angle: enough, and cheap.
+    const auto* glossy = std::get_if<Glossy>(&material.finish);
+    const double cosine = std::max(0.05, double{hop.cosine});
+    const double here = glossy ? smooth_reflectance(*glossy, heat_um, cosine) : 0.0;
+    const double normal = glossy ? smooth_reflectance(*glossy, heat_um, laboratory_cosine) : 0.0;
+    const DirectionalOptics optics = directional_optics(material, heat_um, cosine, here, normal);
+    return {optics.mirrored, material.see_through ? optics.transmittance : 0.0};
+}
+
+}  // namespace
+
+void sample_values(const HopScene& scene, std::span<const Hop> sample,
+                   std::span<const Appearance> appearances, std::vector<double>& value) {
+    const std::size_t first = value.size();
+    value.resize(first + appearances.size(), 0.0);
+    std::vector<double> passed(sample.size(), 1.0);
+    std::vector<double> shown(sample.size(),
+                              0.0);  // of what it mirrors, by a ray that was followed
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const Hop& hop = sample[i];
+        if (hop.before < 0) continue;
+        const auto j = static_cast<std::size_t>(hop.before);
+        const Shares before = shares_of(scene, sample[j]);
+        const bool mirrored = hop.way == Hop::Way::mirrored;
+        passed[i] = passed[j] * (mirrored ? before.mirrored : before.through);
+        if (mirrored) shown[j] = before.mirrored;
+    }
+    for (std::size_t i = 0; i < sample.size(); ++i) {
+        const Hop& hop = sample[i];
+        const Shares shares = shares_of(scene, hop);
+        const double own =
+            hop.kind == Hop::Kind::sky ? 1.0 : 1.0 - shares.mirrored - shares.through;
+        for (std::size_t a = 0; a < appearances.size(); ++a) {
+            const double sky = double{appearances[a].sky};
+            const double facet =
+                hop.kind == Hop::Kind::facet ? double{appearances[a].facet[hop.what]} : sky;
+            value[first + a] += passed[i] * (own * facet + (shares.mirrored - shown[i]) * sky);
+        }
+    }
+}
+
+int samples_wanted(std::span<const double> values, const HopSampling& sampling) {
+    const std::size_t kinds = sampling.appearances.size();
+    const auto [from, to, tolerance] = sampling.options;
+    double worst = 0.0;
+    const std::size_t count = kinds > 0 ? values.size() / kinds : 0;
+    for (std::size_t a = 0; a < kinds && count > 1; ++a) {
+        // From the first's value, so that large numbers' differences stay exact.
+        const double base = values[a];
+        double sum = 0.0, squares = 0.0;
+        for (std::size_t s = 0; s < count; ++s) {
+            const double x = values[s * kinds + a] - base;
+            sum += x;
+            squares += x * x;
+        }
+        worst = std::max(worst, (squares - sum * sum / double(count)) / double(count - 1));
+    }
+    int samples = from;
+    while (2 * samples <= to && worst > tolerance * tolerance * samples) samples *= 2;
+    return samples;
+}
+
+}  // namespace diurna

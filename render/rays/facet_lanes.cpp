@@ -1,11 +1,14 @@
 #include "render/rays/facet_lanes.hpp"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <span>
+#include <vector>
 
+#include "materials/base/fast_exp.hpp"
 #include "materials/base/parallel.hpp"
-#include "materials/radiation/planck.hpp"
+#include "materials/base/units.hpp"
 
 namespace diurna {
 
@@ -13,6 +16,17 @@ namespace {
 
 constexpr std::size_t arriving_rows = 3 * origin_count;
 constexpr std::size_t all_rows = arriving_rows + sent_rows.size();
+
+/// Planck's law at the nodes, within 1e-14 of planck(): of many facets, so in vector code.
+std::vector<double> glow(const Band& band, double temperature) {
+    std::vector<double> radiance(band.node_um.size());
+    for (std::size_t n = 0; n < radiance.size(); ++n) {
+        const double um = band.node_um[n], square = um * um;
+        const double x = std::min(second_radiation_um / (um * temperature), 600.0);
+        radiance[n] = first_radiation_um / (square * square * um * (fast_exp(x) - 1.0));
+    }
+    return radiance;
+}
 
 /// What the rows of a facet come to in one band.
 class BandRows {
@@ -26,7 +40,7 @@ class BandRows {
         const Material& material = light.input.materials[lit.material[i]];
         room_behind_ = !optics_.room.empty() && !material.see_through;
         up_ = height_weights(lit.height[i]);
-        temperature_ = light.state.temperature[i];
+        heat_ = glow(band.band, double{light.state.temperature[i]});
         band.sky.of(lit.sky_view[i], light.state.uneven[i], up_, sky_.data());
         sunlight_ = double{light.state.sunlight[i]};
         Eigen::VectorXd modes(static_cast<Eigen::Index>(arriving.size()));
@@ -47,7 +61,7 @@ class BandRows {
  private:
     void add_node(std::size_t k, std::array<double, all_rows>& sum) const {
         const double w = band_.band.weight[k];
-        const double heat = w * planck(band_.band.node_um[k], temperature_);
+        const double heat = w * heat_[k];
         std::array<double, origin_count> around = band_.basis.by_origin(arriving_, k), sky{};
         for (double& x : around) x *= band_.basis.root_weight[static_cast<Eigen::Index>(k)];
         double of_sun = 0.0;
@@ -83,7 +97,7 @@ class BandRows {
     const NodeOptics& optics_;
     bool room_behind_ = false;
     std::array<float, 3> up_{};
-    float temperature_ = 0.0f;
+    std::vector<double> heat_;  // (node)
     double sunlight_ = 0.0;
     std::array<float, SkyModes::most> sky_{};
     Eigen::VectorXd arriving_;  // a sum of modes

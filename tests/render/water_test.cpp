@@ -97,7 +97,7 @@ TEST_CASE("a lake by night is the sum over its waves, at any angle", "[render][w
         const double expected =
             brightness_temperature(band, lake_radiance(down_deg, wind, air, band, 290.0, 0.297));
         CAPTURE(wind, down_deg, found, expected);
-        CHECK(std::abs(found - expected) < 0.3);
+        CHECK(std::abs(found - expected) < 0.1);
     }
 }
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/matter/library.hpp"
+#include "materials/matter/read_library.hpp"
 #include "tests/support/hill_world.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "thermal/solve/heat_state_file.hpp"
@@ -102,13 +104,13 @@ TEST_CASE("part of a day that repeats has the hours of the whole day", "[thermal
 TEST_CASE("part of a day that repeats begins where its file begins", "[thermal][span]") {
     World world(8);
     const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;
-    const int first = GENERATE(0, 1, 2, 3);
+    const int first = GENERATE(-6, -3, 0, 1, 2, 3);
     CAPTURE(first);
-    const Weather two = summers(0.0, 2);
+    const Weather three = summers(-1.0, 3);
     world.weather = {};
     for (int h = first; h <= first + 24; ++h) {
-        world.weather.instant.push_back(two.instant[std::size_t(h)]);
-        world.weather.sample.push_back(two.sample[std::size_t(h)]);
+        world.weather.instant.push_back(three.instant[std::size_t(24 + h)]);
+        world.weather.sample.push_back(three.sample[std::size_t(24 + h)]);
     }
     const SpanResult morning = walk(world, 6.0, 18.0, SpanStart::known);
     CAPTURE(morning.start);
@@ -296,4 +298,43 @@ TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span
                       Catch::Contains("is no netCDF file"));
     std::filesystem::resize_file(folder.path / "state.nc", 2000);
     CHECK_THROWS_AS(load_heat_state(folder.path / "state.nc", owner), InputError);
+}
+
+// Ground that falls below freezing is solved by itself from the day on which it does, and goes on
+// from what the day before left: a front of 15 K passes in the hour before.
+TEST_CASE("ground goes on from day to day as it begins to freeze", "[thermal][span][frost]") {
+    World world(2);
+    const MaterialLibrary library = default_material_library();
+    world.materials = MaterialLibrary({library[library.find("grass")]});
+    for (MaterialId& id : world.facets.material) id = MaterialId{0};
+    world.weather = {};
+    for (int h = -72; h <= 48; ++h) {
+        Forcing forcing;
+        const double air = h < 24 ? 288.0 : 272.0;
+        forcing.air = {.temperature = air, .pressure = 96000.0, .vapour_pressure = 400.0};
+        forcing.longwave_down = h < 24 ? 370.0 : 300.0;
+        forcing.wind_speed = 5.0;
+        world.weather.instant.push_back(later(june, hour * h));
+        world.weather.sample.push_back(forcing);
+    }
+    SpanOptions options;
+    options.start = june;
+    options.end = later(june, 2.0 * day);
+    options.begin = SpanStart::known;
+    for (int i = -6; i <= 6; ++i) options.wanted.push_back(later(june, day + 600.0 * i));
+    const SpanResult two = solve_span(input_of(world), exposure_of(world), options);
+    CHECK(two.report.points > 0);
+    options.end = later(june, day);
+    options.wanted = {options.end};
+    const SpanResult one = solve_span(input_of(world), exposure_of(world), options);
+    CHECK(one.report.points == 0);
+    for (std::size_t f = 0; f < two.temperature.facets; ++f) {
+        CAPTURE(f);
+        CHECK(two.temperature.at(6)[f] == Approx(one.temperature.at(0)[f]).margin(0.01));
+        for (std::size_t i = 6; i < 12; ++i) {  // steady cold: it cools on, ever more slowly
+            const float now = two.temperature.at(i)[f], next = two.temperature.at(i + 1)[f];
+            CHECK(next < now + 0.01f);
+            CHECK(next > now - 1.0f);
+        }
+    }
 }

@@ -6,6 +6,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "thermal/solve/block_profile.hpp"
 #include "thermal/solve/facet_forcing.hpp"
 #include "thermal/solve/heat_record.hpp"
 
@@ -38,6 +39,13 @@ void guess_state(const ThermalSurface& surface, double mean, PointFacet& facet) 
     for (std::size_t i = 0; i < facet.column.size(); ++i) {
         const double share = facet.column.depth(i) / bottom_depth;
         facet.u[i] = facet.column.state_of(i, std::lerp(mean, below, share));
+    }
+}
+
+/// The state of a facet that was plain in the span before.
+void take_over(const DepthProfile& plain, PointFacet& facet) {
+    for (std::size_t i = 0; i < facet.column.size(); ++i) {
+        facet.u[i] = facet.column.state_of(i, plain.at(facet.column.depth(i)));
     }
 }
 
@@ -228,7 +236,11 @@ void PointFacets::run(const Level& level, Point& p) const {
         facet.u = p.start.u;
         facet.standing = p.start.standing;
     } else {
-        guess_state(column.surface, mean_kelvin(p.facet), facet);
+        if (solve_.input.from) {
+            take_over(profile_at_start(level.kind[block.material], block, p.lane), facet);
+        } else {
+            guess_state(column.surface, mean_kelvin(p.facet), facet);
+        }
         p.begun = true;
     }
     p.kelvin.resize(instants);

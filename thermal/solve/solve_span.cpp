@@ -181,28 +181,26 @@ bool known_until(const Weather& weather, Instant when) {
     return seconds_between(when, later(weather.instant.back(), half)) > -3600.0;
 }
 
-/// Where a day that is to repeat begins best: in the dark, as tomorrow's sun rises half a minute
-/// off; at the start, or else, steps before it, as near to solar midnight as the series lets a
-/// whole day begin.
+/// Where a day that is to repeat begins best: at the start, or steps before it; where the series
+/// holds all of it and, as tomorrow's sun rises half a minute off, in the dark near solar midnight.
 Instant day_around(const SolveInput& input, Instant start, double step) {
     const auto dark = [&](Instant when) {
         return sun_position(input.site, when).elevation_deg < -1.0;
     };
-    if (dark(start)) return start;
-    const double since = std::chrono::duration<double>(start.time_since_epoch()).count();
-    const double ahead = input.site.longitude_deg * 240.0;  // [s] of mean solar time before UTC
-    const double of_day = std::fmod(std::fmod(since + ahead, day) + day, day);
     const Weather& weather = input.weather;
     const Instant first = later(weather.instant.front(), -0.5 * weather.span_of(0));
     const Instant last =
         later(weather.instant.back(), 0.5 * weather.span_of(weather.instant.size() - 1));
-    // Steps back to midnight, to the first row, and to a day before the last one.
-    const double midnight = std::round(of_day / step);
-    const double most = std::floor(seconds_between(first, start) / step + 1e-9);
+    // Steps back to a day before the last row, to the first one, and to midnight.
     const double least = std::ceil((seconds_between(last, start) + day) / step - 1e-9);
-    const double back = std::min(std::max(midnight, least), most);
+    const double most = std::floor(seconds_between(first, start) / step + 1e-9);
+    if (least > most || (least <= 0.0 && dark(start))) return start;
+    const double since = std::chrono::duration<double>(start.time_since_epoch()).count();
+    const double ahead = input.site.longitude_deg * 240.0;  // [s] of mean solar time before UTC
+    const double of_day = std::fmod(std::fmod(since + ahead, day) + day, day);
+    const double back = std::clamp(std::round(of_day / step), std::max(0.0, least), most);
     const Instant found = later(start, -step * back);
-    return back > 0.0 && dark(found) ? found : start;
+    return least > 0.0 || dark(found) ? found : start;
 }
 
 void from_the_weather_before(int days, Walk& walk) {

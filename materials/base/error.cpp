@@ -19,6 +19,20 @@ std::string joined(const std::vector<Mistake>& mistakes) {
     return text;
 }
 
+/// How many bytes at the beginning are one character that steers a terminal: a control character,
+/// one of Unicode's (U+0080 to U+009F), or one that turns the direction of what follows (U+202A to
+/// U+202E, U+2066 to U+2069).
+std::size_t steering_bytes(std::string_view text) {
+    const auto at = [&](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
+    };
+    if (at(0) < 0x20 || at(0) == 0x7f) return 1;
+    if (at(0) == 0xc2 && at(1) >= 0x80 && at(1) <= 0x9f) return 2;
+    const bool turns = (at(1) == 0x80 && at(2) >= 0xaa && at(2) <= 0xae) ||
+                       (at(1) == 0x81 && at(2) >= 0xa6 && at(2) <= 0xa9);
+    return at(0) == 0xe2 && turns ? 3 : 0;
+}
+
 /// Levenshtein's distance: insertions, deletions and substitutions.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
@@ -38,8 +52,10 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string Mistake::line() const {
     std::string text = where + ": " + problem + (hint.empty() ? "" : " (" + hint + ")");
-    for (char& c : text) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        for (std::size_t bytes = steering_bytes(std::string_view(text).substr(i)); bytes > 0;) {
+            text[i + --bytes] = '?';
+        }
     }
     return text;
 }

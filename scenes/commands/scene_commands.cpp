@@ -59,6 +59,7 @@ void check_converged(const std::string& not_converged) {
 
 void check_verb(const SceneArguments& a) {
     const Prepared prepared = prepare(a.read());
+    check_start(prepared);
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.surfaces().size(), prepared.observers.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);

@@ -92,6 +92,8 @@ std::string not_converged(const SolveReport& report) {
         report.passes, report.periodic_residual, SolveOptions{}.tolerance, report.estimated_error);
 }
 
+void check_start(const Prepared& prepared) { earlier_state(prepared); }
+
 SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
     const std::optional<HeatState> earlier = earlier_state(prepared);
     progress.stage("heat balance");

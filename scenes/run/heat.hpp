@@ -18,8 +18,11 @@ FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
 /// In one line by how much a solver has missed its tolerance; "" where it has converged.
 std::string not_converged(const SolveReport& report);
 
-/// Shadows and heat balance: temperatures alone. Throws InputError where the state that the scene
-/// goes on from is of another scene or instant.
+/// Throws InputError where the state that the scene goes on from is none, or of another scene or
+/// instant: before anything is written.
+void check_start(const Prepared& prepared);
+
+/// Shadows and heat balance: temperatures alone. Throws InputError as check_start().
 SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress);
 
 inline constexpr const char* state_file = "state.nc";

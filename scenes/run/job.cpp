@@ -69,6 +69,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     Progress progress(options.progress);
     progress.stage("terrain");
     const Prepared prepared = prepare(std::move(scene));
+    check_start(prepared);
     bool keep = false;
     Manifest manifest = begin_manifest(prepared, options, keep);
     progress.stage("sky view");

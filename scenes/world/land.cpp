@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "materials/base/error.hpp"
 #include "terrain/ground/rings.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/land_shapes.hpp"
@@ -27,6 +28,8 @@ std::vector<Eigen::Vector2d> local_ring(const std::vector<Geodetic>& ring, const
     }
     return local;
 }
+
+constexpr double tallest = 2000.0;  // [m] building
 
 /// Least and greatest height [m] of the ground at a shape's corners, up in the site's frame; NaN
 /// where it is not known at all of them.
@@ -109,6 +112,9 @@ ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem
                 flat.add(shape);
                 continue;
             }
+            const std::string where =
+                fmt::format("{}: feature {}", input.file.string(), shape.feature);
+            check_within(where + ": height", height, 0.0, tallest);
             const auto [lowest, highest] = ground_at_corners(shape, dem, site);
             if (std::isnan(lowest)) {
                 away.add(shape);
@@ -116,13 +122,12 @@ ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem
             }
             // Walls reach into the ground, so that no light passes under them; the height counts
             // from the lowest corner.
-            found.building.push_back(
-                {{.ring = local_ring(shape.ring, dem, site),
-                  .bottom = lowest - 1.0 - tolerance,
-                  .top = std::max(lowest + height, highest + 0.1),
-                  .largest_edge = std::max(1.0, input.largest_edge),
-                  .where = fmt::format("{}: feature {}", input.file.string(), shape.feature)},
-                 i});
+            found.building.push_back({{.ring = local_ring(shape.ring, dem, site),
+                                       .bottom = lowest - 1.0 - tolerance,
+                                       .top = std::max(lowest + height, highest + 0.1),
+                                       .largest_edge = std::max(1.0, input.largest_edge),
+                                       .where = where},
+                                      i});
         }
         flat.tell(input, "without a height above 0 m", found.notes);
         away.tell(input, "beyond the elevation data or on void posts", found.notes);

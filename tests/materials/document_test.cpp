@@ -122,6 +122,8 @@ TEST_CASE("malformed TOML never aborts", "[materials][document][stress]") {
 TEST_CASE("a mistake is one line and steers no terminal", "[materials][document]") {
     CHECK(Mistake{"w.csv:1:2", "found '\x1b[2J\n\x7f', expected a number", ""}.line() ==
           "w.csv:1:2: found '?[2J?\?', expected a number");
+    CHECK(Mistake{"µ", "\xc2\x9b and \xe2\x80\xae, \xe2\x82\xac", ""}.line() ==
+          "µ: ?\? and ?\?\?, \xe2\x82\xac");
 }
 
 TEST_CASE("numbers take up the whole text and are finite", "[materials][files]") {

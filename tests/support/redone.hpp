@@ -68,10 +68,13 @@ class Redone {
  public:
     Redone(const Frame& frame, std::string band, const MaterialLibrary& materials)
         : frame_(frame), band_(std::move(band)), materials_(materials) {
-        // What the sun sends on a plane facing it, over π: of the pixel with most of it.
+        // What the sun sends on a plane facing it, over π: of the pixel that faces it most.
+        double most = 0.0;
         for (std::size_t p = 0; p < frame.pixels(); ++p) {
             const double facing = at("sun_fraction_1", p) * at("cosine_sun_1", p);
-            if (facing > 0.5) sun_ = std::max(sun_, of_band("sunlight_1", p) / facing);
+            if (facing <= most) continue;
+            most = facing;
+            sun_ = of_band("sunlight_1", p) / facing;
         }
     }
 

@@ -43,10 +43,18 @@ TEST_CASE("each interval keeps its sum, those with sunrise and sunset too",
           "[thermal][weather][hourly]") {
     const Minutes truth = clear_day(48.0, "2026-04-11T00:00:00Z");
     const int minutes = GENERATE(10, 30, 60, 180);
+    // Direct light beside the global one changes its course within the interval, not its sum.
+    const bool direct = GENERATE(false, true), diffuse = GENERATE(false, true);
+    if (diffuse && !direct) return;
+    CAPTURE(direct, diffuse);
     // Clouds of its own every interval, so that neighbours differ by a factor of up to ten.
-    Weather weather = means(truth, minutes, {true, false, false});
+    Weather weather = means(truth, minutes, {true, direct, diffuse});
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
-        weather.sample[i].shortwave_down *= 0.1 + 0.9 * double((i * 7919) % 10) / 9.0;
+        const double clouds = 0.1 + 0.9 * double((i * 7919) % 10) / 9.0;
+        Forcing& forcing = weather.sample[i];
+        for (double* flux : {&forcing.shortwave_down, &forcing.direct_normal, &forcing.diffuse}) {
+            *flux *= clouds;
+        }
     }
     const SkySeries sky(weather, truth.site, 0.0, {}, truth.start, later(truth.start, 86400.0));
     SunPath path(truth.site);

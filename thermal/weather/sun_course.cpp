@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace diurna {
 
@@ -50,10 +51,19 @@ void fit(SunFactor& factor, double wanted, std::span<const SunNode> nodes, const
     }
 }
 
+/// What direct light measured across the beam, given its course, leaves on the horizontal of a
+/// row's global light beyond what it leaves when it is even; over the clear sky's diffuse light.
+double left_by_shape(const SunRow& row, const SunFactor& direct) {
+    double beam = 0.0;
+    for (const SunNode& n : row.node) beam += n.weight * n.direct * n.sine * direct.at(n.x);
+    const double less = row.direct * row.clear.horizontal - beam;
+    return row.clear.diffuse > 0.0 ? std::max(-row.diffuse, less / row.clear.diffuse) : 0.0;
+}
+
 }  // namespace
 
 /// Ends of the rows' factors where rows touch, then the bulge that keeps each row's sum.
-void SunCourse::join(const std::vector<SunRow>& rows) {
+void SunCourse::join(std::vector<SunRow> rows) {
     constexpr double touching = 1.0;  // [s]
     stretch_.resize(rows.size());
     for (std::size_t r = 0; r < rows.size(); ++r) {
@@ -71,25 +81,33 @@ void SunCourse::join(const std::vector<SunRow>& rows) {
         stretch_[r].direct = {0.0, 0.0, 0.0, 0.0};
         stretch_[r].diffuse = {row.skylight, row.skylight, 0.0, unbounded};
     }
-    for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
-        const SunRow &a = rows[r], &b = rows[r + 1];
-        if (!a.lit || !b.lit || std::abs(a.to - b.from) > touching) continue;
-        if (a.known_direct && b.known_direct) {
-            const double k =
-                std::min(between_rows(a.direct, a.direct_sum(), b.direct, b.direct_sum()),
-                         std::min(a.most, b.most));
-            stretch_[r].direct.last = stretch_[r + 1].direct.first = k;
+    const auto where_rows_touch = [&](const auto& join_two) {
+        for (std::size_t r = 0; r + 1 < rows.size(); ++r) {
+            const SunRow &a = rows[r], &b = rows[r + 1];
+            if (a.lit && b.lit && std::abs(a.to - b.from) <= touching) join_two(r, a, b);
         }
-        if (a.known_diffuse && b.known_diffuse) {
-            stretch_[r].diffuse.last = stretch_[r + 1].diffuse.first =
-                between_rows(a.diffuse, a.clear.diffuse, b.diffuse, b.clear.diffuse);
-        }
-    }
+    };
+    where_rows_touch([&](std::size_t r, const SunRow& a, const SunRow& b) {
+        if (!a.known_direct || !b.known_direct) return;
+        stretch_[r].direct.last = stretch_[r + 1].direct.first =
+            std::min(between_rows(a.direct, a.direct_sum(), b.direct, b.direct_sum()),
+                     std::min(a.most, b.most));
+    });
     for (std::size_t r = 0; r < rows.size(); ++r) {
-        const SunRow& row = rows[r];
+        SunRow& row = rows[r];
         if (!row.lit) continue;
         fit(stretch_[r].direct, row.direct, row.node,
             [&](const SunNode& n) { return row.direct_weight(n); });
+        if (row.rest) row.diffuse += left_by_shape(row, stretch_[r].direct);
+    }
+    where_rows_touch([&](std::size_t r, const SunRow& a, const SunRow& b) {
+        if (!a.known_diffuse || !b.known_diffuse) return;
+        stretch_[r].diffuse.last = stretch_[r + 1].diffuse.first =
+            between_rows(a.diffuse, a.clear.diffuse, b.diffuse, b.clear.diffuse);
+    });
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        const SunRow& row = rows[r];
+        if (!row.lit) continue;
         fit(stretch_[r].diffuse, row.diffuse, row.node,
             [&](const SunNode& n) { return n.weight * n.diffuse; });
     }
@@ -190,7 +208,7 @@ SunCourse::SunCourse(const Weather& weather, const Site& site, double elevation,
         (weather.span_of(row.sample) > 0.0 ? means : moments).push_back(std::move(row));
     }
     if (moments.empty()) {
-        join(means);
+        join(std::move(means));
     } else {
         connect(moments);
     }

@@ -53,7 +53,7 @@ class SunCourse {
         bool known_direct = false, known_diffuse = false;
         bool plain = false;  // the factors are light itself [W m⁻²]
     };
-    void join(const std::vector<SunRow>& rows);
+    void join(std::vector<SunRow> rows);
     void connect(const std::vector<SunRow>& rows);
 
     Instant origin_{};

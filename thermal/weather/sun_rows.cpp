@@ -145,13 +145,10 @@ double share_of_diffuse(const Weather& weather, const SunRow& row, double global
 
 /// Three instruments that should agree: what is left over is the diffuse light's, the weakest. More
 /// than a quarter apart, one is dirty or shaded: the global is not believed.
-double agreed_diffuse(const Measured& light, double beam) {
+bool diffuse_is_rest(const Measured& light, double beam) {
+    if (!light.has_global() || !light.has_diffuse()) return light.has_global();
     const double rest = std::max(0.0, light.global - beam);
-    if (!light.has_diffuse()) return rest;
-    if (!light.has_global() || std::abs(rest - light.diffuse) > 0.25 * light.global) {
-        return light.diffuse;
-    }
-    return rest;
+    return std::abs(rest - light.diffuse) <= 0.25 * light.global;
 }
 
 /// A row's light over the clear sky's.
@@ -161,7 +158,10 @@ void divide(const Weather& weather, SunRow& row, ClearCourse& clear, Separation 
     row.horizontal = !light.has_direct();
     if (light.has_direct()) {
         row.direct = row.clear.direct > 0.0 ? light.direct_normal / row.clear.direct : 0.0;
-        light.diffuse = agreed_diffuse(light, row.direct * row.clear.horizontal);
+        const double beam = row.direct * row.clear.horizontal;
+        const bool rest = diffuse_is_rest(light, beam);
+        if (rest) light.diffuse = std::max(0.0, light.global - beam);
+        row.rest = rest && light.global > beam;
         row.most = std::max(most_beyond_clear, 1.02 * row.direct);
     } else if (light.has_global()) {
         double direct = light.global - light.diffuse;

@@ -32,9 +32,10 @@ struct SunRow {
     std::size_t sample = 0;
     double from = 0.0, to = 0.0, lit_from = 0.0, lit_to = 0.0;  // [s] since the series' first row
     bool known_direct = false, known_diffuse = false, lit = false;
-    bool horizontal = false;                     // the direct light's sum is that on the horizontal
-    double direct = 0.0, diffuse = 0.0;          // over the clear sky's
-    double most = 1.1;                           // of `direct` at any instant
+    bool horizontal = false;             // the direct light's sum is that on the horizontal
+    double direct = 0.0, diffuse = 0.0;  // over the clear sky's
+    bool rest = false;                   // the diffuse light is what direct leaves of the global
+    double most = 1.1;                   // of `direct` at any instant
     double direct_normal = 0.0, skylight = 0.0;  // [W m⁻²] at its instant; in the dark its mean
     double clearness;  // global over the clear sky's; NaN: unknown or a low sun
     ClearSums clear{};

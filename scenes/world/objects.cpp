@@ -16,11 +16,23 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
     return placed_mesh(object.mesh, placing, material);
 }
 
-GroundPatch ground_patch(const ObjectInput& object) {
+namespace {
+
+/// Along the mesh's axes, z upright [m].
+Eigen::Vector3d size_of(const ObjectInput& object) {
     Eigen::AlignedBox3d box;
     for (const Eigen::Vector3d& v : object.mesh.vertex) box.extend(v);
     Eigen::Vector3d size = box.sizes() * object.placing.metres;
     if (object.placing.up == UpAxis::y) std::swap(size.y(), size.z());
+    return size;
+}
+
+}  // namespace
+
+double object_height(const ObjectInput& object) { return size_of(object).z(); }
+
+GroundPatch ground_patch(const ObjectInput& object) {
+    const Eigen::Vector3d size = size_of(object);
     const double reach = 0.5 * size.head<2>().norm() + 2.0 * size.z();
     constexpr double least_edge = 0.15;  // [m] of small objects
     GroundPatch patch{.ring = {}, .largest_edge = std::max(least_edge, reach / 12.0)};

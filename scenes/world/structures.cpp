@@ -13,6 +13,14 @@ namespace diurna {
 
 namespace {
 
+constexpr double off_the_ground = 0.01;  // [m] of sheets that would lie in its plane
+
+/// Neither thick nor lifted: rays could not tell it from the ground it lies on.
+bool lies_in_the_ground(const ObjectInput& object) {
+    constexpr double apart = 0.005;  // [m]
+    return std::abs(object.height_above_ground) < apart && object_height(object) < apart;
+}
+
 /// Triangles at the foot of a box's walls: half a metre, or a thousandth of a long way round.
 double foot_edge(const BoxSpec& spec) { return std::max(0.5, 2e-3 * (spec.width + spec.depth)); }
 
@@ -69,7 +77,12 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
     std::size_t object = scene.terrain.polygons.size() + scene.terrain.buildings.size();
     for (const ObjectInput& input : scene.terrain.objects) {
         const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
-        const Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
+        Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
+        if (lies_in_the_ground(input)) {
+            ground.z() += off_the_ground;
+            world.notes.push_back(fmt::format("{}: a flat sheet on the ground, lifted by {:g} m",
+                                              where, off_the_ground));
+        }
         sheets.append(world.facets, object_mesh(input, ground, scene.materials),
                       ObjectId{static_cast<std::uint16_t>(++object)});
     }

@@ -91,6 +91,32 @@ TEST_CASE("walls of buildings that overlap stand on the ground", "[scenes][world
     }
 }
 
+TEST_CASE("a flat sheet on the ground is lifted off it, and told", "[scenes][world]") {
+    const ScratchFolder folder("sheet-on-ground");
+    write_text(folder.path / "quad.obj", "v -2 0 2\nv 2 0 2\nv 2 0 -2\nv -2 0 -2\nf 1 2 3 4\n");
+    const auto with_sheet = [&](const char* height) {
+        return built(with(small_scene(), "[weather]",
+                          "[[object]]\nname = \"sheet\"\nmesh = \"" +
+                              (folder.path / "quad.obj").string() +
+                              "\"\nplace_m = [300.0, 300.0]\nmaterial = \"painted_steel\"\n" +
+                              height + "[weather]"));
+    };
+    const auto up = [](const World& world) {
+        double highest = -1e9;
+        for (std::size_t f = world.ground_facets; f < world.facets.size(); ++f) {
+            if (world.objects[static_cast<std::size_t>(world.facets.object[f])] != "sheet")
+                continue;
+            highest = std::max(highest, double{world.facets.centroid[f].z()});
+        }
+        return highest;
+    };
+    const Built on = with_sheet(""), above = with_sheet("height_above_ground_m = 1.0\n");
+    REQUIRE(on.world.notes.size() == 1);
+    CHECK_THAT(on.world.notes[0], Catch::Contains("\"sheet\": a flat sheet on the ground"));
+    CHECK(above.world.notes.empty());
+    CHECK(up(above.world) - up(on.world) == Approx(0.99).margin(1e-3));
+}
+
 TEST_CASE("materials follow polygons first, then the rules", "[scenes][world]") {
     const Built b = built(small_scene());
     const MaterialId grass = b.scene.materials.find("grass"),

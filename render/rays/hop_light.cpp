@@ -110,10 +110,21 @@ class PixelSum {
         for (std::size_t c = 0; c < lanes_; ++c) {
             share_[c] = hop.weight * passed[c] * at.mirrored(c) / std::max(all[c], 1e-30f);
         }
-        add_background(i, lobe(i, RoughMirrors::sky));
+        const float open = open_above(i);
         const float* near = lobe(i, RoughMirrors::around);
-        for (std::size_t c = 0; c < lanes_; ++c) share_[c] *= near[c];
+        whole_ = share_;
+        for (std::size_t c = 0; c < lanes_; ++c) share_[c] *= open;
+        add_background(i, lobe(i, RoughMirrors::sky));
+        for (std::size_t c = 0; c < lanes_; ++c) {
+            share_[c] = whole_[c] * (near[c] + (1.0f - open) * (all[c] - near[c]));
+        }
         add_around(i);
+    }
+
+    float open_above(std::size_t mirror) const {
+        const std::uint32_t target = tables_.target[first_ + mirror];
+        return open_sky(tables_.lit.sky_view[tables_.lit_index(target)],
+                        rough_.normal(list_[mirror]));
     }
 
     /// Takes away what the sum over the lobe has for what a ray off a rough mirror meets.
@@ -125,10 +136,15 @@ class PixelSum {
         const Eigen::Vector3d direction = hop.direction.cast<double>();
         if (rough_.around_towards(list_[mirror], direction)) {
             add_around(mirror);
-        } else {
-            tables_.mirrored_background(direction, list_[mirror].range, background_);
-            add_background(mirror, background_.data());
+            return;
         }
+        const float open = open_above(mirror);
+        whole_ = share_;
+        for (std::size_t c = 0; c < lanes_; ++c) share_[c] *= open;
+        tables_.mirrored_background(direction, list_[mirror].range, background_);
+        add_background(mirror, background_.data());
+        for (std::size_t c = 0; c < lanes_; ++c) share_[c] = (1.0f - open) * whole_[c];
+        if (open < 1.0f) add_around(mirror);
     }
 
     /// Radiance of the background (lane) at a mirror, by the shares of it.
@@ -287,17 +303,17 @@ class PixelSum {
     const RoughMirrors& rough_;
     std::size_t lanes_, bands_;
     bool by_term_;
-    std::span<const Hop> list_;              // of the pixel
-    std::size_t first_ = 0;                  // hop of the list among all
-    std::vector<float> passed_, radiance_;   // (hop, lane)
-    std::vector<float> scattered_;           // (hop, band)
-    std::vector<Term> as_;                   // (hop) what its light counts as
-    std::vector<float> transmittance_;       // (hop, origin, lane)
-    std::vector<float> filter_;              // (origin, lane)
-    std::vector<float> own_;                 // (sent row, lane)
-    std::vector<float> lobe_;                // (hop, RoughMirrors::Row, lane)
-    std::vector<float> background_, share_;  // (lane)
-    std::vector<double> sum_;                // (row, lane): terms, or one for all
+    std::span<const Hop> list_;                      // of the pixel
+    std::size_t first_ = 0;                          // hop of the list among all
+    std::vector<float> passed_, radiance_;           // (hop, lane)
+    std::vector<float> scattered_;                   // (hop, band)
+    std::vector<Term> as_;                           // (hop) what its light counts as
+    std::vector<float> transmittance_;               // (hop, origin, lane)
+    std::vector<float> filter_;                      // (origin, lane)
+    std::vector<float> own_;                         // (sent row, lane)
+    std::vector<float> lobe_;                        // (hop, RoughMirrors::Row, lane)
+    std::vector<float> background_, share_, whole_;  // (lane)
+    std::vector<double> sum_;                        // (row, lane): terms, or one for all
 };
 
 }  // namespace

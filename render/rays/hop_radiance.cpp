@@ -72,6 +72,7 @@ std::vector<double> facing_optics(const Material& material, const Band& band, do
 /// The sum over a rough mirror's lobe (rough_mirror.hpp), (node).
 struct LobeSum {
     std::vector<double> reflected, sky, around;
+    double open = 1.0;  // open_sky()
     bool sees_facets = false;
 };
 
@@ -204,21 +205,28 @@ class NodeSum {
                 }
             });
         const auto optics = optics_of(material(hop), band_, double{hop.cosine});
+        lobe.open = open_sky(float(input_.views.sky[hop.what]), normal_of(hop));
         std::vector<double> near(nodes(), 0.0);
-        if (lobe.sees_facets) near = mean_around(hop);
+        if (lobe.sees_facets || lobe.open < 1.0) near = mean_around(hop);
         for (std::size_t n = 0; n < nodes(); ++n) {
-            light[n] +=
-                optics[n].mirrored / lobe.reflected[n] * (lobe.sky[n] + lobe.around[n] * near[n]);
+            const double around =
+                lobe.around[n] + (1.0 - lobe.open) * (lobe.reflected[n] - lobe.around[n]);
+            light[n] += optics[n].mirrored / lobe.reflected[n] *
+                        (lobe.open * lobe.sky[n] + around * near[n]);
         }
     }
 
     void take_expected(const Hop& hop, std::vector<double>& light) const {
         const Hop& mirror = mirror_of(hop);
-        const bool around =
-            lobe_[static_cast<std::size_t>(hop.before)].sees_facets && hop.direction.z() < 0.0f;
-        const std::vector<double> expected =
-            around ? mean_around(mirror) : in_mirror(mirror, hop.direction.cast<double>());
-        for (std::size_t n = 0; n < nodes(); ++n) light[n] -= expected[n];
+        const LobeSum& lobe = lobe_[static_cast<std::size_t>(hop.before)];
+        const bool around = lobe.sees_facets && hop.direction.z() < 0.0f;
+        const double open = around ? 0.0 : lobe.open;
+        std::vector<double> near(nodes(), 0.0), far = near;
+        if (open < 1.0) near = mean_around(mirror);
+        if (open > 0.0) far = in_mirror(mirror, hop.direction.cast<double>());
+        for (std::size_t n = 0; n < nodes(); ++n) {
+            light[n] -= open * far[n] + (1.0 - open) * near[n];
+        }
     }
 
     /// Past a mirror: as it arrives at the eye, on one way with that from the mirror on.

@@ -63,6 +63,14 @@ inline bool counts_around(float sky_view, const Eigen::Vector3d& normal) {
     return 1.0f - sky_view > 1e-3f && normal.z() < 1.0 - 1e-9;
 }
 
+/// How much of the sky above a rough mirror is open. The sum over its lobe takes the background by
+/// so much and the mean of the facets around for the rest: under cover rays meet those.
+inline float open_sky(float sky_view, const Eigen::Vector3d& normal) {
+    const auto whole = static_cast<float>(0.5 * (1.0 + normal.z()));
+    const bool hidden = 1.0f - sky_view > 1e-3f && whole > 1e-3f;
+    return hidden ? std::min(1.0f, sky_view / whole) : 1.0f;
+}
+
 /// Cosine at the microfacet that sends light from one direction into another.
 inline double facing_between(const Eigen::Vector3d& eye, const Eigen::Vector3d& light) {
     return std::sqrt(0.5 * std::max(0.0, 1.0 + eye.dot(light)));

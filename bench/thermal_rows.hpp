@@ -348,9 +348,16 @@ inline std::vector<Case> cases() {
              return measured_days("surfrad_bondville_19950510", measured::bondville_1995, "grass",
                                   600.0);
          }},
-        {"alpine snow, November to January", "measured (Weissfluhjoch 1995)", "",
+        {"alpine snow, November to January; without the sun in its sky's measurement",
+         "measured (Weissfluhjoch 1995)", "",
          [] {
-             return measured_days("weissfluhjoch_mst96", measured::weissfluhjoch, "snow", 1800.0);
+             const auto snow = [](double sun_in_sky) {
+                 const auto read = [=](const std::filesystem::path& folder) {
+                     return measured::weissfluhjoch(folder, sun_in_sky);
+                 };
+                 return measured_days("weissfluhjoch_mst96", read, "snow", 1800.0);
+             };
+             return snow(0.0) + "; " + snow(0.13);
          }},
     };
 }

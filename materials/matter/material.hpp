@@ -67,7 +67,8 @@ using Bottom = std::variant<FixedTemperature, FixedFlux, Interior>;
 
 /// How the surface exchanges heat with the air.
 struct Louis {
-    double least_film = 0.0;  // [W m⁻² K⁻¹] added: what calm, stable air over snow still exchanges
+    double least_film = 0.0;  // [W m⁻² K⁻¹] added: what calm, stable air still exchanges
+    double gust = 1.0;        // [m s⁻¹] of motions the mean wind does not tell of: √(U² + gust²)
 };                            // bulk Monin-Obukhov, Louis 1979: ground
 struct Tarp {};               // natural + forced by plate orientation: walls, roofs
 struct Mowitt {};             // DOE-2 / MoWiTT: smooth surfaces, glass, metal

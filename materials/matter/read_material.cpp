@@ -68,9 +68,12 @@ Convection read_convection(const Section& section) {
     }
     if (kind == "tarp") return Tarp{};
     if (kind == "mowitt") return Mowitt{};
-    return Louis{.least_film = section.number_or("least_W_m2K",
-                                                 "added: what calm, stable air still exchanges",
-                                                 0.0, {0.0, 100.0})};
+    return Louis{
+        .least_film = section.number_or(
+            "least_W_m2K", "added: what calm, stable air still exchanges", 0.0, {0.0, 100.0}),
+        .gust = section.number_or("gust_m_s",
+                                  "motions of the air beside its mean wind U: √(U² + gust²)", 1.0,
+                                  {0.0, 20.0})};
 }
 
 Evaporation read_evaporation(const Section& section) {

@@ -198,7 +198,13 @@ inline Series bondville_1995(const std::filesystem::path& folder) {
 
 /// Snow covers the plot from the fifth day on; what the thermometer says below −35 °C under a clear
 /// sky is doubted by its source and left out.
-inline Series weissfluhjoch(const std::filesystem::path& folder) {
+///
+/// sun_in_sky  share of the sun that the pyrgeometer counted as sky until 10 December 1995. On the
+///             clear days before (steady nights around them) its longwave rises
+///             at 10-14 h by 0.09 to 0.15 of the global sun over what the nights' share of σT⁴ and
+///             the air's temperature say (190 W/m² by night, 277 at noon under air of 19 %
+///             humidity), on those after by 0.00 ± 0.02
+inline Series weissfluhjoch(const std::filesystem::path& folder, double sun_in_sky) {
     Series s{.site = {.latitude_deg = 46.831, .longitude_deg = 9.810, .height = 2540.0},
              .weather = {},
              .when = {},
@@ -227,6 +233,9 @@ inline Series weissfluhjoch(const std::filesystem::path& folder) {
         if (v[7] > -900.0) f.shortwave_up = std::max(0.0, v[7]);
         if (v[8] > -900.0) f.shortwave_down = std::max(0.0, v[8]);
         if (v[9] > 0.0) f.longwave_down = v[9];
+        if (end < parse_instant("1995-12-11T00:00:00+01:00")) {
+            f.longwave_down -= sun_in_sky * std::max(0.0, v[8]);
+        }
         f.rain_mm_h = std::max(0.0, v[10]) * 2.0;
         const Instant middle = later(end, -900.0);
         s.weather.instant.push_back(middle);

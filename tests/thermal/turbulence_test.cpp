@@ -19,7 +19,8 @@ ThermalSurface surface_of(Convection convection, double z0 = 0.01, double z0h = 
 
 AirFilm louis_film(double wind, double z0 = 0.01, double z0h = 0.001) {
     const AirState dry{.temperature = 300.0, .pressure = 1e5, .vapour_pressure = 0.0};
-    return air_film(surface_of(Louis{}, z0, z0h), louis_form(z0, z0h, 10.0, 2.0), dry, wind);
+    const Louis similarity{.least_film = 0.0, .gust = 0.0};
+    return air_film(surface_of(similarity, z0, z0h), louis_form(z0, z0h, 10.0, 2.0), dry, wind);
 }
 
 }  // namespace
@@ -120,6 +121,31 @@ TEST_CASE("no calm is stiller than drift", "[thermal][turbulence]") {
               air_film(surface_of(Louis{}), form, air, 0.3).neutral);
     }
     CHECK(air_film(surface_of(Tarp{}), form, air, 0.4).neutral > 1.2);
+}
+
+TEST_CASE("stable air damps the film down to a Richardson number of a tenth",
+          "[thermal][turbulence]") {
+    // x = g z_u (T_a − T_s) / (T_a U²): 10 m at 2 m/s under 300 K reaches 0.1 with 1.2232 K. There
+    // L_m = 6.9078, L_h = 7.6009, s = 5 · 0.90881 (1 + 0.2 · 0.90881) = 5.3700,
+    // F = 1 / (1 + 0.53700 · 2) = 0.48216, and ρ c_p k² U / (L_m L_h) = 7.1132 W/m²K.
+    const AirFilm air = louis_film(2.0);
+    const double there = 7.1132 * 0.48216;
+    CHECK(ground_film(air, 300.0 - 1.2232).h == Approx(there).epsilon(1e-3));
+    for (const double excess : {1.3, 5.0, 20.0, 60.0}) {
+        CHECK(ground_film(air, 300.0 - excess).h == Approx(there).epsilon(1e-3));
+        CHECK(ground_film(air, 300.0 - excess).rise == 0.0);
+    }
+    CHECK(ground_film(air, 300.0 - 0.6).h > 1.2 * there);
+}
+
+TEST_CASE("gusts mix as wind does", "[thermal][turbulence]") {
+    const AirState air{.temperature = 290.0, .pressure = 1e5, .vapour_pressure = 500.0};
+    const LouisForm form = louis_form(0.01, 0.001, 10.0, 2.0);
+    const auto film = [&](double wind, double gust) {
+        return air_film(surface_of(Louis{.least_film = 0.0, .gust = gust}), form, air, wind);
+    };
+    CHECK(film(3.0, 4.0).neutral == Approx(film(5.0, 0.0).neutral).epsilon(1e-12));
+    CHECK(film(3.0, 4.0).instability == Approx(film(5.0, 0.0).instability).epsilon(1e-12));
 }
 
 TEST_CASE("calm air over hot ground convects by itself", "[thermal][turbulence]") {

@@ -77,21 +77,21 @@ Score run(const char* name, const measured::Series& series, const std::string& m
 TEST_CASE("a desert of cinders in September", "[thermal][measured]") {
     const auto folder = shared_data("data/thermal/woodhouse_mesa_2022");
     if (!folder) return;
-    CHECK(run("Woodhouse", measured::woodhouse(*folder), "basalt_cinder", 600.0).rms < 2.5);
+    CHECK(run("Woodhouse", measured::woodhouse(*folder), "basalt_cinder", 600.0).rms < 1.8);
 }
 
 TEST_CASE("a cold high desert in January", "[thermal][measured]") {
     const auto folder = shared_data("data/thermal/surfrad_alamosa_20160101");
     if (!folder) return;
-    CHECK(run("Alamosa", measured::alamosa(*folder), "semi_desert", 600.0).rms < 2.7);
+    CHECK(run("Alamosa", measured::alamosa(*folder), "semi_desert", 600.0).rms < 2.3);
 }
 
 TEST_CASE("a field in Illinois from January to July", "[thermal][measured]") {
     const auto folder = shared_data("data/thermal/bondville_1998");
     if (!folder) return;
     const measured::Series series = measured::bondville_1998(*folder);
-    CHECK(run("Bondville 1998", series, "crop_stubble", 1800.0).rms < 2.2);
-    CHECK(run("Bondville 1998", series, "grass", 1800.0).rms < 2.2);
+    CHECK(run("Bondville 1998", series, "crop_stubble", 1800.0).rms < 1.5);
+    CHECK(run("Bondville 1998", series, "grass", 1800.0).rms < 1.9);
 }
 
 // A day that ends ten kelvin colder than it began: the days before are taken to have had no front.
@@ -104,5 +104,9 @@ TEST_CASE("grass under an overcast sky in May", "[thermal][measured]") {
 TEST_CASE("alpine snow from November to January", "[thermal][measured]") {
     const auto folder = shared_data("data/thermal/weissfluhjoch_mst96");
     if (!folder) return;
-    CHECK(run("Weissfluhjoch", measured::weissfluhjoch(*folder), "snow", 1800.0).rms < 3.5);
+    // As delivered no column can follow it: the pyrgeometer saw sun until 10 December.
+    CHECK(run("Weissfluhjoch", measured::weissfluhjoch(*folder, 0.0), "snow", 1800.0).rms < 3.0);
+    CHECK(run("Weissfluhjoch, sky without sun", measured::weissfluhjoch(*folder, 0.13), "snow",
+              1800.0)
+              .rms < 2.6);
 }

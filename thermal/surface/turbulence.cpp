@@ -119,10 +119,12 @@ AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const Ai
         film.plate = film.quadratic = true;
         film.neutral = mowitt_forced(wind);
     } else {
+        const Louis& ground = std::get<Louis>(surface.convection);
+        const double mixing = std::hypot(wind, ground.gust);
         film.neutral =
-            capacity * von_karman * von_karman * wind / (louis.log_momentum * louis.log_heat);
-        film.instability = gravity * louis.wind_height / (air.temperature * wind * wind);
-        film.least = std::get<Louis>(surface.convection).least_film;
+            capacity * von_karman * von_karman * mixing / (louis.log_momentum * louis.log_heat);
+        film.instability = gravity * louis.wind_height / (air.temperature * mixing * mixing);
+        film.least = ground.least_film;
         film.a = louis.a;
         film.c = louis.c;
         film.s = louis.s;

@@ -10,12 +10,19 @@
 
 namespace diurna {
 
+/// The bulk Richardson number beyond which colder ground damps the air no further: over ground that
+/// is not smooth and level for kilometres air in calm nights still moves by drainage and waves that
+/// no mean wind tells of. Martin and Lejeune (1998, Ann. Glaciol. 26, 179) hold it down over alpine
+/// snow so, as SURFEX does since; 0.1 is chosen on snow (Weissfluhjoch, November and December) and
+/// stubble (Bondville, January to March).
+inline constexpr double stable_limit = 0.1;
+
 /// Bulk transfer of heat between ground and air after Monin and Obukhov, in Louis's closed form
 /// (1979): the neutral coefficient times a function of the bulk Richardson number alone,
 ///
 ///     h = ρ cp k² U / (L_m L_h) · F(x),      x = −Ri = g z_u (T_s − T_a) / (T_a U²)
 ///     F = 1 + a x / (1 + c √x)               ground warmer than the air
-///     F = 1 / (1 + s y √(1 + 30 y)), y = −x  ground colder; its long tail has one root only
+///     F = 1 / (1 + s y √(1 + 30 y)), y = −x  ground colder, y no more than stable_limit
 ///
 /// with L_m = ln(z_u / z0), L_h = ln(z_t / z0h). a, c and s belong to the heights and roughness
 /// lengths: s is the exact slope at neutrality, a and c are fitted once to Businger and Dyer's
@@ -86,7 +93,8 @@ struct Film {
 /// Ground (Louis) or constant film, F = n / d and dF/dx = g / d². One root and one division for
 /// both branches: of a choice between them the compiler makes two of each, so they are blended.
 [[gnu::always_inline]] inline Film ground_film(const AirFilm& air, double temperature) {
-    const double x = air.instability * (temperature - air.air_temperature);
+    const double excess = air.instability * (temperature - air.air_temperature);
+    const double x = std::max(excess, -stable_limit);
     // Warm, r = √x:           d = 1 + c r,       n = d + a x,  g = a (1 + c r / 2).
     // Cold, r = √(1 + 30 y):  d = r (1 + s y r), n = r,        g = s (1 + 45 y) r.
     const double warm = static_cast<double>(x > 0.0), cold = 1.0 - warm;
@@ -95,7 +103,8 @@ struct Film {
     const double n = warm * (d + air.a * x) + cold * r;
     const double g = warm * air.a * (1.0 + 0.5 * air.c * r) + cold * air.s * (1.0 - 45.0 * x) * r;
     const double inverse = 1.0 / d;
-    const double steepness = air.neutral * g * inverse * inverse;
+    const double follows = static_cast<double>(excess >= -stable_limit);
+    const double steepness = follows * air.neutral * g * inverse * inverse;
     return {air.neutral * n * inverse + air.least, steepness * x, steepness * air.instability};
 }
 

@@ -61,11 +61,20 @@ DirectionalOptics optics_of_pane(const Material& material, const Glossy& pane, d
             .transmittance = here.transmittance};
 }
 
+/// A metal held to what it sends back at 10°: of a duller one than its index says oxide and dirt
+/// take a share everywhere; of a brighter one all that is absorbed is less.
+double reflectance_of_metal(double reflectance, double interface_here, double interface_normal) {
+    if (reflectance <= interface_normal) return interface_here * reflectance / interface_normal;
+    return 1.0 - (1.0 - reflectance) * (1.0 - interface_here) / (1.0 - interface_normal);
+}
+
 }  // namespace
 
 double smooth_reflectance(const Glossy& finish, double wavelength_um, double cosine) {
-    if (finish.metal) return std::pow(1.0 - cosine, 5);
-    return fresnel(cosine, {finish.index.at(wavelength_um), finish.extinction.at(wavelength_um)});
+    if (finish.metal && finish.index.empty()) return std::pow(1.0 - cosine, 5);
+    const std::complex<double> index(finish.index.at(wavelength_um),
+                                     finish.extinction.at(wavelength_um));
+    return fresnel(cosine, index);
 }
 
 double interface_reflectance(const Finish& finish, double wavelength_um, double cosine) {
@@ -86,7 +95,10 @@ DirectionalOptics directional_optics(const Material& material, double wavelength
     if (glossy && glossy->pane) return optics_of_pane(material, *glossy, wavelength_um, cosine);
     if (glossy) {
         double normal = interface_normal;
-        if (glossy->metal) {
+        if (glossy->metal && !glossy->index.empty()) {
+            optics.mirrored = reflectance_of_metal(reflectance, interface_here, interface_normal);
+            normal = reflectance;
+        } else if (glossy->metal) {
             optics.mirrored = reflectance + (1.0 - reflectance) * interface_here;
             normal = reflectance + (1.0 - reflectance) * interface_normal;
         } else {

@@ -17,9 +17,9 @@ struct DirectionalOptics {
 /// Where laboratories measure, and a material's spectra hold: 10° from the normal.
 inline constexpr double laboratory_cosine = 0.98480775301220806;
 
-/// What a glossy interface reflects at a cosine, before it is held to the material's spectrum: of a
-/// dielectric R, of a metal the share s of Schlick's law, R = ρ + (1 − ρ) s. A rough one costs a
-/// thousand evaluations. Zero for other finishes.
+/// What a glossy interface reflects at a cosine, before it is held to the material's spectrum: by
+/// its index, or of a metal without one the share s of Schlick's law, R = ρ + (1 − ρ) s. A rough
+/// one costs a thousand evaluations. Zero for other finishes.
 double interface_reflectance(const Finish& finish, double wavelength_um, double cosine);
 /// The same of one of its microfacets.
 double smooth_reflectance(const Glossy& finish, double wavelength_um, double cosine);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
@@ -10,6 +11,8 @@
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/library.hpp"
+#include "materials/matter/measured_brdf.hpp"
+#include "materials/matter/read_brdf.hpp"
 #include "materials/matter/waves.hpp"
 
 namespace diurna {
@@ -51,9 +54,10 @@ void read_refraction(const Section& section, const std::filesystem::path& folder
     double index = 1.5;
     if (section.has("index_file")) {
         try {
-            read_index(
-                folder / section.text("index_file", "of the coat: CSV of wavelength_um, n and k"),
-                finish);
+            read_index(folder / section.text(
+                                    "index_file",
+                                    "of the coat, or of the metal: CSV of wavelength_um, n and k"),
+                       finish);
             return;
         } catch (const InputError& error) {
             section.mistake("index_file", error.what());
@@ -87,13 +91,72 @@ Finish read_by_angle(const Section& section) {
     return finish;
 }
 
-Finish read_law(const Section& section, const std::filesystem::path& folder) {
+/// A measured BRDF of a file.
+Finish read_measured(const Section& section, const std::filesystem::path& folder) {
+    try {
+        return finish_of(read_brdf(
+            folder / section.text("file",
+                                  "a measured BRDF: .binary of the MERL database, or .csv "
+                                  "of light_deg, eye_deg, azimuth_deg and brdf_sr")));
+    } catch (const InputError& error) {
+        section.mistake("file", error.what());
+        return Lambert{};
+    }
+}
+
+/// Smooth matter of which only the reflectance is known, beyond 4 µm: the n that sends it back
+/// upright, n = (1 + √ρ) / (1 − √ρ); of a metal n = k (Hagen and Rubens) from
+/// ρ = ((n − 1)² + n²) / ((n + 1)² + n²). Below, a dielectric keeps its index.
+void take_effective_index(const Spectrum& reflectance, Glossy& finish) {
+    constexpr double heat_begins_um = 4.0, most = 0.9999;
+    const Spectrum given = finish.index;
+    finish.index = finish.extinction = {};
+    for (std::size_t i = 0; i < reflectance.value.size(); ++i) {
+        const double um = reflectance.wavelength_um[i];
+        const double rho = std::clamp(reflectance.value[i], 0.0, most);
+        finish.index.wavelength_um.push_back(um);
+        finish.extinction.wavelength_um.push_back(um);
+        if (finish.metal) {
+            // 2 n² (1 − ρ) − 2 n (1 + ρ) + (1 − ρ) = 0, the greater root; dark metals n = k = 0.7
+            const double half = 0.5 * (1.0 + rho) / (1.0 - rho);
+            const double n = half + std::sqrt(std::max(0.0, half * half - 0.5));
+            finish.index.value.push_back(n);
+            finish.extinction.value.push_back(n);
+            continue;
+        }
+        const double root = std::sqrt(rho);
+        finish.index.value.push_back(um <= heat_begins_um ? given.at(um)
+                                                          : (1.0 + root) / (1.0 - root));
+        finish.extinction.value.push_back(0.0);
+    }
+}
+
+bool wants_effective_index(const Section& section) {
+    return section.has("effective_index") &&
+           section.flag_or("effective_index",
+                           "of gloss and metal: from 4 µm (metal: everywhere) the index is the one "
+                           "that sends back the reflectance upright",
+                           false);
+}
+
+/// n and k of a gloss or of a metal that has them.
+void read_indices(const Section& section, const std::filesystem::path& folder,
+                  const Spectrum& reflectance, Glossy& finish) {
+    if (!finish.metal || section.has("index_file")) read_refraction(section, folder, finish);
+    if (!finish.waves && !finish.pane && wants_effective_index(section)) {
+        take_effective_index(reflectance, finish);
+    }
+}
+
+Finish read_law(const Section& section, const std::filesystem::path& folder,
+                const Spectrum& reflectance) {
     const std::string kind = section.kind_or(
         "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish; metal: "
         "a bare one; waves: water, as rough as the wind makes it; pane: a sheet with two smooth "
-        "faces, of the transmittance that is given upright; by_angle: a table",
-        "lambert", {"lambert", "gloss", "metal", "waves", "pane", "by_angle"});
+        "faces, of the transmittance that is given upright; by_angle: a table; measured: a BRDF",
+        "lambert", {"lambert", "gloss", "metal", "waves", "pane", "by_angle", "measured"});
     if (kind == "by_angle") return read_by_angle(section);
+    if (kind == "measured") return read_measured(section, folder);
     if (kind == "lambert") return Lambert{};
     Glossy finish;
     finish.metal = kind == "metal";
@@ -107,7 +170,7 @@ Finish read_law(const Section& section, const std::filesystem::path& folder) {
         finish.roughness =
             section.number("roughness", "of its microfacets: 0 a mirror", {0.0, 1.0});
     }
-    if (!finish.metal) read_refraction(section, folder, finish);
+    read_indices(section, folder, reflectance, finish);
     return finish;
 }
 
@@ -144,7 +207,8 @@ void average_over_hemisphere(const Section& section, Material& material) {
 void read_finish(const Section& section, const std::filesystem::path& folder, Material& material) {
     if (section.has("finish")) {
         material.finish =
-            read_law(section.section("finish", "how light is sent back over the angle"), folder);
+            read_law(section.section("finish", "how light is sent back over the angle"), folder,
+                     material.reflectance);
         average_over_hemisphere(section, material);
     }
     material.see_through = section.flag_or(

@@ -20,9 +20,7 @@ bool is_flat(const Spectrum& s) {
 }
 
 /// Whether the interface reflects by angle alone, whatever the wavelength.
-bool is_grey(const Glossy& finish) {
-    return finish.metal || (is_flat(finish.index) && is_flat(finish.extinction));
-}
+bool is_grey(const Glossy& finish) { return is_flat(finish.index) && is_flat(finish.extinction); }
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "materials/matter/directional_optics.hpp"
+#include "materials/matter/measured_brdf.hpp"
 #include "render/rays/lobe.hpp"
 #include "render/rays/sun_glint.hpp"
 
@@ -54,6 +55,8 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
     const Eigen::Vector3d normal = tables.input.facets.normal[hop.what].cast<double>();
     const Eigen::Vector3d eye = -hop.direction.cast<double>();
     const AngleTable::Place towards_sun = table.at(std::max(0.0, normal.dot(to_sun)));
+    const auto lobe =
+        static_cast<float>(measured_lobe(tables.material(hop).finish, normal, eye, to_sun));
     float glint = 0.0f;
     AngleTable::Place half_way = at;
     if (const auto* glossy = std::get_if<Glossy>(&tables.material(hop).finish)) {
@@ -74,7 +77,7 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
     for (std::size_t c = 0; c < n; ++c) {
         const float mean = table.mean_diffuse(c);
         const float slant = mean > 0.0f ? towards_sun.diffuse(c) / mean : 0.0f;
-        light[c] = at.diffuse(c) * slant * sunlight * at_height(tables.sun_and_aureole, c) +
+        light[c] = lobe * at.diffuse(c) * slant * sunlight * at_height(tables.sun_and_aureole, c) +
                    glint * half_way.facing(c) * at_height(tables.sun, c);
     }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/matter/directional_optics.hpp"
+#include "materials/matter/measured_brdf.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/light/node_optics.hpp"
 #include "render/path/background.hpp"
@@ -24,7 +25,7 @@ std::vector<DirectionalOptics> optics_of(const Material& material, const Band& b
     std::vector<DirectionalOptics> optics;
     const auto* glossy = std::get_if<Glossy>(&material.finish);
     const bool once =
-        !glossy || glossy->metal || (glossy->index.value.size() == 2 && glossy->extinction.empty());
+        !glossy || (glossy->index.value.size() <= 2 && glossy->extinction.value.size() <= 2);
     double here = 0.0, normal = 0.0;
     for (std::size_t n = 0; n < band.node_um.size(); ++n) {
         const double um = band.node_um[n];
@@ -55,7 +56,7 @@ std::vector<double> mean_diffuse(const Material& material, const Band& band) {
 std::vector<double> facing_optics(const Material& material, const Band& band, double cosine) {
     const auto& glossy = std::get<Glossy>(material.finish);
     std::vector<double> mirrored;
-    const bool once = glossy.metal || glossy.index.value.size() == 2;
+    const bool once = glossy.index.value.size() <= 2 && glossy.extinction.value.size() <= 2;
     double normal = 0.0;
     for (std::size_t n = 0; n < band.node_um.size(); ++n) {
         const double um = band.node_um[n];
@@ -339,6 +340,7 @@ class NodeSum {
             incident_light(input_, input_.height_km(facet), band_.node_um, scattered_);
         const auto lit = optics_of(of, band_, normal.dot(input_.to_sun));
         const std::vector<double> mean = mean_diffuse(of, band_);
+        const double lobe = measured_lobe(of.finish, normal, eye, input_.to_sun);
         const auto* glossy = std::get_if<Glossy>(&of.finish);
         const double glint = glossy ? sun_glint(microfacets_of(*glossy), normal, eye, input_.to_sun,
                                                 double{hop.cosine})
@@ -348,8 +350,8 @@ class NodeSum {
                    : std::vector<double>(nodes(), 0.0);
         for (std::size_t n = 0; n < nodes(); ++n) {
             if (mean[n] > 0.0) {
-                sent[n] +=
-                    seen[n].diffuse * lit[n].diffuse / mean[n] * sunlight * light.from_sun(n);
+                sent[n] += lobe * seen[n].diffuse * lit[n].diffuse / mean[n] * sunlight *
+                           light.from_sun(n);
             }
             sent[n] += facing[n] * glint * sunlight * light.sun[n];
         }

@@ -148,12 +148,16 @@ canopy = { kind = "two_source" }
 [net]
 like = "flat"
 cover = 0.7
-finish = { kind = "metal" }
+finish = { kind = "metal", effective_index = true }
 convection = { kind = "tarp" }
 
 [table]
 like = "flat"
 finish = { kind = "by_angle" }
+
+[measured]
+like = "flat"
+finish = { kind = "measured" }
 )"};
 
 }  // namespace diurna

@@ -7,6 +7,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "materials/matter/measured_brdf.hpp"
 #include "materials/matter/microfacet.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/path/background.hpp"
@@ -193,6 +194,43 @@ TEST_CASE("hops agree with the sum over wavelengths", "[render][hops]") {
     CAPTURE(band.name, worst);
     CHECK(seen.hops.pixel.size() > 50);
     CHECK(worst < 5e-3);
+}
+
+// f = (1 + cos φ sinθ sinθ') / 10, as a table every 5° and 15°: its mean over the lights is π / 10
+// at every angle, so that a diffuse wall of the same reflectance differs from it by f / 0.1 in the
+// sun.
+TEST_CASE("a measured BRDF sends the eye its own share of the sun", "[render][hops]") {
+    MeasuredBrdf table;
+    for (double a = 0.0; a <= 90.0; a += 5.0) table.first.push_back(a);
+    table.second = table.first;
+    for (double a = 0.0; a <= 180.0; a += 15.0) table.third.push_back(a);
+    for (const double light : table.first) {
+        for (const double eye : table.second) {
+            for (const double azimuth : table.third) {
+                table.value.push_back(static_cast<float>(
+                    0.1 * (1.0 + std::cos(radians(azimuth)) * std::sin(radians(light)) *
+                                     std::sin(radians(eye)))));
+            }
+        }
+    }
+    const Eigen::Vector3d low_sun = direction(200.0, 12.0);
+    const auto sunlit = [&](Finish finish) {
+        Stage stage;
+        stage.to_sun = low_sun;
+        Material wall = testing::material("wall", flat_spectrum(0.4));
+        wall.finish = std::move(finish);
+        stage.rectangle({{-4, 26, -4}, {4, 26, -4}, {4, 34, 4}, {-4, 34, 4}}, wall, 280.0f);
+        stage.sun.assign(stage.facets.size(), 1.0f);
+        const auto seen = stage.look(stage.observer(), flat_band("", 0.62, 0.66), 16, true);
+        CHECK(seen.at(seen.hops.pixel[0]) == Approx(seen.reference[0]).epsilon(1e-3));
+        return double{seen.planes[std::size_t(Term::sun)][12]};
+    };
+    const double diffuse = sunlit(ByAngle{{0.0, 90.0}, {1.0, 1.0}});
+    const Eigen::Vector3d normal = Eigen::Vector3d(0, -1, 1).normalized(), eye(0, -1, 0);
+    REQUIRE(diffuse > 0.0);
+    const double expected = 1.0 + eye.dot(low_sun) - normal.dot(eye) * normal.dot(low_sun);
+    CHECK(expected > 1.3);
+    CHECK(sunlit(finish_of(table)) / diffuse == Approx(expected).epsilon(0.01));
 }
 
 // An upright perfect mirror leaves the air, the same everywhere at a height, as it is: what it

@@ -116,3 +116,15 @@ TEST_CASE("a metal of an effective index follows Hagen and Rubens", "[materials]
     CHECK(emissivity(own, 10.0, 70.0) ==
           Approx(1.0 - fresnel(std::cos(radians(70.0)), {n, n})).margin(2e-3));
 }
+
+TEST_CASE("the library's metals and ice look different from the side", "[materials][finish]") {
+    const MaterialLibrary library = default_material_library();
+    const auto of = [&](const char* name) -> const Material& {
+        return library[library.find(name)];
+    };
+    CHECK(emissivity(of("aluminium_polished"), 10.0, 80.0) >
+          2.0 * emissivity(of("aluminium_polished"), 10.0, 0.0));
+    CHECK(emissivity(of("ice"), 11.0, 80.0) < 0.85 * emissivity(of("ice"), 11.0, 0.0));
+    CHECK(of("aluminium").thermal.emissivity >
+          1.0 - of("aluminium").reflectance.at(10.0));  // over the hemisphere more than upright
+}

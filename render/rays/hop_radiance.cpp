@@ -12,70 +12,13 @@
 #include "render/path/background.hpp"
 #include "render/path/direction_angles.hpp"
 #include "render/rays/lobe.hpp"
+#include "render/rays/node_angles.hpp"
+#include "render/rays/node_lobe.hpp"
 #include "render/rays/sun_glint.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// directional_optics() of the nodes; an index of refraction that does not change with wavelength
-/// is evaluated once.
-std::vector<DirectionalOptics> optics_of(const Material& material, const Band& band,
-                                         double cosine) {
-    std::vector<DirectionalOptics> optics;
-    const auto* glossy = std::get_if<Glossy>(&material.finish);
-    const bool once =
-        !glossy || (glossy->index.value.size() <= 2 && glossy->extinction.value.size() <= 2);
-    double here = 0.0, normal = 0.0;
-    for (std::size_t n = 0; n < band.node_um.size(); ++n) {
-        const double um = band.node_um[n];
-        if (n == 0 || !once) {
-            here = interface_reflectance(material.finish, um, cosine);
-            normal = interface_reflectance(material.finish, um, laboratory_cosine);
-        }
-        optics.push_back(directional_optics(material, um, cosine, here, normal));
-    }
-    return optics;
-}
-
-/// The diffuse optics' mean over the hemisphere, node by node: midpoints.
-std::vector<double> mean_diffuse(const Material& material, const Band& band) {
-    constexpr int steps = 100;
-    std::vector<double> mean(band.node_um.size(), 0.0);
-    for (int i = 0; i < steps; ++i) {
-        const double cosine = (i + 0.5) / steps;
-        const auto optics = optics_of(material, band, cosine);
-        for (std::size_t n = 0; n < mean.size(); ++n) {
-            mean[n] += optics[n].diffuse * 2.0 * cosine / steps;
-        }
-    }
-    return mean;
-}
-
-/// What one of the microfacets of a rough surface mirrors, (node).
-std::vector<double> facing_optics(const Material& material, const Band& band, double cosine) {
-    const auto& glossy = std::get<Glossy>(material.finish);
-    std::vector<double> mirrored;
-    const bool once = glossy.index.value.size() <= 2 && glossy.extinction.value.size() <= 2;
-    double normal = 0.0;
-    for (std::size_t n = 0; n < band.node_um.size(); ++n) {
-        const double um = band.node_um[n];
-        if (n == 0 || !once) {
-            normal = interface_reflectance(material.finish, um, laboratory_cosine);
-        }
-        mirrored.push_back(
-            directional_optics(material, um, cosine, smooth_reflectance(glossy, um, cosine), normal)
-                .mirrored);
-    }
-    return mirrored;
-}
-
-/// The sum over a rough mirror's lobe (rough_mirror.hpp), (node).
-struct LobeSum {
-    std::vector<double> reflected, sky, around;
-    double open = 1.0;  // open_sky()
-    bool sees_facets = false;
-};
 
 /// One pixel's hops, one after the other.
 class NodeSum {
@@ -87,18 +30,21 @@ class NodeSum {
           band_(band),
           input_(input),
           scattered_(scattered),
-          eye_km_(input.above_sea_km(hops.observer_height)) {}
+          eye_km_(input.above_sea_km(hops.observer_height)),
+          lobes_(band, input, scattered, eye_km_) {}
 
     double sum() {
         double sum = 0.0;
         for (const Hop& hop : list_) {
             passed_.push_back(past(hop));
-            lobe_.emplace_back();
+            const bool rough = lobes_.is_rough(hop);
+            lobe_.push_back(rough ? lobes_.sum(hop) : NodeLobe{});
             std::vector<double> light =
                 hop.kind == Hop::Kind::sky ? background(hop) : air_and_own(hop);
-            if (is_rough(hop)) add_lobe(hop, light);
-            if (hop.way == Hop::Way::mirrored && is_rough(mirror_of(hop))) {
-                take_expected(hop, light);
+            if (rough) lobes_.add(hop, lobe_.back(), light);
+            if (hop.way == Hop::Way::mirrored && lobes_.is_rough(mirror_of(hop))) {
+                lobes_.take_expected(mirror_of(hop), lobe_[static_cast<std::size_t>(hop.before)],
+                                     hop.direction.cast<double>(), light);
             }
             for (std::size_t n = 0; n < light.size(); ++n) {
                 sum += double{hop.weight} * band_.weight[n] * passed_.back()[n] * light[n];
@@ -130,9 +76,9 @@ class NodeSum {
             }
             return passed;
         }
-        const auto optics = optics_of(material(before), band_, double{before.cosine});
-        if (hop.way == Hop::Way::mirrored && is_rough(before)) {
-            const auto facing = facing_optics(
+        const auto optics = optics_at_nodes(material(before), band_, double{before.cosine});
+        if (hop.way == Hop::Way::mirrored && lobes_.is_rough(before)) {
+            const auto facing = facing_at_nodes(
                 material(before), band_,
                 facing_between(-before.direction.cast<double>(), hop.direction.cast<double>()));
             for (std::size_t n = 0; n < nodes(); ++n) {
@@ -147,116 +93,24 @@ class NodeSum {
         return passed;
     }
 
-    SightLine line_to(const Hop& hop) const {
-        return chord(eye_km_, input_.above_sea_km(double{hop.height}), 1e-3 * double{hop.range});
-    }
-
-    bool is_rough(const Hop& hop) const {
-        return hop.kind == Hop::Kind::facet && !hop.closed &&
-               std::holds_alternative<Glossy>(material(hop).finish) &&
-               std::get<Glossy>(material(hop).finish).roughness >= least_lobe;
-    }
     const Hop& mirror_of(const Hop& hop) const {
         return list_[static_cast<std::size_t>(hop.before)];
     }
-    Eigen::Vector3d normal_of(const Hop& hop) const {
-        Eigen::Vector3d normal = input_.facets.normal[hop.what].cast<double>();
-        if (std::get<Glossy>(material(hop).finish).waves) normal = Eigen::Vector3d::UnitZ();
-        return normal.dot(hop.direction.cast<double>()) > 0.0 ? Eigen::Vector3d(-normal) : normal;
-    }
-
-    /// The background in a mirror as it arrives at the eye.
-    std::vector<double> in_mirror(const Hop& mirror, const Eigen::Vector3d& to) const {
-        return towards(to, input_.above_sea_km(double{mirror.height}), line_to(mirror));
-    }
-    /// What arrives at a mirror from the facets around, their mean, as it arrives at the eye.
-    std::vector<double> mean_around(const Hop& mirror) const {
-        const TermsByOrigin terms =
-            radiosity_by_origin(input_, FacetId{mirror.what}, band_.node_um, 2, scattered_);
-        const LightByOrigin& sent = terms[static_cast<std::size_t>(Term::surroundings)];
-        const LightByOrigin shares = onward_shares(
-            input_, line_to(mirror), input_.above_sea_km(double{mirror.height}), band_.node_um);
-        const double seen = 1.0 - double{input_.views.sky[mirror.what]};
-        std::vector<double> light(nodes(), 0.0);
-        for (std::size_t o = 0; o < origin_count; ++o) {
-            for (std::size_t n = 0; n < sent[o].size(); ++n) {
-                const double reflectance = material(mirror).reflectance.at(band_.node_um[n]);
-                light[n] += shares[o][n] * sent[o][n] / (reflectance * seen);
-            }
-        }
-        return light;
-    }
-
-    void add_lobe(const Hop& hop, std::vector<double>& light) {
-        LobeSum& lobe = lobe_.back();
-        lobe.sees_facets = counts_around(float(input_.views.sky[hop.what]), normal_of(hop));
-        for (auto* row : {&lobe.reflected, &lobe.sky, &lobe.around}) row->assign(nodes(), 0.0);
-        const Microfacets surface = microfacets_of(std::get<Glossy>(material(hop).finish));
-        Lobe(surface, normal_of(hop), -hop.direction.cast<double>())
-            .each(lobe.sees_facets, [&](const Lobe::Ray& ray, double share) {
-                const auto facing = facing_optics(material(hop), band_, ray.facing);
-                const bool below = lobe.sees_facets && ray.direction.z() < 0.0;
-                std::vector<double> far(nodes(), 0.0);
-                if (!below) far = in_mirror(hop, ray.direction);
-                for (std::size_t n = 0; n < nodes(); ++n) {
-                    const double part = share * ray.weight * facing[n];
-                    lobe.reflected[n] += part;
-                    lobe.sky[n] += part * far[n];
-                    if (below) lobe.around[n] += part;
-                }
-            });
-        const auto optics = optics_of(material(hop), band_, double{hop.cosine});
-        lobe.open = open_sky(float(input_.views.sky[hop.what]), normal_of(hop));
-        std::vector<double> near(nodes(), 0.0);
-        if (lobe.sees_facets || lobe.open < 1.0) near = mean_around(hop);
-        for (std::size_t n = 0; n < nodes(); ++n) {
-            const double around =
-                lobe.around[n] + (1.0 - lobe.open) * (lobe.reflected[n] - lobe.around[n]);
-            light[n] += optics[n].mirrored / lobe.reflected[n] *
-                        (lobe.open * lobe.sky[n] + around * near[n]);
-        }
-    }
-
-    void take_expected(const Hop& hop, std::vector<double>& light) const {
-        const Hop& mirror = mirror_of(hop);
-        const LobeSum& lobe = lobe_[static_cast<std::size_t>(hop.before)];
-        const bool around = lobe.sees_facets && hop.direction.z() < 0.0f;
-        const double open = around ? 0.0 : lobe.open;
-        std::vector<double> near(nodes(), 0.0), far = near;
-        if (open < 1.0) near = mean_around(mirror);
-        if (open > 0.0) far = in_mirror(mirror, hop.direction.cast<double>());
-        for (std::size_t n = 0; n < nodes(); ++n) {
-            light[n] -= open * far[n] + (1.0 - open) * near[n];
-        }
-    }
-
     /// Past a mirror: as it arrives at the eye, on one way with that from the mirror on.
     std::vector<double> background(const Hop& hop) {
         const double from_km = hop.straight ? eye_km_ : input_.above_sea_km(double{hop.height});
         SightLine onward;
-        if (!hop.straight) onward = line_to(mirror_of(hop));
-        std::vector<double> light = towards(hop.direction.cast<double>(), from_km, onward);
+        if (!hop.straight) onward = lobes_.line_to(mirror_of(hop));
+        std::vector<double> light =
+            lobes_.background(hop.direction.cast<double>(), from_km, onward);
         const PathSpectrum* before = hop.straight ? air_before(hop) : nullptr;
         for (std::size_t n = 0; before && n < nodes(); ++n) light[n] -= before->radiance[n];
         air_.emplace_back();
         return light;
     }
 
-    std::vector<double> towards(const Eigen::Vector3d& to, double from_km,
-                                const SightLine& onward) const {
-        std::vector<double> light =
-            background_at(input_, from_km, zenith_deg_of(to), band_.node_um, onward);
-        if (scattered_ != nullptr) {
-            const double azimuth_deg = azimuth_from_sun_deg(to, input_.to_sun);
-            const auto sunlit = scattered_backgrounds_at(
-                input_, *scattered_, from_km, zenith_deg_of(to), {&azimuth_deg, 1}, onward);
-            for (std::size_t n = 0; n < nodes(); ++n) light[n] += sunlit[0][n];
-        }
-        return light;
-    }
-
     std::vector<double> air_and_own(const Hop& hop) {
-        const SightLine line = line_to(hop);
+        const SightLine line = lobes_.line_to(hop);
         PathSpectrum path = path_at_nodes(input_.atmosphere, line, band_.node_um);
         if (scattered_ != nullptr && hop.straight) {
             const Eigen::Vector3d to = hop.direction.cast<double>();
@@ -306,7 +160,7 @@ class NodeSum {
     LightByOrigin directional(const Hop& hop, const TermsByOrigin& terms) const {
         const Material& of = material(hop);
         const double temperature = input_.temperature[hop.what];
-        const auto seen = optics_of(of, band_, double{hop.cosine});
+        const auto seen = optics_at_nodes(of, band_, double{hop.cosine});
         LightByOrigin sent;
         for (std::vector<double>& light : sent) light.assign(nodes(), 0.0);
         for (std::size_t n = 0; n < nodes(); ++n) {
@@ -338,15 +192,15 @@ class NodeSum {
         const Eigen::Vector3d eye = -hop.direction.cast<double>();
         const IncidentLight light =
             incident_light(input_, input_.height_km(facet), band_.node_um, scattered_);
-        const auto lit = optics_of(of, band_, normal.dot(input_.to_sun));
-        const std::vector<double> mean = mean_diffuse(of, band_);
+        const auto lit = optics_at_nodes(of, band_, normal.dot(input_.to_sun));
+        const std::vector<double> mean = mean_diffuse_at_nodes(of, band_);
         const double lobe = measured_lobe(of.finish, normal, eye, input_.to_sun);
         const auto* glossy = std::get_if<Glossy>(&of.finish);
         const double glint = glossy ? sun_glint(microfacets_of(*glossy), normal, eye, input_.to_sun,
                                                 double{hop.cosine})
                                     : 0.0;
         const std::vector<double> facing =
-            glossy ? facing_optics(of, band_, facing_between(eye, input_.to_sun))
+            glossy ? facing_at_nodes(of, band_, facing_between(eye, input_.to_sun))
                    : std::vector<double>(nodes(), 0.0);
         for (std::size_t n = 0; n < nodes(); ++n) {
             if (mean[n] > 0.0) {
@@ -363,9 +217,10 @@ class NodeSum {
     const RadianceInput& input_;
     const ScatteredSun* scattered_;
     double eye_km_;
+    NodeLobes lobes_;
     std::vector<std::vector<double>> passed_;  // (hop)(node)
     std::vector<PathSpectrum> air_;            // (hop) before it
-    std::vector<LobeSum> lobe_;                // (hop) of rough mirrors
+    std::vector<NodeLobe> lobe_;               // (hop) of rough mirrors
 };
 
 }  // namespace

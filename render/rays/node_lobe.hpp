@@ -1,0 +1,55 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "materials/radiation/band.hpp"
+#include "render/light/radiance.hpp"
+#include "render/rays/hops.hpp"
+
+namespace diurna {
+
+/// The sum over a rough mirror's lobe (rough_mirror.hpp), (node).
+struct NodeLobe {
+    std::vector<double> reflected, sky, around;
+    double open = 1.0;  // open_sky()
+    bool sees_facets = false;
+};
+
+/// What rough mirrors show at large, node by node: the reference of LobeLight.
+class NodeLobes {
+ public:
+    /// - scattered: null: the air scatters no sunlight
+    NodeLobes(const Band& band, const RadianceInput& input, const ScatteredSun* scattered,
+              double eye_km)
+        : band_(band), input_(input), scattered_(scattered), eye_km_(eye_km) {}
+
+    bool is_rough(const Hop& hop) const;
+    NodeLobe sum(const Hop& mirror) const;
+    /// Adds what a mirror shows of the background and the facets around as it arrives at the eye.
+    void add(const Hop& mirror, const NodeLobe& lobe, std::vector<double>& light) const;
+    /// Takes away what of that stands for what a ray off it meets.
+    void take_expected(const Hop& mirror, const NodeLobe& lobe, const Eigen::Vector3d& direction,
+                       std::vector<double>& light) const;
+
+    /// The background towards a direction from a height as it arrives past `onward`.
+    std::vector<double> background(const Eigen::Vector3d& to, double from_km,
+                                   const SightLine& onward) const;
+    SightLine line_to(const Hop& hop) const;
+
+ private:
+    std::size_t nodes() const { return band_.node_um.size(); }
+    const Material& material(const Hop& hop) const {
+        return input_.materials[input_.facets.material[hop.what]];
+    }
+    Eigen::Vector3d normal_of(const Hop& hop) const;
+    std::vector<double> in_mirror(const Hop& mirror, const Eigen::Vector3d& to) const;
+    std::vector<double> mean_around(const Hop& mirror) const;
+
+    const Band& band_;
+    const RadianceInput& input_;
+    const ScatteredSun* scattered_;
+    double eye_km_;
+};
+
+}  // namespace diurna

@@ -32,9 +32,9 @@ struct Microfacets {
     double hidden(double cosine) const;
     /// Share of microfacets that neither hide from the eye nor lie in shadow.
     double lit_and_seen(double cosine_eye, double cosine_light) const;
-    /// A microfacet's normal; u, v uniform in [0, 1). GGX: as often as it is seen from `eye` (Heitz
-    /// 2018); Gaussian: as often as it is with slopes of twice the mean square, as steep ones show
-    /// most at grazing angles.
+    /// A microfacet's normal, as often as it is seen from `eye`; u, v uniform in [0, 1). GGX: Heitz
+    /// 2018. Gaussian: slopes towards the eye by u, across by v; that of a slope s is seen in
+    /// proportion to 1 + s tanθ.
     Eigen::Vector3d normal(const Eigen::Vector3d& eye, double u, double v) const;
     /// Weight of the reflection about a sampled normal, 0 if it goes below the surface; on average
     /// the share of light that a lossless surface reflects once.
@@ -46,6 +46,18 @@ struct Microfacets {
                (4.0 * eye_cosine * light_cosine);
     }
 };
+
+/// The golden section: the points (i/n, i times this) modulo 1 are a lattice that fills the square
+/// evenly for any n, at least as well as any grid (Niederreiter 1992).
+inline constexpr double golden_section = 0.6180339887498949;
+
+/// The i-th of n places of u and v, and its share, for sums over a surface's normals: that lattice,
+/// for waves' smooth sums made periodic (u² (3 − 2u)): 192 points give what water reflects to 6e-4
+/// where 16 × 12 even ones are up to 4 % off.
+struct NormalPlace {
+    double u, v, share;
+};
+NormalPlace normal_place(const Microfacets& surface, int i, int n);
 
 /// Directional-hemispherical reflectance of such a surface whose microfacets reflect the share
 /// reflected(cosine at the microfacet). GGX: light reflected twice between microfacets included,

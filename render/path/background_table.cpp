@@ -164,7 +164,9 @@ void BackgroundChannels::fill(HorizonScale::Side side, const RadianceInput& inpu
             const auto rows = scattered_backgrounds_at(input, *band.scattered, height_km,
                                                        zenith_deg, azimuth_deg, onward);
             for (std::size_t a = 0; a < azimuths_; ++a) {
-                put(rows[a], &of.sunlight[(a * sunlit_nodes + z) * padded_]);
+                float* sunlit = &of.sunlight[(a * sunlit_nodes + z) * padded_];
+                put(rows[a], sunlit);
+                for (std::size_t c = 0; c < padded_; ++c) sunlit[c] += of.heat[z * padded_ + c];
             }
         },
         1);
@@ -180,19 +182,32 @@ BackgroundChannels::Place BackgroundChannels::place(const Eigen::Vector3d& direc
             stencil(std::clamp(azimuth, 0.0, double(azimuths_ - 1)), azimuths_)};
 }
 
-void BackgroundChannels::at(const Place& place, std::span<float> out) const {
+void BackgroundChannels::add(const Place& place, float weight, std::span<float> out) const {
     const Part& of = part_[place.side];
     const Stencil& s = place.zenith;
-    std::fill(out.begin(), out.end(), 0.0f);
-    const auto add = [&](const float* row, float weight) {
-        for (std::size_t c = 0; c < padded_; ++c) out[c] += weight * row[c];
+    // Four rows that lie one after the other at a time.
+    const auto add_rows = [&](const float* rows, float times) {
+        const float a = times * s.weight[0], b = times * s.weight[1], c = times * s.weight[2],
+                    d = times * s.weight[3];
+        for (std::size_t k = 0; k < padded_; ++k) {
+            out[k] += a * rows[k] + b * rows[padded_ + k] + c * rows[2 * padded_ + k] +
+                      d * rows[3 * padded_ + k];
+        }
     };
-    for (std::size_t i = 0; i < 4; ++i) add(&of.heat[(s.start + i) * padded_], s.weight[i]);
-    if (of.sunlight.empty()) return;
+    if (of.sunlight.empty()) {
+        add_rows(&of.heat[s.start * padded_], weight);
+        return;
+    }
     for (std::size_t a = 0; a < 4; ++a) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            add(&of.sunlight[((place.azimuth.start + a) * sunlit_nodes + s.start + i) * padded_],
-                place.azimuth.weight[a] * s.weight[i]);
+        add_rows(&of.sunlight[((place.azimuth.start + a) * sunlit_nodes + s.start) * padded_],
+                 weight * place.azimuth.weight[a]);
+    }
+}
+
+void BackgroundChannels::scale(std::span<const float> factor) {
+    for (Part& of : part_) {
+        for (std::vector<float>* rows : {&of.heat, &of.sunlight}) {
+            for (std::size_t k = 0; k < rows->size(); ++k) (*rows)[k] *= factor[k % padded_];
         }
     }
 }

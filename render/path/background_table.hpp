@@ -86,14 +86,16 @@ class BackgroundChannels {
         Stencil zenith, azimuth;
     };
     Place place(const Eigen::Vector3d& direction) const;
-    /// Channel sums [W m⁻² sr⁻¹] there.
-    void at(const Place& place, std::span<float> out) const;
+    /// Channel sums [W m⁻² sr⁻¹] there, so many times, on top of what `out` holds.
+    void add(const Place& place, float weight, std::span<float> out) const;
+    /// Multiplies everything, by channel.
+    void scale(std::span<const float> factor);
 
  private:
     struct Part {
         HorizonScale::Nodes nodes;    // of zenith angles
         std::vector<float> heat;      // (zenith, channel); empty where not needed
-        std::vector<float> sunlight;  // (azimuth, zenith, channel)
+        std::vector<float> sunlight;  // (azimuth, zenith, channel) with the heat; or empty
     };
     void fill(HorizonScale::Side side, const RadianceInput& input, const BandLight& band,
               double height_km, const SightLine& onward);

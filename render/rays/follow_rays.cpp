@@ -6,6 +6,9 @@
 #include <optional>
 
 #include "materials/base/parallel.hpp"
+#include "materials/matter/microfacet.hpp"
+#include "materials/matter/waves.hpp"
+#include "render/rays/lobe.hpp"
 #include "render/rays/merge.hpp"
 #include "render/view/pixel_rays.hpp"
 #include "render/view/textured_hit.hpp"
@@ -65,6 +68,47 @@ std::vector<std::uint32_t> special_pixels(const View& view, const HopScene& scen
     return pixels;
 }
 
+/// Rays of a pixel into lobes that meet things near by: as many as these, at most so many for each
+/// sample. Those of a pixel are a lattice (golden_section): a straight edge's share of 64 is found
+/// to 0.003.
+constexpr int lobe_rays_of_pixel = 64, most_lobe_rays = 4;
+
+/// Whether a ray into a lobe met a facet.
+bool meets_in_lobe(std::span<const Hop> hops, const HopScene& scene) {
+    return std::any_of(hops.begin(), hops.end(), [&](const Hop& hop) {
+        if (hop.way != Hop::Way::mirrored || hop.kind != Hop::Kind::facet) return false;
+        const Hop& mirror = hops[static_cast<std::size_t>(hop.before)];
+        const auto& finish = scene.material(FacetId{mirror.what}).finish;
+        return roughness_under(finish, scene.wind_speed) >= least_lobe;
+    });
+}
+
+/// (index among the pixels asked) whether lobes are to have more rays there: where one met a facet,
+/// and the pixels about it, so that the choice hardly leans on chance.
+std::vector<bool> near_in_lobes(std::span<const std::uint32_t> pixels, std::size_t width,
+                                const std::vector<std::vector<Hop>>& found, const HopScene& scene) {
+    std::vector<std::uint32_t> met;
+    for (std::size_t k = 0; k < pixels.size(); ++k) {
+        if (meets_in_lobe(found[k], scene)) met.push_back(pixels[k]);
+    }
+    std::vector<bool> near(pixels.size(), false);
+    const auto mark = [&](std::size_t pixel) {
+        const auto at = std::lower_bound(pixels.begin(), pixels.end(), pixel);
+        if (at != pixels.end() && *at == pixel) near[std::size_t(at - pixels.begin())] = true;
+    };
+    for (const std::uint32_t p : met) {
+        for (const std::ptrdiff_t down : {-1, 0, 1}) {
+            for (const std::ptrdiff_t aside : {-1, 0, 1}) {
+                const auto column = std::ptrdiff_t(p % width) + aside;
+                const auto row = std::ptrdiff_t(p / width) + down;
+                if (column < 0 || column >= std::ptrdiff_t(width) || row < 0) continue;
+                mark(std::size_t(row) * width + std::size_t(column));
+            }
+        }
+    }
+    return near;
+}
+
 /// The rays of pixels, followed.
 struct PixelWalks {
     const HopScene& scene;
@@ -74,18 +118,26 @@ struct PixelWalks {
     const HopSampling* sampling;
 
     /// What the samples of a pixel meet, merged; empty where they meet what the view has already.
-    std::vector<Hop> of_pixel(std::size_t p) const {
+    ///
+    /// - many: rays into lobes
+    std::vector<Hop> of_pixel(std::size_t p, bool many) const {
         std::vector<double> values;
-        if (sampling == nullptr) return walked(p, options.samples, options.seed, nullptr);
-        std::vector<Hop> seen = walked(p, sampling->options.from, options.seed, &values);
+        const auto rays = [&](int samples) {
+            const int wanted = (lobe_rays_of_pixel + samples - 1) / samples;
+            return many ? std::min(most_lobe_rays, wanted) : 1;
+        };
+        const auto seed = options.seed + (many ? second_step : 0);
+        const int first = sampling ? sampling->options.from : options.samples;
+        std::vector<Hop> seen = walked(p, first, rays(first), seed, sampling ? &values : nullptr);
+        if (sampling == nullptr) return seen;
         const int wanted = seen.empty() ? 0 : samples_wanted(values, *sampling);
-        if (wanted <= sampling->options.from) return seen;
-        return walked(p, wanted, options.seed + golden_step, nullptr);
+        if (wanted <= first) return seen;
+        return walked(p, wanted, rays(wanted), seed + golden_step, nullptr);
     }
 
  private:
     /// - values: what each sample shows, if asked for
-    std::vector<Hop> walked(std::size_t p, int samples, std::uint64_t seed,
+    std::vector<Hop> walked(std::size_t p, int samples, int lobe_rays, std::uint64_t seed,
                             std::vector<double>* values) const {
         const auto [columns, rows] = nearly_square(samples);
         const auto width = static_cast<std::size_t>(observer.width);
@@ -105,8 +157,10 @@ struct PixelWalks {
                  {.origin = observer.position + eye.start(column, row, when),
                   .direction = eye.towards(column, row),
                   .weight = 1.0f / static_cast<float>(samples),
-                  .in_lobe = {fraction(turn[0] + s * even_step_x),
-                              fraction(turn[1] + s * even_step_y)}},
+                  .lobe = {.count = lobe_rays,
+                           .first = {fraction(turn[0] + double(s) / (samples * lobe_rays)),
+                                     fraction(turn[1] + s * golden_section)},
+                           .step = {1.0 / lobe_rays, samples * golden_section}}},
                  chance, sample);
             if (values) sample_values(scene, sample, sampling->appearances, *values);
             add_sample(sample, scene.plumes, seen);
@@ -160,7 +214,15 @@ Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
     const PixelWalks walks{with_textures, observer, eye, options, sampling};
     std::vector<std::vector<Hop>> found(asked.size());
     for_each_index(
-        asked.size(), [&](std::size_t k) { found[k] = walks.of_pixel(asked[k]); }, 16);
+        asked.size(), [&](std::size_t k) { found[k] = walks.of_pixel(asked[k], false); }, 16);
+    const std::vector<bool> near =
+        near_in_lobes(asked, static_cast<std::size_t>(observer.width), found, with_textures);
+    for_each_index(
+        asked.size(),
+        [&](std::size_t k) {
+            if (near[k]) found[k] = walks.of_pixel(asked[k], true);
+        },
+        16);
     for (std::size_t k = 0; k < found.size(); ++k) {
         if (found[k].empty()) continue;
         hops.pixel.push_back(asked[k]);

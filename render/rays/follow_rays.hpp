@@ -12,6 +12,9 @@ namespace diurna {
 /// a plume, `samples` a pixel, and takes these pixels' sightings out of `view`:
 /// what they see is in the hops instead. Empty, and nothing cast, where there is no such pixel.
 ///
+/// Where rays into a rough mirror's lobe meet facets, in a pixel or one beside it, its rays are
+/// followed again with 64 in the lobe, at most 4 a sample.
+///
 /// - sampling: if given, its `from` samples tell how many a pixel wants (hop_samples.hpp); where
 ///   these are more, they are cast in place of the first, so that choosing does not bias them
 Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,

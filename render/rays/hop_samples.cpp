@@ -35,17 +35,23 @@ void sample_values(const HopScene& scene, std::span<const Hop> sample,
                    std::span<const Appearance> appearances, std::vector<double>& value) {
     const std::size_t first = value.size();
     value.resize(first + appearances.size(), 0.0);
+    double whole = 0.0;
+    for (const Hop& hop : sample) whole += hop.before < 0 ? double{hop.weight} : 0.0;
     std::vector<double> passed(sample.size(), 1.0);
     std::vector<double> shown(sample.size(),
-                              0.0);  // of what it mirrors, by a ray that was followed
+                              0.0);  // of what it mirrors, by rays that were followed
     for (std::size_t i = 0; i < sample.size(); ++i) {
         const Hop& hop = sample[i];
-        if (hop.before < 0) continue;
+        if (hop.before < 0) {
+            passed[i] = double{hop.weight} / whole;
+            continue;
+        }
         const auto j = static_cast<std::size_t>(hop.before);
         const Shares before = shares_of(scene, sample[j]);
+        const double part = double{hop.weight} / double{sample[j].weight};
         const bool mirrored = hop.way == Hop::Way::mirrored;
-        passed[i] = passed[j] * (mirrored ? before.mirrored : before.through);
-        if (mirrored) shown[j] = before.mirrored;
+        passed[i] = passed[j] * part * (mirrored ? before.mirrored : before.through);
+        if (mirrored) shown[j] += part * before.mirrored;
     }
     for (std::size_t i = 0; i < sample.size(); ++i) {
         const Hop& hop = sample[i];

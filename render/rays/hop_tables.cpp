@@ -219,15 +219,16 @@ void HopTables::fill_mirrored(const BackgroundChannels::Extent& extent) {
         const SightLine to_mirror = chord(eye_km, mirror_km, 1e-3 * root * root * root);
         auto& tables = mirrored.at.emplace_back();
         for (const BandLight& one : band) {
-            tables.emplace_back(input, one, mirror_km, extent, to_mirror);
-        }
-        mirrored.transmittance.push_back(lanes.side_by_side([&](std::size_t b) {
-            const std::vector<double> tau =
-                path_at_nodes(input.atmosphere, to_mirror,
-                              channel_um(band[b].band, band[b].channels))
+            BackgroundChannels& table =
+                tables.emplace_back(input, one, mirror_km, extent, to_mirror);
+            std::vector<double> tau =
+                path_at_nodes(input.atmosphere, to_mirror, channel_um(one.band, one.channels))
                     .transmittance;
-            return std::vector<float>(tau.begin(), tau.end());
-        }));
+            tau.resize(one.channels.padded(), 0.0);
+            std::vector<float> undimmed;
+            for (const double t : tau) undimmed.push_back(t > 1e-30 ? float(1.0 / t) : 0.0f);
+            table.scale(undimmed);
+        }
     }
 }
 
@@ -247,29 +248,29 @@ void HopTables::fill_scattered_paths(const PathExtent& extent) {
 
 void HopTables::background_towards(const Eigen::Vector3d& direction, std::span<float> out) const {
     const BackgroundChannels::Place at = from_eye[0].place(direction);
+    std::fill(out.begin(), out.end(), 0.0f);
     for (std::size_t b = 0; b < band.size(); ++b) {
-        from_eye[b].at(at, out.subspan(lanes.first[b], band[b].channels.padded()));
+        from_eye[b].add(at, 1.0f, out.subspan(lanes.first[b], band[b].channels.padded()));
     }
 }
 
 void HopTables::mirrored_background(const Eigen::Vector3d& direction, float range,
                                     std::span<float> out) const {
-    const std::size_t ranges = mirrored.at.size();
+    const std::size_t ranges = mirrored.at.size(), near = std::min<std::size_t>(ranges, 3);
     const double root = std::cbrt(double{range});
-    const auto place = static_cast<float>((root - mirrored.root_low) / mirrored.root_step);
+    const double place = (root - mirrored.root_low) / mirrored.root_step;
+    // Of the ranges three about the mirror's.
+    const double last = double(ranges - near);
+    const auto start = static_cast<std::size_t>(std::clamp(std::round(place) - 1.0, 0.0, last));
     std::array<float, most_few> weight{1.0f};
-    if (ranges > 1) weight = product_weights_of_few(place, ranges);
+    if (ranges > 1)
+        weight = product_weights_of_few(static_cast<float>(place - double(start)), near);
     const BackgroundChannels::Place at = mirrored.at[0][0].place(direction);
-    std::vector<float> one(lanes.size());
     std::fill(out.begin(), out.end(), 0.0f);
-    for (std::size_t k = 0; k < ranges; ++k) {
+    for (std::size_t k = 0; k < near; ++k) {
         for (std::size_t b = 0; b < band.size(); ++b) {
-            mirrored.at[k][b].at(at,
-                                 std::span(one).subspan(lanes.first[b], band[b].channels.padded()));
-        }
-        const std::vector<float>& tau = mirrored.transmittance[k];
-        for (std::size_t c = 0; c < out.size(); ++c) {
-            if (tau[c] > 1e-30f) out[c] += weight[k] * one[c] / tau[c];
+            mirrored.at[start + k][b].add(at, weight[k],
+                                          out.subspan(lanes.first[b], band[b].channels.padded()));
         }
     }
 }

@@ -19,10 +19,10 @@
 
 namespace diurna {
 
-/// The background as mirrors show it to the eye, at a few ranges of theirs.
+/// The background as mirrors show it to the eye, over the transmittance of the air before them, at
+/// a few ranges of theirs.
 struct MirroredBackground {
     std::vector<std::vector<BackgroundChannels>> at;  // (range)(band): 0, 1, 3 or 5 ranges
-    std::vector<std::vector<float>> transmittance;    // (range)(lane) of the air before them
     double root_low = 0.0, root_step = 1.0;           // of range^⅓ [m^⅓]
 };
 

@@ -39,17 +39,16 @@ class Lobe {
                 std::min(1.0, facing), surface_.weight(eye_, half)};
     }
 
-    /// body(ray, share of the cells) of those with a weight, at the middles of even cells.
+    /// body(ray, its share) of some with a weight, spread evenly over the lobe.
     ///
     /// - finely: where a horizon crosses the lobe, with ground below that is not as the sky
     template <class Body>
     void each(bool finely, const Body& body) const {
-        const int rings = finely ? 16 : 8, spokes = finely ? 48 : 24;
-        for (int i = 0; i < rings; ++i) {
-            for (int k = 0; k < spokes; ++k) {
-                const Ray one = ray((i + 0.5) / rings, (k + 0.5) / spokes);
-                if (one.weight > 0.0) body(one, 1.0 / (rings * spokes));
-            }
+        const int rays = finely ? 768 : 192;
+        for (int i = 0; i < rays; ++i) {
+            const NormalPlace at = normal_place(surface_, i, rays);
+            const Ray one = ray(at.u, at.v);
+            if (one.weight > 0.0) body(one, at.share);
         }
     }
 

@@ -10,8 +10,16 @@ namespace {
 constexpr double most_depth = 0.01;  // of optical depth, from the mean chord
 constexpr float most_deep = 0.06f;   // of the mean range
 constexpr float most_turn = 2e-3f;   // [rad] of sky, from the mean direction
-constexpr float most_lobe = 3e-2f;   // [rad] the same of what mirrors' rays meet
-constexpr float most_seen = 6e-3f;   // [rad] of facets, whose lobes turn with it
+// [rad] the same of what mirrors' rays meet: up and down by the sky at their height, aside by more
+constexpr float most_rise = 3e-2f, most_rise_of_height = 0.2f, most_aside = 0.15f;
+constexpr float most_seen = 6e-3f;  // [rad] of facets, whose lobes turn with it
+
+/// Whether what a mirror's ray meets lies as the mean of others, on the same side of the horizon.
+bool same_way(const Eigen::Vector3f& mean, const Eigen::Vector3f& ray) {
+    const float rise = std::abs(ray.z() - mean.z());
+    return rise <= most_rise + most_rise_of_height * std::abs(mean.z()) &&
+           (ray - mean).head<2>().norm() <= most_aside && (ray.z() < 0.0f) == (mean.z() < 0.0f);
+}
 
 /// Whether a hop is another sight of `mean`.
 bool alike(const Hop& mean, const Hop& hop, const PlumeScene& plumes) {
@@ -20,7 +28,7 @@ bool alike(const Hop& mean, const Hop& hop, const PlumeScene& plumes) {
         return false;
     }
     const float turned = (hop.direction - mean.direction).norm();
-    if (hop.way == Hop::Way::mirrored && turned > most_lobe) return false;
+    if (hop.way == Hop::Way::mirrored && !same_way(mean.direction, hop.direction)) return false;
     if (hop.kind == Hop::Kind::plume) {
         const double apart = std::abs(double{hop.chord} - double{mean.chord});
         return apart * plumes.greatest_absorption(hop.what) <= most_depth;

@@ -15,7 +15,8 @@ namespace diurna {
 /// Where that would show they stay apart: chords through a plume that differ from the mean by more
 /// than 0.01 of optical depth (their mean's transmittance is within 5e-5 then, and 2 mK of a plume
 /// 40 K from what is behind it), sky more than 2 mrad from the mean direction, what
-/// mirrors' rays meet 30 mrad from theirs, and facets more than 6 % from the mean range or, but in
+/// mirrors' rays meet 30 mrad from theirs (in azimuth 150 mrad, in height as much as near the
+/// horizon, a fifth of it more above), and facets more than 6 % from the mean range or, but in
 /// mirrors, 6 mrad from the mean direction. Within 2
 /// mK of samples kept one by one (tests/render/hops_test.cpp).
 void add_sample(std::span<const Hop> sample, const PlumeScene& plumes, std::vector<Hop>& pixel);

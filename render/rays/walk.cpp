@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "materials/matter/directional_optics.hpp"
@@ -16,6 +15,8 @@ namespace diurna {
 namespace {
 
 constexpr int most_through = 8, most_mirrored = 2;
+
+double fraction(double x) { return x - std::floor(x); }
 
 /// A ray on its way.
 struct Walker {
@@ -33,9 +34,8 @@ struct Walker {
 /// A walk from the eye to all its ends.
 class Walk {
  public:
-    Walk(const HopScene& scene, const std::array<double, 2>& in_lobe, RandomStream& chance,
-         std::vector<Hop>& out)
-        : scene_(scene), in_lobe_(in_lobe), chance_(chance), out_(out) {}
+    Walk(const HopScene& scene, const EyeRay& from, RandomStream& chance, std::vector<Hop>& out)
+        : scene_(scene), from_(from), chance_(chance), out_(out) {}
 
     void follow(Walker walker) {
         for (;;) {
@@ -140,32 +140,42 @@ class Walk {
     void mirror(const Walker& walker, const Glossy& glossy, const Eigen::Vector3d& normal,
                 double far, double step) {
         Walker other = walker;
-        const double roughness = roughness_under(glossy, scene_.wind_speed);
-        if (roughness < least_lobe) {
-            other.direction = walker.direction - 2.0 * walker.direction.dot(normal) * normal;
-        } else {
-            Microfacets surface = microfacets_of(glossy);
-            surface.roughness = roughness;
-            const bool placed = walker.mirrored == 0 && in_lobe_[0] >= 0.0;
-            const double u = placed ? in_lobe_[0] : chance_();
-            const double v = placed ? in_lobe_[1] : chance_();
-            const Lobe::Ray ray = Lobe(surface, normal, -walker.direction).ray(u, v);
-            if (!(ray.weight > 0.0)) return;
-            other.direction = ray.direction;
-            other.weight *= static_cast<float>(ray.weight);
-            other.from_lobe = true;
-        }
         other.origin = walker.origin + far * walker.direction;
         other.near = step;
         other.walked = walker.walked + far;
         other.way = Hop::Way::mirrored;
         other.straight = false;
         other.mirrored = walker.mirrored + 1;
-        follow(other);
+        const double roughness = roughness_under(glossy, scene_.wind_speed);
+        if (roughness < least_lobe) {
+            other.direction = walker.direction - 2.0 * walker.direction.dot(normal) * normal;
+            follow(other);
+            return;
+        }
+        Microfacets surface = microfacets_of(glossy);
+        surface.roughness = roughness;
+        into_lobe(other, Lobe(surface, normal, -walker.direction));
+    }
+
+    void into_lobe(const Walker& walker, const Lobe& lobe) {
+        const LobeRays& place = from_.lobe;
+        const bool placed = walker.mirrored == 1 && place.first[0] >= 0.0;
+        const int rays = walker.mirrored == 1 ? place.count : 1;
+        for (int i = 0; i < rays; ++i) {
+            const double u = placed ? fraction(place.first[0] + i * place.step[0]) : chance_();
+            const double v = placed ? fraction(place.first[1] + i * place.step[1]) : chance_();
+            const Lobe::Ray ray = lobe.ray(u, v);
+            if (!(ray.weight > 0.0)) continue;
+            Walker other = walker;
+            other.direction = ray.direction;
+            other.weight *= static_cast<float>(ray.weight / rays);
+            other.from_lobe = true;
+            follow(other);
+        }
     }
 
     const HopScene& scene_;
-    std::array<double, 2> in_lobe_;
+    const EyeRay& from_;
     RandomStream& chance_;
     std::vector<Hop>& out_;
 };
@@ -173,7 +183,7 @@ class Walk {
 }  // namespace
 
 void walk(const HopScene& scene, const EyeRay& ray, RandomStream& chance, std::vector<Hop>& out) {
-    Walk(scene, ray.in_lobe, chance, out)
+    Walk(scene, ray, chance, out)
         .follow({.origin = ray.origin, .direction = ray.direction, .weight = ray.weight});
 }
 

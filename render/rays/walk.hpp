@@ -30,23 +30,27 @@ struct HopScene {
     bool needs_rays(FacetId facet) const { return material(facet).needs_rays(); }
 };
 
+/// Where in the lobe of the first rough mirror a ray goes on.
+struct LobeRays {
+    int count = 1;  // that share its weight
+    /// Of the first in the lobe's u and v, and from one to the next, modulo 1. Negative: by chance.
+    std::array<double, 2> first = {-1.0, -1.0}, step = {0.0, 0.0};
+};
+
 /// A ray from the eye.
 struct EyeRay {
     Eigen::Vector3d origin, direction;
     float weight = 1.0f;  // share of the pixel
-    /// Where in the lobe of the first rough mirror it goes on, each in [0, 1): spread evenly over a
-    /// pixel's rays. Negative: by chance.
-    std::array<double, 2> in_lobe = {-1.0, -1.0};
+    LobeRays lobe{};
 };
 
 /// Follows one ray to its ends and adds what it meets to `out`, a hop before those behind it, each
-/// with its weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one ray into
-/// its lobe, twice at most, with the weight of the microfacet that it meets (microfacet.hpp) but
-/// for Fresnel's factor; off a rough one into the sky it is left out,
-/// as the lobe's sum has it (rough_mirror.hpp).
-/// What is met after that is closed: it mirrors as if diffuse and shows its own temperature. A
-/// textured facet where a ray ends is two hops that share the weight; one that lets rays go on is
-/// one of its two surfaces by chance.
+/// with its weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one ray (the
+/// first rough one `lobe.count`) into its lobe, twice at most, with the weight of the microfacet
+/// that it meets (microfacet.hpp) but for Fresnel's factor; off a rough one into the sky it is left
+/// out, as the lobe's sum has it (rough_mirror.hpp). What is met after that is closed: it mirrors
+/// as if diffuse and shows its own temperature. A textured facet where a ray ends is two hops that
+/// share the weight; one that lets rays go on is one of its two surfaces by chance.
 void walk(const HopScene& scene, const EyeRay& ray, RandomStream& chance, std::vector<Hop>& out);
 
 }  // namespace diurna

@@ -13,7 +13,7 @@ namespace {
 /// A wall half 290, half 330 K behind a pane, a net and a tilted mirror's place, by an edge that
 /// runs through some pixels.
 struct Edge {
-    Stage stage;
+    HopStage stage;
     Observer eye;
     Edge() : eye(stage.observer(24, 6.0)) {
         stage.rectangle({{-40, 80, -40}, {0.13, 80, -40}, {0.31, 80, 40}, {-40, 80, 40}},

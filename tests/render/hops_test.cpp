@@ -23,7 +23,7 @@
 using namespace diurna;
 
 TEST_CASE("a pane shows what is behind and glows itself", "[render][hops]") {
-    Stage stage;
+    HopStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 320.0f);
     stage.wall(30.0, 5.0, pane(0.0, 0.6), 290.0f);
     const auto seen = stage.look(stage.observer(), mwir);
@@ -38,7 +38,7 @@ TEST_CASE("a pane shows what is behind and glows itself", "[render][hops]") {
 
 // Two nets that cover 0.7 and 0.4, one behind the other: 0.7 + 0.3 (0.4 + 0.6 wall).
 TEST_CASE("nets in a row cover by their shares", "[render][hops]") {
-    Stage stage;
+    HopStage stage;
     stage.wall(80.0, 20.0, plain(0.0), 350.0f);
     stage.wall(30.0, 5.0, pane(0.0, 0.3), 285.0f);
     stage.wall(40.0, 6.0, pane(0.0, 0.6), 300.0f);
@@ -52,7 +52,7 @@ TEST_CASE("nets in a row cover by their shares", "[render][hops]") {
 // A polished metal wall, tilted by 45° so that it shows what lies below the line of sight: ground
 // at 330 K. L = ρ(45°) B(330) + (1 − ρ(45°)) B(280), Schlick's ρ(45°) = ρ + (1 − ρ)(1 − cos 45°)^5.
 TEST_CASE("a mirror shows what the reflected ray meets", "[render][hops]") {
-    Stage stage;
+    HopStage stage;
     stage.rectangle({{-4, 34, -4}, {4, 34, -4}, {4, 26, 4}, {-4, 26, 4}}, metal(0.8, 0.0), 280.0f);
     stage.rectangle({{-60, -40, -20}, {60, -40, -20}, {60, 100, -20}, {-60, 100, -20}}, plain(0.0),
                     330.0f);
@@ -69,7 +69,7 @@ TEST_CASE("a mirror shows what the reflected ray meets", "[render][hops]") {
 // the renderer and integrated over the lobe itself.
 TEST_CASE("a rough mirror's lobe is sampled as it is", "[render][hops]") {
     const double roughness = GENERATE(0.1, 0.3);
-    Stage stage;
+    HopStage stage;
     stage.rectangle({{-4, 34, -4}, {4, 34, -4}, {4, 26, 4}, {-4, 26, 4}}, metal(1.0, roughness),
                     280.0f);
     // Large and far below: nearly the half-space north of the mirror's foot and below it.
@@ -119,7 +119,7 @@ TEST_CASE("an isothermal enclosure with plume, net and mirrors looks black",
     const double kelvins = GENERATE(220.0, 300.0, 345.0);
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
-    Stage stage;
+    HopStage stage;
     stage.air = BandModel{.profile = isothermal(afgl_profile("MLS"), kelvins),
                           .aerosol = "rural",
                           .visibility_km = 5.0,
@@ -166,7 +166,7 @@ TEST_CASE("an isothermal enclosure with plume, net and mirrors looks black",
 TEST_CASE("hops agree with the sum over wavelengths", "[render][hops]") {
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
-    Stage stage;
+    HopStage stage;
     stage.air =
         BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
     stage.rectangle(
@@ -243,15 +243,15 @@ TEST_CASE("a perfect mirror across the line of sight changes nothing", "[render]
     const bool day = GENERATE(false, true);
     if (!day && band.to_um() < 2.0) return;
     const double away = GENERATE(100.0, 1000.0, 4000.0);
-    Stage with, without;
-    for (Stage* stage : {&with, &without}) {
+    HopStage with, without;
+    for (HopStage* stage : {&with, &without}) {
         stage->air =
             BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
         stage->to_sun = direction(90.0, 40.0);
         stage->rectangle({{-9, 5, -9}, {9, 5, -9}, {9, 9, -9}, {-9, 9, -9}}, plain(0.1), 290.0f);
     }
     with.wall(away, away, metal(1.0, 0.0), 290.0f);
-    for (Stage* stage : {&with, &without}) {
+    for (HopStage* stage : {&with, &without}) {
         stage->sun.assign(stage->facets.size(), day ? 1.0f : 0.0f);
         if (!day) stage->sun.clear();
     }
@@ -282,7 +282,7 @@ TEST_CASE("a perfect mirror across the line of sight changes nothing", "[render]
 // Each sample's hops by themselves against the same samples merged: a pane, a rough mirror and
 // smoke before a wall and sky, seen at a slant.
 TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][merge]") {
-    Stage stage;
+    HopStage stage;
     stage.air =
         BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural", .visibility_km = 23.0};
     stage.rectangle({{-400, -40, -9}, {400, -40, -9}, {400, 900, -9}, {-400, 900, -9}}, plain(0.1),
@@ -350,7 +350,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
 }
 
 TEST_CASE("hops are the same for any number of threads", "[render][hops]") {
-    Stage stage;
+    HopStage stage;
     stage.wall(60.0, 20.0, metal(0.5, 0.3), 320.0f);
     stage.wall(30.0, 5.0, pane(0.1, 0.6), 290.0f);
     std::vector<float> first;

@@ -19,7 +19,7 @@ namespace diurna {
 
 /// A wall to the north, 40 m wide and high, with something in front of it; the eye stands at the
 /// origin, the air is none and space is cold.
-struct Stage {
+struct HopStage {
     FacetSet facets;
     std::vector<Material> all;
     std::vector<Plume> plumes;

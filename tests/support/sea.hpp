@@ -47,10 +47,11 @@ struct Sea {
     }
     /// body(share, cosine at the wave, direction of what it reflects to an eye), the eye in x at a
     /// cosine to the vertical, over even slopes; the shares of lossless water add up to 1 at most.
+    /// - n: of slopes, from 0 to 4 of their spread
     void each_wave(double eye_cosine,
-                   const std::function<void(double, double, const Eigen::Vector3d&)>& body) const {
+                   const std::function<void(double, double, const Eigen::Vector3d&)>& body,
+                   int n = 48) const {
         const Eigen::Vector3d eye(std::sqrt(1.0 - eye_cosine * eye_cosine), 0.0, eye_cosine);
-        constexpr int n = 48;
         const double reach = 4.0 * std::sqrt(variance()), step = reach / n;
         for (int i = -n; i < n; ++i) {
             for (int k = -n; k < n; ++k) {

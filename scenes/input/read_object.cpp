@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "terrain/objects/welded_faces.hpp"
+
 namespace diurna {
 
 namespace fs = std::filesystem;
@@ -82,6 +84,41 @@ std::vector<std::string> part_materials(const Section& section, const MeshFile& 
     return material;
 }
 
+/// Takes out of an object's mesh what lies there twice or has no area, and tells.
+void weld(const Section& section, ObjectInput& object) {
+    if (object.mesh.triangle.empty()) return;
+    const std::size_t triangles = object.mesh.triangle.size();
+    const WeldedFaces found = weld_faces(object.mesh, object.material);
+    if (object.mesh.triangle.empty()) {
+        section.mistake("mesh", fmt::format("found {} triangles, none with an area", triangles));
+    }
+    if (found.contested) {
+        const auto [a, b] = *found.contested;
+        section.mistake("mesh",
+                        fmt::format("found triangles of \"{}\" and \"{}\" in the same place that "
+                                    "face the same way, expected one of them",
+                                    object.material[a], object.material[b]),
+                        "take one out of the mesh, or name one material for both in parts");
+    }
+    if (found.removed > 0) {
+        object.notes.push_back(fmt::format(
+            "{} of {} triangles lie in the place of another, whichever way they face, and count "
+            "once: an open mesh has two sides as it is",
+            found.removed, triangles));
+    }
+    if (found.back_to_back > 0) {
+        object.notes.push_back(
+            fmt::format("{} triangles lie back to back on others of another material, two layers "
+                        "that exchange nothing; one sheet with two faces is one material with "
+                        "`back`",
+                        found.back_to_back));
+    }
+    if (found.flat > 0) {
+        object.notes.push_back(
+            fmt::format("{} of {} triangles without area are left out", found.flat, triangles));
+    }
+}
+
 }  // namespace
 
 ObjectInput read_object(const Section& section, Reading& reading) {
@@ -109,6 +146,9 @@ ObjectInput read_object(const Section& section, Reading& reading) {
         .largest_edge = section.number_or(
             "largest_edge_m", "of its triangles; longer ones are divided", 0.5, {0.01, 100.0})};
     object.material = part_materials(section, object.mesh, reading);
+    weld(section, object);
+    const bool raised = section.has("height_above_ground_m");
+    object.where = section.where(raised ? "height_above_ground_m" : "place_m");
     return object;
 }
 

@@ -20,6 +20,8 @@ struct ObjectInput {
     Placing placing;                                  // its base is found on the ground
     double height_above_ground = 0.0;                 // of its lowest point [m]
     std::vector<std::string> material;                // (part of the mesh)
+    std::vector<std::string> notes;                   // on the mesh: what was left out of it
+    std::string where;                                // height_above_ground_m in the scene file
 };
 
 /// One table [[object]].

@@ -88,7 +88,9 @@ void Sheets::append(FacetSet& facets, const ObjectMesh& mesh, ObjectId object) {
     std::map<MaterialId, MaterialId> back;
     for (std::size_t t = 0; t < open.size(); ++t) {
         MaterialId material = mesh.material[t];
-        const bool two_sided = open[t] && of(material).two_sided;
+        // A net or a pane encloses nothing: what passes one side meets the inside of the other.
+        const bool lets_through = materials_[material].see_through;
+        const bool two_sided = (open[t] || lets_through) && of(material).two_sided;
         if (two_sided) {
             back[of(material).front] = of(material).back;
             material = of(material).front;

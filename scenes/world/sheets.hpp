@@ -27,8 +27,8 @@ class Sheets {
 
     const SheetMaterials& of(MaterialId material);
 
-    /// Appends a mesh to the facets, its open pieces with a second side (open_pieces.hpp,
-    /// two_sides.hpp) behind all others.
+    /// Appends a mesh to the facets, its open pieces (open_pieces.hpp) and what lets light through
+    /// with a second side (two_sides.hpp) behind all others.
     void append(FacetSet& facets, const ObjectMesh& mesh, ObjectId object);
 
  private:

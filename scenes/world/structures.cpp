@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/error.hpp"
 #include "scenes/world/ground.hpp"
 #include "scenes/world/objects.hpp"
 #include "scenes/world/sheets.hpp"
@@ -19,6 +20,26 @@ constexpr double off_the_ground = 0.01;  // [m] of sheets that would lie in its 
 bool lies_in_the_ground(const ObjectInput& object) {
     constexpr double apart = 0.005;  // [m]
     return std::abs(object.height_above_ground) < apart && object_height(object) < apart;
+}
+
+/// Throws InputError where all of an object is below the ground: nothing would be seen of it.
+void refuse_buried(const ObjectInput& object, const ObjectMesh& mesh, const Dem& dem,
+                   const Site& site) {
+    if (object.height_above_ground >= 0.0) return;
+    double highest = -1e9;  // above the ground at its place
+    for (const Eigen::Vector3f& v : mesh.vertex) {
+        const Eigen::Vector2d plan = v.head<2>().cast<double>();
+        const Eigen::Vector3d below = ground_point(dem, site, plan, object.where);
+        highest = std::max(highest, double{v.z()} - below.z());
+        if (highest > 0.0) return;
+    }
+    throw InputError(
+        object.where,
+        fmt::format("found {:g} for object \"{}\", whose highest point then lies "
+                    "{:.2f} m below the ground; expected more than {:.1f}",
+                    object.height_above_ground, object.name, -highest,
+                    std::round(10.0 * (object.height_above_ground - highest)) / 10.0 + 0.0),
+        "it may stand partly in the ground, not wholly");
 }
 
 /// Triangles at the foot of a box's walls: half a metre, or a thousandth of a long way round.
@@ -83,8 +104,12 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
             world.notes.push_back(fmt::format("{}: a flat sheet on the ground, lifted by {:g} m",
                                               where, off_the_ground));
         }
-        sheets.append(world.facets, object_mesh(input, ground, scene.materials),
-                      ObjectId{static_cast<std::uint16_t>(++object)});
+        for (const std::string& note : input.notes) {
+            world.notes.push_back(fmt::format("{}: {}", where, note));
+        }
+        const ObjectMesh mesh = object_mesh(input, ground, scene.materials);
+        refuse_buried(input, mesh, dem, world.site);
+        sheets.append(world.facets, mesh, ObjectId{static_cast<std::uint16_t>(++object)});
     }
 }
 

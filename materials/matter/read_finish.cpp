@@ -215,11 +215,16 @@ void read_finish(const Section& section, const std::filesystem::path& folder, Ma
         "see_through", "rays go on behind it, where its transmittance lets them: panes",
         material.see_through);
     if (section.has("cover")) {
-        open_up(
-            section.number("cover",
-                           "a net, of which this share is strips of the material; the rest is open",
-                           {0.0, 1.0}),
-            material);
+        const double cover = section.number(
+            "cover", "a net, of which this share is strips of the material; the rest is open",
+            {0.0, 1.0});
+        const auto* glossy = std::get_if<Glossy>(&material.finish);
+        if (glossy && glossy->waves) {
+            section.mistake("cover",
+                            "stands beside finish.kind = \"waves\", but water has no open share",
+                            "leave one of the two out");
+        }
+        open_up(cover, material);
         material.see_through = true;
     }
     if (material.see_through && material.transmittance.empty()) {

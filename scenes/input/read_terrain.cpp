@@ -49,6 +49,7 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
             "ring_m", "[[east, north], ...]: its corners in turn, the first not repeated", 2, 3);
         for (const auto& corner : corners) polygon.ring.emplace_back(corner[0], corner[1]);
     }
+    polygon.where = section.where(section.has("rectangle_m") ? "rectangle_m" : "ring_m");
     return polygon;
 }
 

@@ -28,6 +28,7 @@ struct GroundPolygon {
     std::string material;               // "": by the rules, on a finer mesh
     std::vector<Eigen::Vector2d> ring;  // corners, not repeated; east, north [m]
     double largest_edge = 30.0;         // of the triangles within [m]
+    std::string where;                  // of its corners in the scene file
 };
 
 struct Building {

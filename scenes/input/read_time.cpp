@@ -83,6 +83,10 @@ std::vector<Instant> read_frames(const Section& section, double offset, const Ti
         "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
         "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the clock of start",
         {});
+    if (section.has("frames") && texts.empty()) {
+        section.mistake("frames", "found no instant, expected one or more, or windows of a day",
+                        "without the key a picture is taken every frame_every_s");
+    }
     for (const std::string& text : texts) {
         if (const auto window = window_of(text)) {
             add_window(*window, offset, time, frames);
@@ -146,6 +150,7 @@ void read_spin_up(const Section& section, const std::filesystem::path& folder, T
     }
     time.spin_up = SpanStart::state;
     time.state = folder / state;
+    time.state_where = section.where("state");
     if (!std::filesystem::is_regular_file(time.state)) {
         section.mistake("state", fmt::format("no such file: {}", time.state.string()));
     }

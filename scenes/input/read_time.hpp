@@ -18,6 +18,7 @@ struct TimeInput {
     SpanStart spin_up = SpanStart::known;
     int days_before = 3;          // of spin_up "weather", at most
     std::filesystem::path state;  // of an earlier run, for SpanStart::state
+    std::string state_where;      // in the scene file
     std::vector<Instant> frames;  // ascending, within the span
 
     Instant end() const { return later(start, duration); }

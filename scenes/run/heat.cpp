@@ -25,17 +25,34 @@ namespace diurna {
 
 namespace {
 
+/// What a file of state holds; mistakes are told with their place in the scene file.
+TimedState loaded_state(const Prepared& prepared) {
+    const TimeInput& time = prepared.scene.time;
+    try {
+        return load_heat_state(time.state,
+                               state_owner(prepared.world.surfaces(), prepared.scene.materials));
+    } catch (const InputError& error) {
+        const Mistake& found = error.mistakes().front();
+        throw InputError(time.state_where,
+                         fmt::format("{}: {}; expected the state.nc of an earlier run of this "
+                                     "scene with output.state = true",
+                                     found.where, found.problem),
+                         found.hint);
+    }
+}
+
 /// The state that the scene goes on from: of the same facets, at the span's start.
 std::optional<HeatState> earlier_state(const Prepared& prepared) {
     const TimeInput& time = prepared.scene.time;
     if (time.spin_up != SpanStart::state) return std::nullopt;
-    TimedState timed = load_heat_state(
-        time.state, state_owner(prepared.world.surfaces(), prepared.scene.materials));
+    TimedState timed = loaded_state(prepared);
     if (timed.instant != time.start) {
-        throw InputError(time.state.string(),
-                         fmt::format("is the state at {}, but the span starts at {}",
-                                     format_local(timed.instant, time.utc_offset),
-                                     format_local(time.start, time.utc_offset)));
+        throw InputError(
+            time.state_where,
+            fmt::format("found the state at {} in {}, expected that at the span's "
+                        "start, {}",
+                        format_local(timed.instant, time.utc_offset), time.state.string(),
+                        format_local(time.start, time.utc_offset)));
     }
     return std::move(timed.state);
 }

@@ -1,10 +1,13 @@
 #include "scenes/world/ground_cuts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "materials/base/error.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/objects.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -31,7 +34,14 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
     int object = 0;
     for (const GroundPolygon& polygon : scene.terrain.polygons) {
         ++object;
-        cuts.add({raster_places(dem, site, polygon.ring), polygon.largest_edge}, polygon.material,
+        const Ring ring = raster_places(dem, site, polygon.ring);
+        if (clipped(ring, dem.columns, dem.rows).size() < 3) {
+            throw InputError(
+                polygon.where,
+                fmt::format("ground \"{}\" lies wholly outside the elevation data", polygon.name),
+                "its corners are metres east and north of the site");
+        }
+        cuts.add({ring, polygon.largest_edge}, polygon.material,
                  polygon.material.empty() ? 0 : object);
     }
     cuts.first_building = cuts.footprint.size();

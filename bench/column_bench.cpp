@@ -159,7 +159,7 @@ FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& co
     std::vector<SkyState> sky;
     FacetDay day{.column = &column,
                  .air = &air,
-                 .natural = natural_film(normal.z()),
+                 .natural = facet_film(column.surface.convection, normal.z(), {}),
                  .step = o.step,
                  .heat = {},
                  .jump = {}};

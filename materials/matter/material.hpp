@@ -70,12 +70,36 @@ struct Louis {
     double least_film = 0.0;  // [W m⁻² K⁻¹] added: what calm, stable air still exchanges
     double gust = 1.0;        // [m s⁻¹] of motions the mean wind does not tell of: √(U² + gust²)
 };                            // bulk Monin-Obukhov, Louis 1979: ground
-struct Tarp {};               // natural + forced by plate orientation: walls, roofs
-struct Mowitt {};             // DOE-2 / MoWiTT: smooth surfaces, glass, metal
+/// Natural + forced by plate orientation (Walton 1983): walls and roofs of buildings.
+struct Tarp {
+    double length = 10.0;  // [m] of the square whose perimeter over area the wind meets
+    double roughness =
+        1.67;  // 1 glass, 1.11 smooth plaster, 1.52 concrete, 1.67 brick, 2.17 stucco
+};
+/// DOE-2 / MoWiTT (Yazdanian & Klems 1994): smooth walls of buildings.
+struct Mowitt {
+    double roughness = 1.0;  // of what the wind adds, as Tarp's
+};
 struct ConstantFilm {
     double film;
 };  // [W m⁻² K⁻¹]
-using Convection = std::variant<Louis, Tarp, Mowitt, ConstantFilm>;
+/// A part of a vehicle or device: what it is to the wind.
+enum class BodyShape : std::uint8_t { plate, cylinder, box };
+/// Free and forced convection by size, tilt, side, wind and the air's properties
+/// (thermal/surface/plate_film.hpp).
+struct BodyFilm {
+    BodyShape shape = BodyShape::plate;
+    double length = 0.0;      // [m] of a plate along the wind, of a cylinder or box across; 0: the
+                              // part's own
+    double transition = 5e5;  // Re at which a plate's boundary layer turns turbulent
+};
+using Convection = std::variant<Louis, Tarp, Mowitt, ConstantFilm, BodyFilm>;
+
+/// A surface in flight: its speed through the air, and how long it is along its way.
+struct Flight {
+    double speed = 0.0;   // [m s⁻¹]
+    double length = 1.0;  // [m] where the boundary layer turns turbulent within it
+};
 
 /// Evaporation by a resistance in series with the air's; wetness 0 (dry) to 1.
 struct Evaporation {
@@ -126,6 +150,7 @@ struct ThermalSurface {
     double roughness_length = 0.01;        // momentum [m]
     double heat_roughness_length = 0.001;  // heat [m]
     Convection convection = Louis{};
+    std::optional<Flight> flight{};  // if set, in place of the wind
     Evaporation evaporation;
     WaterStore store{};
     std::optional<AgeingAlbedo> snow_albedo{};

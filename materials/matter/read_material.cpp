@@ -58,16 +58,48 @@ Bottom read_bottom(const Section& section) {
         section.number_or("value_W_m2", "upward, into the last layer", 0.0, {-1e5, 1e5})};
 }
 
+constexpr Range lengths{0.001, 1000.0};  // [m]
+
+double read_wall_roughness(const Section& section, double usual) {
+    return section.number_or("roughness",
+                             "times what the wind adds: 1 glass, 1.11 smooth plaster, 1.52 "
+                             "concrete, 1.67 brick, 2.17 stucco",
+                             usual, {1.0, 2.17});
+}
+
 Convection read_convection(const Section& section) {
     const std::string kind = section.kind_or(
-        "louis: ground, by roughness and stability; tarp: walls and roofs; mowitt: smooth "
-        "surfaces, glass, metal; constant: a film of value_W_m2K",
-        "louis", {"louis", "tarp", "mowitt", "constant"});
+        "louis: ground, by roughness and stability; plate, cylinder, box: parts of vehicles and "
+        "devices, by their size; tarp, mowitt: walls and roofs of buildings, rough and smooth; "
+        "constant: a film of value_W_m2K",
+        "louis", {"louis", "plate", "cylinder", "box", "tarp", "mowitt", "constant"});
     if (kind == "constant") {
         return ConstantFilm{section.number("value_W_m2K", "the film", {0.0, 1e4})};
     }
-    if (kind == "tarp") return Tarp{};
-    if (kind == "mowitt") return Mowitt{};
+    if (kind == "tarp") {
+        Tarp tarp;
+        tarp.length = section.number_or(
+            "length_m", "of a square wall, whose perimeter over area counts", tarp.length, lengths);
+        tarp.roughness = read_wall_roughness(section, tarp.roughness);
+        return tarp;
+    }
+    if (kind == "mowitt") return Mowitt{read_wall_roughness(section, Mowitt{}.roughness)};
+    if (kind != "louis") {
+        BodyFilm body{kind == "plate"      ? BodyShape::plate
+                      : kind == "cylinder" ? BodyShape::cylinder
+                                           : BodyShape::box};
+        body.length = section.number_or(
+            "length_m", "of a plate's sides, of a cylinder's or box's width",
+            {0.0, "the part's own in a mesh; 1 on ground and in columns"}, lengths);
+        if (kind == "plate") {
+            body.transition = section.number_or(
+                "transition_Re",
+                "Reynolds number at which its boundary layer turns turbulent: 5e5 smooth, 1e5 in "
+                "gusts, 0 tripped at its edge",
+                body.transition, {0.0, 3e6});
+        }
+        return body;
+    }
     return Louis{
         .least_film = section.number_or(
             "least_W_m2K", "added: what calm, stable air still exchanges", 0.0, {0.0, 100.0}),

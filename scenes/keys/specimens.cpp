@@ -153,11 +153,20 @@ convection = { kind = "tarp" }
 
 [table]
 like = "flat"
+convection = { kind = "plate" }
 finish = { kind = "by_angle" }
 
 [measured]
 like = "flat"
 finish = { kind = "measured" }
+
+[pipe]
+like = "flat"
+convection = { kind = "cylinder" }
+
+[crate]
+like = "flat"
+convection = { kind = "box" }
 )"};
 
 }  // namespace diurna

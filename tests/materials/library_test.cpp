@@ -226,6 +226,20 @@ TEST_CASE("every kind of bottom, convection, evaporation and back is read",
               .film == 10.0);
     CHECK(std::holds_alternative<Tarp>(with("convection = { kind = \"tarp\" }").convection));
     CHECK(std::holds_alternative<Mowitt>(with("convection = { kind = \"mowitt\" }").convection));
+    const auto wall = std::get<Tarp>(
+        with("convection = { kind = \"tarp\", length_m = 4, roughness = 1.11 }").convection);
+    CHECK(wall.length == 4.0);
+    CHECK(wall.roughness == 1.11);
+    CHECK(std::get<Mowitt>(with("convection = { kind = \"mowitt\", roughness = 1.52 }").convection)
+              .roughness == 1.52);
+    const auto body = [&](const std::string& kind) {
+        return std::get<BodyFilm>(with("convection = { kind = " + kind + " }").convection);
+    };
+    CHECK(body("\"plate\"").shape == BodyShape::plate);
+    CHECK(body("\"plate\"").length == 0.0);
+    CHECK(body("\"cylinder\", length_m = 0.1").shape == BodyShape::cylinder);
+    CHECK(body("\"cylinder\", length_m = 0.1").length == 0.1);
+    CHECK(body("\"box\"").shape == BodyShape::box);
     const Evaporation wet =
         with("evaporation = { kind = \"resistance\", minimum_s_m = 70.0, wetness = 0.5 }")
             .evaporation;

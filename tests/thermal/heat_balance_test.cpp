@@ -69,9 +69,10 @@ TEST_CASE("random surfaces are solved to rounding, whatever the guess",
         surface.emissivity = unit(random);
         surface.roughness_length = std::pow(10.0, -4.0 + 4.0 * unit(random));
         surface.heat_roughness_length = 0.1 * surface.roughness_length;
-        const int kind = trial % 4;
+        const int kind = trial % 5;
         if (kind == 1) surface.convection = Tarp{};
         if (kind == 2) surface.convection = Mowitt{};
+        if (kind == 4) surface.convection = BodyFilm{};
         surface.evaporation = {.minimum_resistance = 300.0 * unit(random),
                                .wetness = trial % 3 ? unit(random) : 0.0};
         const AirState air{.temperature = 240.0 + 80.0 * unit(random),
@@ -85,7 +86,7 @@ TEST_CASE("random surfaces are solved to rounding, whatever the guess",
         for (std::size_t l = 0; l < lanes; ++l) {
             lane.heat[l] = 1300.0 * unit(random);
             lane.a[l] = b * (60.0 * unit(random) - 30.0);
-            lane.natural[l] = natural_film(2.0 * unit(random) - 1.0);
+            lane.natural[l] = facet_film(surface.convection, 2.0 * unit(random) - 1.0, {});
             lane.temperature[l] = 200.0 + 200.0 * unit(random);
         }
         const SurfaceCount count = lane.solve(film, lanes, b, surface.emissivity);

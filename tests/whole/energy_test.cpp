@@ -66,7 +66,7 @@ TEST_CASE("heat in is heat stored, at each step, for every library material", "[
         LayeredBatch batch;
         batch.resize(column.grid.size(), 1);
         batch.temperature[0] = column.reference;
-        batch.natural[0] = natural_film(unit(random));
+        batch.natural[0] = facet_film(column.surface.convection, unit(random), {});
         StepRecord record;
         double worst = 0.0;
         for (int i = 0; i < 40; ++i) {

@@ -69,10 +69,11 @@ ThermalSurface surface_of(const std::array<double, dimensions>& x, Kind kind) {
     surface.emissivity = ends(x[7]);
     surface.roughness_length = 0.02;
     surface.heat_roughness_length = 0.0005;
-    const int film = int(x[8] * 4.0);
+    const int film = int(x[8] * 5.0);
     if (film == 1) surface.convection = Tarp{};
     if (film == 2) surface.convection = Mowitt{};
     if (film == 3) surface.convection = ConstantFilm{20.0 * x[9]};
+    if (film == 4) surface.convection = BodyFilm{.length = logarithmic(x[9], 0.01, 100.0)};
     if (x[16] > 0.5 && kind != Kind::two_source) surface.internal_heat = 500.0 * (x[16] - 0.5);
     switch (kind) {
         case Kind::plain:

@@ -25,8 +25,8 @@ constexpr int halvings = 56;      // of the bracket 1 to 5000 K, to its last bit
 
 /// [K] of the last correction, which has been applied: what is left goes with its square, 1e-9 K
 /// and less for ground; a plate's film rises from the air's temperature with an upright tangent.
-template <bool Plate>
-constexpr double near_enough = Plate ? 1e-8 : 1e-4;
+template <FilmKind Kind>
+constexpr double near_enough = on_ground<Kind> ? 1e-4 : 1e-8;
 
 /// Where a wet surface's balance bends [K]: at the dew point, and as warm as the air, where the
 /// film changes with the root of the difference and vapour with it.
@@ -47,8 +47,8 @@ template <bool Wet>
     return size < 1e9 ? size : 1e9;
 }
 
-/// The surface balance of `Count` lanes: what ground_film, plate_film and latent_heat of
-/// thermal/surface/turbulence.hpp say, to 4 ulp of its terms (tests/thermal/vector_lanes_test.cpp),
+/// The surface balance of `Count` lanes: what film_of and latent_heat of
+/// thermal/surface say, to 4 ulp of its terms (tests/thermal/vector_lanes_test.cpp),
 /// in short loops. `air_at` (lane) is the air, which may change from lane to lane.
 template <std::size_t Count>
 struct Balance {
@@ -64,8 +64,11 @@ template <std::size_t Count>
 struct AirByLane {
     alignas(64) double temperature[Count], neutral[Count], instability[Count];
     alignas(64) double heat_capacity[Count], vapour_pressure[Count], latent[Count];
+    alignas(64) double conduct[Count], sixth[Count], quarter[Count], third[Count];
+    alignas(64) double laminar[Count], turbulent[Count], edge[Count];
     double a, c, s, least, resistance, wetness;  // the same at all heights
-    bool plate, quadratic;
+    PlateAir plate;                              // likewise what no array holds
+    FilmKind kind;
 
     /// up  (lane) share of the way from `low` to `high`
     AirByLane(const AirFilm& low, const AirFilm& high, const double* up)
@@ -76,7 +79,7 @@ struct AirByLane {
           resistance(high.resistance),
           wetness(high.wetness),
           plate(high.plate),
-          quadratic(high.quadratic) {
+          kind(high.kind) {
         const auto between = [up](double from, double to, double* lane) {
 #pragma omp simd
             for (std::size_t l = 0; l < Count; ++l) lane[l] = to + (1.0 - up[l]) * (from - to);
@@ -87,6 +90,14 @@ struct AirByLane {
         between(low.heat_capacity, high.heat_capacity, heat_capacity);
         between(low.vapour_pressure, high.vapour_pressure, vapour_pressure);
         between(low.latent, high.latent, latent);
+        if (kind == FilmKind::ground || kind == FilmKind::sheltered_ground) return;
+        between(low.plate.conduct, high.plate.conduct, conduct);
+        between(low.plate.sixth, high.plate.sixth, sixth);
+        between(low.plate.quarter, high.plate.quarter, quarter);
+        between(low.plate.third, high.plate.third, third);
+        between(low.plate.laminar, high.plate.laminar, laminar);
+        between(low.plate.turbulent, high.plate.turbulent, turbulent);
+        between(low.plate.edge, high.plate.edge, edge);
     }
     [[gnu::always_inline]] AirFilm operator()(std::size_t l) const {
         return {.air_temperature = temperature[l],
@@ -101,11 +112,20 @@ struct AirByLane {
                 .latent = latent[l],
                 .resistance = resistance,
                 .wetness = wetness,
-                .plate = plate,
-                .quadratic = quadratic};
+                .kind = kind,
+                .plate = {.conduct = conduct[l],
+                          .sixth = sixth[l],
+                          .quarter = quarter[l],
+                          .third = third[l],
+                          .laminar = laminar[l],
+                          .turbulent = turbulent[l],
+                          .edge = edge[l],
+                          .warming = plate.warming,
+                          .roughness = plate.roughness,
+                          .quadratic = plate.quadratic}};
     }
 };
-template <bool Plate, bool Wet, std::size_t Count, class Air>
+template <FilmKind Kind, bool Wet, std::size_t Count, class Air>
 [[gnu::always_inline]] inline void evaluate(const Air& air_at, const NaturalFilm* natural,
                                             double radiation, const double* temperature,
                                             Balance<Count>& result) {
@@ -116,7 +136,7 @@ template <bool Plate, bool Wet, std::size_t Count, class Air>
     for (std::size_t l = 0; l < Count; ++l) {
         const AirFilm& air = air_at(l);
         const double t = temperature[l];
-        const Film film = film_of<Plate>(air, natural[l], t);
+        const Film film = film_of<Kind>(air, natural[l], t);
         const DryLoss dry = dry_loss(air, film, radiation, t);
         flux[l] = -dry.emitted - dry.sensible;
         slope[l] = -dry.slope;

@@ -34,7 +34,7 @@ struct ModeWay {
 }
 
 /// By halving the bracket to its end: where Newton swings.
-template <bool Plate, bool Wet, class Air>
+template <FilmKind Kind, bool Wet, class Air>
 void halve(const Air& air_at, double radiation, double b, const ModeLanes& s, ModeWay& way) {
     Balance<lanes> at;
     alignas(64) double low[lanes], high[lanes];
@@ -42,7 +42,7 @@ void halve(const Air& air_at, double radiation, double b, const ModeLanes& s, Mo
     std::fill_n(high, lanes, hottest);
     for (int i = 0; i < halvings; ++i) {
         for (std::size_t l = 0; l < lanes; ++l) way.temperature[l] = 0.5 * (low[l] + high[l]);
-        evaluate<Plate, Wet>(air_at, s.natural, radiation, way.temperature, at);
+        evaluate<Kind, Wet>(air_at, s.natural, radiation, way.temperature, at);
         for (std::size_t l = 0; l < lanes; ++l) {
             const double t = way.temperature[l];
             const bool colder = at.flux[l] + way.pull[l] - b * t > 0.0;
@@ -87,7 +87,7 @@ struct LaneStep {
     }
 };
 
-template <bool Plate, bool Wet, class Step>
+template <FilmKind Kind, bool Wet, class Step>
 ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const ModeCoefficients& c,
                           const ModeLanes& s) {
     // Values of its own, which no store through a pointer can change, let the loops become vectors.
@@ -116,7 +116,7 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     double largest;
     do {
         largest = 0.0;
-        evaluate<Plate, Wet>(air.at, s.natural, radiation, way.temperature, at);
+        evaluate<Kind, Wet>(air.at, s.natural, radiation, way.temperature, at);
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < lanes; ++l) {
             const double t = way.temperature[l];
@@ -129,9 +129,9 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
             largest = size > largest ? size : largest;
         }
         ++outcome.iterations;
-    } while (largest > near_enough<Plate> && outcome.iterations < newton_steps);
-    outcome.halved = largest > near_enough<Plate>;
-    if (outcome.halved) halve<Plate, Wet>(air.at, radiation, b, s, way);
+    } while (largest > near_enough<Kind> && outcome.iterations < newton_steps);
+    outcome.halved = largest > near_enough<Kind>;
+    if (outcome.halved) halve<Kind, Wet>(air.at, radiation, b, s, way);
     double worst = 0.0;
 #pragma omp simd reduction(max : worst)
     for (std::size_t l = 0; l < lanes; ++l) {
@@ -150,33 +150,27 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
     return outcome;
 }
 
-template <bool Plate, bool Wet>
+template <FilmKind Kind, bool Wet>
 void balance_lanes(const AirFilm& air, const NaturalFilm* natural, double radiation,
                    const double* temperature, double* flux, double* slope) {
     Balance<lanes> at;
-    evaluate<Plate, Wet>(SameAir{air}, natural, radiation, temperature, at);
+    evaluate<Kind, Wet>(SameAir{air}, natural, radiation, temperature, at);
     std::copy_n(at.flux, lanes, flux);
     std::copy_n(at.slope, lanes, slope);
 }
 void balance_all(const AirFilm& air, const NaturalFilm* natural, double radiation,
                  const double* temperature, double* flux, double* slope) {
-    const bool wet = air.wetness > 0.0;
-    const auto balance = air.plate ? (wet ? balance_lanes<true, true> : balance_lanes<true, false>)
-                         : wet     ? balance_lanes<false, true>
-                                   : balance_lanes<false, false>;
-    balance(air, natural, radiation, temperature, flux, slope);
+    by_kind(air.kind, air.wetness > 0.0, [&]<FilmKind Kind, bool Wet>() {
+        balance_lanes<Kind, Wet>(air, natural, radiation, temperature, flux, slope);
+    });
 }
 
 template <class Step>
 ModeOutcome advance_kind(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
                          const ModeLanes& s) {
-    const bool wet = air.wetness > 0.0;
-    if (air.plate) {
-        return wet ? advance_lanes<true, true, Step>(before, air, c, s)
-                   : advance_lanes<true, false, Step>(before, air, c, s);
-    }
-    return wet ? advance_lanes<false, true, Step>(before, air, c, s)
-               : advance_lanes<false, false, Step>(before, air, c, s);
+    return by_kind(air.kind, air.wetness > 0.0, [&]<FilmKind Kind, bool Wet>() {
+        return advance_lanes<Kind, Wet, Step>(before, air, c, s);
+    });
 }
 ModeOutcome advance_all(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
                         const ModeLanes& s) {

@@ -95,7 +95,7 @@ struct SplitPart {
 }
 
 /// Newton to `near` [K], or halving where it does not get there; whether it had to be halved.
-template <bool Plate, bool Wet, class Air, class Bend>
+template <FilmKind Kind, bool Wet, class Air, class Bend>
 [[gnu::always_inline]] inline bool settle_part(const Air& film_at, const Bend& bend_at,
                                                double radiation, double near, const SplitLanes& s,
                                                std::size_t first, const SplitPart& p) {
@@ -104,7 +104,7 @@ template <bool Plate, bool Wet, class Air, class Bend>
     double largest;
     do {
         largest = 0.0;
-        evaluate<Plate, Wet>(film_at, s.natural + first, radiation, s.temperature + first, at);
+        evaluate<Kind, Wet>(film_at, s.natural + first, radiation, s.temperature + first, at);
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < split_lanes; ++l) {
             const std::size_t k = first + l;
@@ -128,7 +128,7 @@ template <bool Plate, bool Wet, class Air, class Bend>
         for (std::size_t l = 0; l < split_lanes; ++l) {
             s.temperature[first + l] = 0.5 * (low[l] + high[l]);
         }
-        evaluate<Plate, Wet>(film_at, s.natural + first, radiation, s.temperature + first, at);
+        evaluate<Kind, Wet>(film_at, s.natural + first, radiation, s.temperature + first, at);
         for (std::size_t l = 0; l < split_lanes; ++l) {
             const double t = s.temperature[first + l];
             const bool colder = at.flux[l] + p.pull[l] - p.b[l] * t > 0.0;
@@ -180,7 +180,7 @@ struct LaneSplit {
     }
 };
 
-template <bool Plate, bool Wet, class Split>
+template <FilmKind Kind, bool Wet, class Split>
 bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoefficients& c,
                  const SplitLanes& s, std::size_t first) {
     const double radiation = c.emissivity * stefan_boltzmann;
@@ -204,8 +204,8 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
         enter_part(c, s, first, part, p);
         decay_part(c, s, first, p);
         guess_part(c, s, first, p);
-        const double near = part < parts_after_jump ? near_inside : near_enough<Plate>;
-        const bool more = settle_part<Plate, Wet>(film_at, bend_at, radiation, near, s, first, p);
+        const double near = part < parts_after_jump ? near_inside : near_enough<Kind>;
+        const bool more = settle_part<Kind, Wet>(film_at, bend_at, radiation, near, s, first, p);
         halved = halved || more;
         leave_part(c, s, first, p);
     }
@@ -215,16 +215,14 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
 template <class Split>
 bool split_kind(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
                 const SplitLanes& s) {
-    const bool wet = air.wetness > 0.0;
-    const auto group =
-        air.plate ? (wet ? split_group<true, true, Split> : split_group<true, false, Split>)
-                  : (wet ? split_group<false, true, Split> : split_group<false, false, Split>);
-    bool halved = false;
-    for (std::size_t g = 0; g < s.groups; ++g) {
-        const bool more = group(before, air, c, s, g * split_lanes);
-        halved = halved || more;
-    }
-    return halved;
+    return by_kind(air.kind, air.wetness > 0.0, [&]<FilmKind Kind, bool Wet>() {
+        bool halved = false;
+        for (std::size_t g = 0; g < s.groups; ++g) {
+            const bool more = split_group<Kind, Wet, Split>(before, air, c, s, g * split_lanes);
+            halved = halved || more;
+        }
+        return halved;
+    });
 }
 bool split_some(const AirFilm& before, const AirFilm& air, const ModeCoefficients& c,
                 const SplitLanes& s) {

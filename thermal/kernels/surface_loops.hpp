@@ -23,14 +23,14 @@ constexpr int most_iterations = 80;  // bisection alone needs 53 to its last bit
 
 /// [K] of the last correction. Smooth ground squares what is left; where dew begins, and where a
 /// plate is as warm as the air, the balance has a bend.
-template <bool Plate, bool Wet>
-constexpr double settled_at = Plate ? 1e-8
-                              : Wet ? 1e-6
-                                    : 1e-5;
+template <FilmKind Kind, bool Wet>
+constexpr double settled_at = !on_ground<Kind> ? 1e-8
+                              : Wet            ? 1e-6
+                                               : 1e-5;
 
-template <bool Plate, bool Wet>
+template <FilmKind Kind, bool Wet>
 SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
-    constexpr double settled = settled_at<Plate, Wet>;
+    constexpr double settled = settled_at<Kind, Wet>;
     // Values of its own, which no store through a pointer can change, let the loop become vectors.
     const AirFilm air = given;
     const double radiation = s.emissivity * stefan_boltzmann, b = s.b, reference = s.reference;
@@ -52,7 +52,7 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
 #pragma omp simd reduction(max : correction) reduction(+ : strays)
         for (std::size_t l = 0; l < count; ++l) {
             const double t = temperature[l];
-            const SurfaceFlux at = surface_flux<Plate, Wet>(air, natural[l], radiation, heat[l], t);
+            const SurfaceFlux at = surface_flux<Kind, Wet>(air, natural[l], radiation, heat[l], t);
             const double flux = at.flux, slope = at.slope;
             const double excess = flux + a[l] - b * (t - reference);
             const double from = excess > 0.0 ? t : low[l];
@@ -88,10 +88,8 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
 }
 
 SurfaceCount solve(const AirFilm& air, const SurfaceLanes& surface) {
-    const bool wet = air.wetness > 0.0;
-    if (air.plate)
-        return wet ? newton<true, true>(air, surface) : newton<true, false>(air, surface);
-    return wet ? newton<false, true>(air, surface) : newton<false, false>(air, surface);
+    return by_kind(air.kind, air.wetness > 0.0,
+                   [&]<FilmKind Kind, bool Wet>() { return newton<Kind, Wet>(air, surface); });
 }
 
 }  // namespace

@@ -70,8 +70,11 @@ SurfaceConditions PointFacet::conditions(Instant when, const Standing& water,
     const double sunlight = forcing.sunlight + albedo * forcing.own_light;
     SurfaceConditions c;
     c.air = air_film(surface, setup_.louis, forcing.air, forcing.wind_speed);
-    c.natural = natural_film(setup_.up_cosine);
-    c.wind_speed = forcing.wind_speed;
+    c.natural = facet_film(surface.convection, setup_.up_cosine, setup_.part);
+    if (setup_.part.wind != 1.0f && std::holds_alternative<Louis>(surface.convection)) {
+        c.air.kind = FilmKind::sheltered_ground;
+    }
+    c.wind_speed = forcing.wind_speed * setup_.part.wind;
     c.wind_height = setup_.wind_height;
     c.absorbed_solar = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * sunlight;
     c.longwave_in = forcing.longwave_in;

@@ -30,6 +30,7 @@ struct PointSetup {
     const ThermalSurface& surface;
     const LouisForm& louis;
     double up_cosine = 1.0;      // of its normal
+    FilmPart part{};             // to the wind
     double wind_height = 10.0;   // [m]
     double longitude_deg = 0.0;  // for schedules, which follow local mean solar time
     double reference = 290.0;    // [K] a temperature near those to come

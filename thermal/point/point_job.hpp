@@ -29,7 +29,7 @@ struct PointJob {
     double slope_deg = 0.0;   // 0 to 180
     double aspect_deg = 180;  // the way it faces, clockwise from north
     double sky_view = 1.0;    // 0 to 1; the rest sees ground like itself, at its temperature
-    double airspeed = 0.0;    // [m s⁻¹] of a moving surface: its wind, and the air's recovery
+    double height = 0.0;      // [m] above the ground, of a part in the wind; 0: as the wind's
     ThermalSurface surface;
     Weather weather;
     ClearSky clear_sky;

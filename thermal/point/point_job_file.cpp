@@ -32,9 +32,29 @@ void read_facet(const Section& facet, PointJob& job) {
     job.sky_view = facet.number_or(
         "sky_view", "share of the sky that it sees; the rest is ground like itself",
         {0.5 * (1.0 + std::cos(radians(job.slope_deg))), "(1 + cos slope) / 2"}, {0.0, 1.0});
-    job.airspeed = facet.number_or(
+    job.height = facet.number_or("height_above_ground_m",
+                                 "of a wall, plate, cylinder or box: the wind there, by the "
+                                 "logarithmic profile of open ground",
+                                 {0.0, "as high as wind is measured"}, {0.1, 1000.0});
+}
+
+/// What the facet's motion or place makes of the wind; after its material is known.
+void read_wind(const Section& facet, PointJob& job) {
+    const double airspeed = facet.number_or(
         "airspeed_m_s", "of a surface in flight: its wind, and the air's recovery temperature", 0.0,
         {0.0, 3000.0});
+    if (airspeed > 0.0) {
+        const auto* body = std::get_if<BodyFilm>(&job.surface.convection);
+        job.surface.flight = {airspeed, body && body->length > 0.0 ? body->length : 1.0};
+    }
+    if (job.height > 0.0 && std::holds_alternative<Louis>(job.surface.convection)) {
+        facet.mistake("height_above_ground_m",
+                      "is for walls, plates, cylinders and boxes; ground of kind louis has the "
+                      "wind's own profile");
+    }
+    if (job.height > 0.0 && airspeed > 0.0) {
+        facet.mistake("height_above_ground_m", "has no meaning beside airspeed_m_s");
+    }
 }
 
 /// A profile of the ground at the start, its depths ascending.
@@ -105,12 +125,14 @@ PointJob read_column_job(const Document& document) {
     const Section root = document.root();
     PointJob job;
     read_site(root.required_section("site", "where the facet lies"), job);
-    read_facet(root.section("facet", "how it lies; horizontal under the whole sky by default"),
-               job);
+    const Section facet =
+        root.section("facet", "how it lies; horizontal under the whole sky by default");
+    read_facet(facet, job);
     const Section material =
         root.required_section("material", "of the facet, with the keys of the third chapter");
     const Material read = read_material(material, default_material_library(), folder, "column");
     job.surface = read.thermal;
+    read_wind(facet, job);
     job.clear_sky = read_sky(root.section("sky", sky_says));
     const Section weather = root.required_section("weather", "what drives the heat balance");
     const std::string weather_file = weather.text("file", weather_file_says);

@@ -33,10 +33,7 @@ PointForcing PointWeather::operator()(Instant when) {
     } else {
         f.sunlight = sky.plane_of_array;
     }
-    if (job_.airspeed > 0.0) {
-        f.air.temperature = recovery_temperature(f.air.temperature, job_.airspeed);
-        f.wind_speed = job_.airspeed;
-    }
+    if (job_.surface.flight) f.wind_speed = job_.surface.flight->speed;
     return f;
 }
 

@@ -8,6 +8,7 @@
 #include "thermal/point/point_weather.hpp"
 #include "thermal/point/spin_up.hpp"
 #include "thermal/weather/repeated_day.hpp"
+#include "thermal/weather/wind_share.hpp"
 
 namespace diurna {
 
@@ -40,6 +41,13 @@ void place_start(const PointJob& job, PointFacet& facet) {
                                  : profile_at(job.initial_profile, facet.column.depth(i));
         facet.u[i] = facet.column.state_of(i, start);
     }
+}
+
+/// What the facet is to the wind: of a size that its material knows, as high as it is said to be.
+FilmPart part_in_wind(const PointJob& job) {
+    FilmPart part;
+    if (job.height > 0.0) part.wind = float(wind_at_height(job.height, job.weather.wind_height));
+    return part;
 }
 
 /// The job as it was before its start, for the spin-up.
@@ -118,6 +126,7 @@ PointResult run_column(const PointJob& job) {
         return PointFacet({.surface = surface,
                            .louis = louis,
                            .up_cosine = from.up_cosine(),
+                           .part = part_in_wind(job),
                            .wind_height = job.weather.wind_height,
                            .longitude_deg = job.site.longitude_deg,
                            .reference = job.weather.at(job.start).air.temperature,

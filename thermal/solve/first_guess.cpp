@@ -30,7 +30,7 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
     const Kind& kind = level.kind[block.material];
     const std::size_t count = block.facet.size();
     AirFilm mean = kind.low(block, 0).air;
-    double sky = 0.0, sums[5] = {};
+    double sky = 0.0, sums[4] = {};
     for (std::size_t time = 0; time < kind.times; ++time) {
         const StageForcing forcing = kind.middle(block, time);
         sky += forcing.sky_longwave;
@@ -38,6 +38,7 @@ void settle_block(SolveState& solve, const Level& level, Block& block) {
         sums[1] += forcing.air.neutral;
         sums[2] += forcing.air.instability;
         sums[3] += forcing.air.vapour_pressure;
+        mean.plate = air_between(mean, forcing.air, 1.0 / (double(time) + 1.0)).plate;
     }
     const double n = double(kind.times);
     mean.air_temperature = sums[0] / n;

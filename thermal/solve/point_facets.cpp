@@ -224,6 +224,7 @@ void PointFacets::run(const Level& level, Point& p) const {
     PointFacet facet({.surface = column.surface,
                       .louis = column.louis,
                       .up_cosine = solve_.input.facets.normal[p.facet].z(),
+                      .part = solve_.part_of(p.facet),
                       .wind_height = solve_.series.weather().wind_height,
                       .longitude_deg = solve_.input.site.longitude_deg,
                       .reference = column.reference,

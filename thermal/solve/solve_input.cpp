@@ -40,6 +40,9 @@ void check(const SolveInput& input, const SolveOptions& options) {
     if (!input.height.empty() && input.height.size() != n) {
         throw InputError("thermal solve", "heights belong to another set of facets");
     }
+    if (!input.part.empty() && input.part.size() != n) {
+        throw InputError("thermal solve", "parts in the wind belong to another set of facets");
+    }
     if (!input.measured_share.empty() && input.measured_share.size() != input.materials.size()) {
         throw InputError("thermal solve", "shares of measured albedo belong to other materials");
     }

@@ -12,6 +12,7 @@
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
 #include "thermal/solve/heat_state.hpp"
+#include "thermal/surface/plate_film.hpp"
 #include "thermal/temperature_field.hpp"
 #include "thermal/weather/sky_state.hpp"
 #include "thermal/weather/weather.hpp"
@@ -75,7 +76,8 @@ struct SolveInput {
     double elevation = 0.0;  // [m] above the sea, of the weather
     /// From there (its `station` is `elevation`) to the facets; null: all have the weather's air.
     const AirByHeight* by_height = nullptr;
-    std::vector<float> height{};  // (facet) [m] above the sea; empty: all at the weather's
+    std::vector<float> height{};   // (facet) [m] above the sea; empty: all at the weather's
+    std::vector<FilmPart> part{};  // (facet) to the wind; empty: of unknown size, in the open
     ClearSky clear_sky{};
     /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
     /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.

@@ -36,6 +36,7 @@ struct Block {
     std::vector<std::size_t> facet;
     std::vector<std::size_t> behind{};  // [lane] the facet that is its back; empty: none has one
     std::vector<NaturalFilm> natural;
+    bool sheltered = false;  // ground that has less wind than is measured
     std::size_t tier = 0;    // AirTiers::low of all its facets
     std::vector<double> up;  // [lane] AirTiers::share; empty where there is one tier
     double mean_up = 0.0;    // of all lanes: layered columns and plates have one air a block
@@ -106,6 +107,7 @@ struct Kind {
     std::size_t times = 0;              // of the forcing
     std::vector<StageForcing> forcing;  // (tier, time); times are (step, substep, stage) or
                                         // (instant)
+    std::vector<StageForcing> in_lee;   // the same for sheltered ground; empty where there is none
     std::vector<double> slope;          // (time) mean surface slope, last pass
     std::vector<double> back_slope;     // of plates
     std::size_t facets = 0;
@@ -113,10 +115,13 @@ struct Kind {
 
     /// Of the block's tier at a time; of the tier above it; of the middle of its facets.
     const StageForcing& low(const Block& block, std::size_t time) const {
-        return forcing[block.tier * times + time];
+        return at(block, block.tier, time);
     }
     const StageForcing& high(const Block& block, std::size_t time) const {
-        return forcing[(block.tier + (block.up.empty() ? 0 : 1)) * times + time];
+        return at(block, block.tier + (block.up.empty() ? 0 : 1), time);
+    }
+    const StageForcing& at(const Block& block, std::size_t tier, std::size_t time) const {
+        return (block.sheltered ? in_lee : forcing)[tier * times + time];
     }
     StageForcing middle(const Block& block, std::size_t time) const {
         return block.up.empty() ? low(block, time)
@@ -170,6 +175,10 @@ struct SolveState {
         if (tiers.flat()) return sky[i].*flux;
         const SkyState* const low = &tier_sky[i * tiers.size() + tiers.low[f]];
         return std::lerp(low[0].*flux, low[1].*flux, double(tiers.share[f]));
+    }
+    /// What a facet's part is to the wind.
+    FilmPart part_of(std::size_t f) const {
+        return input.part.empty() ? FilmPart{} : input.part[f];
     }
     /// Whether a facet is the back of another, whose column is its too.
     bool is_back(std::size_t f) const {

@@ -55,27 +55,35 @@ void tell_heights(const SolveState& solve, Block& block) {
 std::vector<MaterialId> group_by_material(SolveState& solve) {
     std::map<std::size_t, std::size_t> place_of;
     std::vector<MaterialId> materials;
-    std::map<std::tuple<std::size_t, std::size_t, bool>, std::size_t> open;  // still taking facets
+    std::map<std::tuple<std::size_t, std::size_t, bool, bool>, std::size_t>
+        open;  // still taking facets
     for (std::size_t f = 0; f < solve.facets; ++f) {
         if (solve.is_back(f)) continue;
         const MaterialId id = solve.input.facets.material[f];
-        const bool sheet = solve.has_back(f) && solve.input.materials[id].thermal.back;
+        const ThermalSurface& surface = solve.input.materials[id].thermal;
+        const bool sheet = solve.has_back(f) && surface.back;
+        const FilmPart part = solve.part_of(f);
+        const bool sheltered =
+            part.wind != 1.0f && std::holds_alternative<Louis>(surface.convection);
         const auto [place, is_new] = place_of.try_emplace(index(id), materials.size());
         const std::size_t m = place->second;
         if (is_new) materials.push_back(id);
-        const bool modes = in_modes(solve.options, solve.input.materials[id].thermal);
-        const auto [last, none] = open.try_emplace({m, slice_of(solve, f, modes), sheet}, 0);
+        const bool modes = in_modes(solve.options, surface);
+        const auto [last, none] =
+            open.try_emplace({m, slice_of(solve, f, modes), sheet, sheltered}, 0);
         if (none || solve.block[last->second].facet.size() == solve.block[last->second].stride) {
             last->second = solve.block.size();
             Block& block = solve.block.emplace_back();
             block.material = m;
             block.stride = modes ? mode_lanes : lanes;
             block.tier = solve.tiers.flat() ? 0 : solve.tiers.low[f];
+            block.sheltered = sheltered;
         }
         Block& block = solve.block[last->second];
         block.facet.push_back(f);
         if (sheet) block.behind.push_back(solve.other_side[f]);
-        block.natural.push_back(natural_film(solve.input.facets.normal[f].z()));
+        block.natural.push_back(
+            facet_film(surface.convection, solve.input.facets.normal[f].z(), part));
     }
     for (Block& block : solve.block) tell_heights(solve, block);
     return materials;

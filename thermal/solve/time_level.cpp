@@ -54,6 +54,12 @@ void drive(const SolveState& solve, const std::vector<Instant>& when, Kind& kind
     }
 }
 
+/// The same air over a material's facets in the lee.
+void drive_in_lee(Kind& kind) {
+    kind.in_lee = kind.forcing;
+    for (StageForcing& forcing : kind.in_lee) forcing.air.kind = FilmKind::sheltered_ground;
+}
+
 }  // namespace
 
 Level make_level(const SolveState& solve, const std::vector<MaterialId>& materials,
@@ -109,7 +115,11 @@ Level make_level(const SolveState& solve, const std::vector<MaterialId>& materia
             kind.back_slope.assign(kind.plate ? kind.times : 0, 0.0);
         },
         1);
-    for (const Block& block : solve.block) level.kind[block.material].facets += block.facet.size();
+    for (const Block& block : solve.block) {
+        Kind& kind = level.kind[block.material];
+        kind.facets += block.facet.size();
+        if (block.sheltered && kind.in_lee.empty()) drive_in_lee(kind);
+    }
     return level;
 }
 

@@ -180,10 +180,10 @@ bool solve_drives(const PlateStep& step, const TwoAirs& airs, const ModeForcing&
         for (std::size_t l = 0; l < lanes; ++l) {
             front[l] = base0[l] + r0 * u0[l] + r1 * u1[l];
             back[l] = base1[l] + r1 * u0[l] + r2 * u1[l];
-            face_flux<Kinds::plate, Kinds::wet>(air, natural[l], emissivity0, front[l] + reference,
-                                                flux0[l], slope0[l]);
-            face_flux<Kinds::plate, Kinds::wet_behind>(air, turned_over(natural[l]), emissivity1,
-                                                       back[l] + reference, flux1[l], slope1[l]);
+            face_flux<Kinds::kind, Kinds::wet>(air, natural[l], emissivity0, front[l] + reference,
+                                               flux0[l], slope0[l]);
+            face_flux<Kinds::kind, Kinds::wet_behind>(air, turned_over(natural[l]), emissivity1,
+                                                      back[l] + reference, flux1[l], slope1[l]);
         }
 #pragma omp simd reduction(max : largest)
         for (std::size_t l = 0; l < lanes; ++l) {
@@ -255,11 +255,11 @@ void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, 
             theta[1] += step.face[1][m] * batch.state[m * lanes + l];
         }
         double flux[2], slope[2];
-        face_flux<Kinds::plate, Kinds::wet>(airs.air, batch.natural[l], airs.emissivity[0],
-                                            theta[0] + step.reference, flux[0], slope[0]);
-        face_flux<Kinds::plate, Kinds::wet_behind>(airs.air, turned_over(batch.natural[l]),
-                                                   airs.emissivity[1], theta[1] + step.reference,
-                                                   flux[1], slope[1]);
+        face_flux<Kinds::kind, Kinds::wet>(airs.air, batch.natural[l], airs.emissivity[0],
+                                           theta[0] + step.reference, flux[0], slope[0]);
+        face_flux<Kinds::kind, Kinds::wet_behind>(airs.air, turned_over(batch.natural[l]),
+                                                  airs.emissivity[1], theta[1] + step.reference,
+                                                  flux[1], slope[1]);
         const double given[2]{heat[l], behind.heat[l]};
         double left = 0.0, terms = 1.0;
         for (int k = 0; k < 2; ++k) {
@@ -310,13 +310,10 @@ void begin_plates(const PlateStep& step, const ThermalSurface& surface, const Ai
             }
             const double t = theta + step.reference;
             double flux, slope;
-            if (air.wetness > 0.0 && (k == 0 || batch.wet_behind)) {
-                const auto wet = air.plate ? face_flux<true, true> : face_flux<false, true>;
-                wet(air, sides[k], airs.emissivity[k], t, flux, slope);
-            } else {
-                const auto dry = air.plate ? face_flux<true, false> : face_flux<false, false>;
-                dry(air, sides[k], airs.emissivity[k], t, flux, slope);
-            }
+            const bool wet = air.wetness > 0.0 && (k == 0 || batch.wet_behind);
+            by_kind(air.kind, wet, [&]<FilmKind Kind, bool Wet>() {
+                face_flux<Kind, Wet>(air, sides[k], airs.emissivity[k], t, flux, slope);
+            });
             batch.temperature[k][l] = t;
             batch.slope[k][l] = slope;
             batch.drive[k][l] = flux + given[k] + step.film[k] * theta;
@@ -327,15 +324,13 @@ void begin_plates(const PlateStep& step, const ThermalSurface& surface, const Ai
 void advance_plates(const PlateStep& step, const ThermalSurface& surface,
                     const ModeForcing& forcing, PlateBatch& batch, StepRecord& record) {
     const bool wet = forcing.air.low.wetness > 0.0, both = wet && batch.wet_behind;
-    if (forcing.air.low.plate) {
-        (both  ? advance<FaceKinds<true, true, true>>
-         : wet ? advance<FaceKinds<true, true, false>>
-               : advance<FaceKinds<true, false, false>>)(step, surface, forcing, batch, record);
-    } else {
-        (both  ? advance<FaceKinds<false, true, true>>
-         : wet ? advance<FaceKinds<false, true, false>>
-               : advance<FaceKinds<false, false, false>>)(step, surface, forcing, batch, record);
-    }
+    by_kind(forcing.air.low.kind, wet, [&]<FilmKind Kind, bool Wet>() {
+        if (Wet && both) {
+            advance<FaceKinds<Kind, Wet, Wet>>(step, surface, forcing, batch, record);
+        } else {
+            advance<FaceKinds<Kind, Wet, false>>(step, surface, forcing, batch, record);
+        }
+    });
 }
 
 }  // namespace diurna

@@ -24,12 +24,12 @@ struct TwoAirs {
 };
 
 /// Heat into one face [W m⁻²], all but `heat` on the front, and d/dT.
-template <bool Plate, bool Wet>
-[[gnu::always_inline]] inline void face_flux(const AirFilm& air, NaturalFilm natural,
+template <FilmKind Kind, bool Wet>
+[[gnu::always_inline]] inline void face_flux(const AirFilm& air, const NaturalFilm& natural,
                                              double emissivity, double t, double& flux,
                                              double& slope) {
     const SurfaceFlux into =
-        surface_flux<Plate, Wet>(air, natural, emissivity * stefan_boltzmann, 0.0, t);
+        surface_flux<Kind, Wet>(air, natural, emissivity * stefan_boltzmann, 0.0, t);
     flux = into.flux;
     slope = into.slope;
 }
@@ -43,17 +43,18 @@ struct Faces {
 
 inline constexpr double plate_settled = 1e-8;  // [K] of the last correction, which has been applied
 inline constexpr int plate_newton_steps = 12;
-/// Which air a plate's faces have, as the loops know it: a plate's or the ground's film,
-/// evaporation in front and behind.
-template <bool Plate, bool Wet, bool WetBehind>
+/// Which air a plate's faces have, as the loops know it: the kind of film, evaporation in front and
+/// behind.
+template <FilmKind Kind, bool Wet, bool WetBehind>
 struct FaceKinds {
-    static constexpr bool plate = Plate, wet = Wet, wet_behind = WetBehind;
+    static constexpr FilmKind kind = Kind;
+    static constexpr bool wet = Wet, wet_behind = WetBehind;
 };
 
 /// By halving within halving: every face's balance falls with its own temperature and rises with
 /// the other's.
 template <class Kinds>
-void solve_slowly(const TwoAirs& airs, NaturalFilm natural, const PlateStep& step,
+void solve_slowly(const TwoAirs& airs, const NaturalFilm& natural, const PlateStep& step,
                   const Faces& faces, double drive[2]) {
     const double* const r = faces.response;
     const double* const film = step.film.data();
@@ -63,11 +64,11 @@ void solve_slowly(const TwoAirs& airs, NaturalFilm natural, const PlateStep& ste
     const auto balance = [&](int k, const double t[2]) {
         double flux, slope;
         if (k == 0) {
-            face_flux<Kinds::plate, Kinds::wet>(airs.air, sides[0], airs.emissivity[0], t[0], flux,
-                                                slope);
+            face_flux<Kinds::kind, Kinds::wet>(airs.air, sides[0], airs.emissivity[0], t[0], flux,
+                                               slope);
         } else {
-            face_flux<Kinds::plate, Kinds::wet_behind>(airs.air, sides[1], airs.emissivity[1], t[1],
-                                                       flux, slope);
+            face_flux<Kinds::kind, Kinds::wet_behind>(airs.air, sides[1], airs.emissivity[1], t[1],
+                                                      flux, slope);
         }
         const double beyond[2]{t[0] - reference - faces.base[0], t[1] - reference - faces.base[1]};
         const double u = scale * (k == 0 ? r[2] * beyond[0] - r[1] * beyond[1]
@@ -94,7 +95,7 @@ void solve_slowly(const TwoAirs& airs, NaturalFilm natural, const PlateStep& ste
 
 /// One plate: drive in as a guess, out as the root.
 template <class Kinds>
-void solve_faces(const TwoAirs& airs, NaturalFilm natural, const PlateStep& step,
+void solve_faces(const TwoAirs& airs, const NaturalFilm& natural, const PlateStep& step,
                  const Faces& faces, double drive[2], StepRecord& record) {
     const double* const r = faces.response;
     const double* const film = step.film.data();
@@ -104,10 +105,10 @@ void solve_faces(const TwoAirs& airs, NaturalFilm natural, const PlateStep& step
         const double front = faces.base[0] + r[0] * drive[0] + r[1] * drive[1];
         const double back = faces.base[1] + r[1] * drive[0] + r[2] * drive[1];
         double flux[2], slope[2];
-        face_flux<Kinds::plate, Kinds::wet>(airs.air, natural, airs.emissivity[0],
-                                            front + reference, flux[0], slope[0]);
-        face_flux<Kinds::plate, Kinds::wet_behind>(airs.air, behind, airs.emissivity[1],
-                                                   back + reference, flux[1], slope[1]);
+        face_flux<Kinds::kind, Kinds::wet>(airs.air, natural, airs.emissivity[0], front + reference,
+                                           flux[0], slope[0]);
+        face_flux<Kinds::kind, Kinds::wet_behind>(airs.air, behind, airs.emissivity[1],
+                                                  back + reference, flux[1], slope[1]);
         const double g0 = slope[0] + film[0], g1 = slope[1] + film[1];
         const double left0 = flux[0] + faces.heat[0] + film[0] * front - drive[0];
         const double left1 = flux[1] + faces.heat[1] + film[1] * back - drive[1];

@@ -16,7 +16,7 @@ namespace {
 /// between two temperatures, so their film, a boundary layer of their own, falls no further.
 /// There 15 s y² = √(1 + 30 y), in the notation of LouisForm, or y is stable_limit.
 double fullest_film(const AirFilm& air) {
-    if (air.plate || air.instability <= 0.0 || air.s <= 0.0) return 0.0;
+    if (air.instability <= 0.0 || air.s <= 0.0) return 0.0;
     double y = 0.1;
     for (int i = 0; i < 8; ++i) y = std::sqrt(std::sqrt(1.0 + 30.0 * y) / (15.0 * air.s));
     y = std::min(y, stable_limit);

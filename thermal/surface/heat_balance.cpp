@@ -8,7 +8,7 @@ double HeatBalance::sum() const {
     return absorbed_solar + longwave_in + longwave_out + sensible + latent + internal + conducted;
 }
 
-HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissivity,
+HeatBalance heat_balance(const AirFilm& air, const NaturalFilm& natural, double emissivity,
                          const ArrivingHeat& arriving, double temperature) {
     const Film film = film_of(air, natural, temperature);
     const DryLoss dry = dry_loss(air, film, emissivity * stefan_boltzmann, temperature);

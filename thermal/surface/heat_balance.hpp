@@ -26,7 +26,7 @@ struct ArrivingHeat {
 };
 
 /// Everything but conduction, for one facet.
-HeatBalance heat_balance(const AirFilm& air, NaturalFilm natural, double emissivity,
+HeatBalance heat_balance(const AirFilm& air, const NaturalFilm& natural, double emissivity,
                          const ArrivingHeat& arriving, double temperature);
 
 }  // namespace diurna

@@ -8,18 +8,63 @@ namespace diurna {
 // The balance of one face of a surface, written once: scalar code and the loops over lanes
 // (thermal/kernels) call these. For loops: no call, no branch.
 
-/// The film of a face: ground (Louis, or constant) or a plate (natural and forced convection).
-template <bool Plate>
-[[gnu::always_inline]] inline Film film_of(const AirFilm& air, NaturalFilm natural,
+/// The film of a face.
+template <FilmKind Kind>
+[[gnu::always_inline]] inline Film film_of(const AirFilm& air, const NaturalFilm& own,
                                            double temperature) {
-    return Plate ? plate_film(air, natural, temperature) : ground_film(air, temperature);
+    if (Kind == FilmKind::ground) return ground_film(air, temperature);
+    if (Kind == FilmKind::sheltered_ground) {
+        // A share of the wind (facet_film).
+        return ground_film({.air_temperature = air.air_temperature,
+                            .neutral = air.neutral * own.laminar,
+                            .instability = air.instability * own.turbulent,
+                            .a = air.a,
+                            .c = air.c,
+                            .s = air.s,
+                            .least = air.least,
+                            .heat_capacity = air.heat_capacity,
+                            .vapour_pressure = air.vapour_pressure,
+                            .latent = air.latent,
+                            .resistance = air.resistance,
+                            .wetness = air.wetness,
+                            .kind = air.kind,
+                            .plate = {}},
+                           temperature);
+    }
+    const double excess = temperature - air.air_temperature;
+    return Kind == FilmKind::wall ? wall_film(air.plate, own, excess)
+                                  : body_film(air.plate, own, excess);
 }
-inline Film film_of(const AirFilm& air, NaturalFilm natural, double temperature) {
-    return air.plate ? film_of<true>(air, natural, temperature)
-                     : film_of<false>(air, natural, temperature);
+
+/// Calls `call` as a template of the film's kind and whether the surface is wet.
+template <class Call>
+auto by_kind(FilmKind kind, bool wet, const Call& call) {
+    const auto of = [&]<FilmKind Kind>() {
+        return wet ? call.template operator()<Kind, true>()
+                   : call.template operator()<Kind, false>();
+    };
+    switch (kind) {
+        case FilmKind::ground:
+            break;
+        case FilmKind::sheltered_ground:
+            return of.template operator()<FilmKind::sheltered_ground>();
+        case FilmKind::wall:
+            return of.template operator()<FilmKind::wall>();
+        case FilmKind::body:
+            return of.template operator()<FilmKind::body>();
+    }
+    return of.template operator()<FilmKind::ground>();
+}
+inline Film film_of(const AirFilm& air, const NaturalFilm& own, double temperature) {
+    return by_kind(air.kind, false,
+                   [&]<FilmKind Kind, bool>() { return film_of<Kind>(air, own, temperature); });
 }
 /// Of a plate's other side: seen from there, up is down.
-inline NaturalFilm turned_over(NaturalFilm natural) { return {natural.cold, natural.warm}; }
+inline NaturalFilm turned_over(const NaturalFilm& own) {
+    NaturalFilm other = own;
+    other.side = -own.side;
+    return other;
+}
 
 /// What a face sends away by radiation and to the air [W m⁻²], and −d/dT of both [W m⁻² K⁻¹].
 ///
@@ -42,11 +87,11 @@ struct DryLoss {
 struct SurfaceFlux {
     double flux, slope;
 };
-template <bool Plate, bool Wet>
-[[gnu::always_inline]] inline SurfaceFlux surface_flux(const AirFilm& air, NaturalFilm natural,
-                                                       double radiation, double heat,
-                                                       double temperature) {
-    const Film film = film_of<Plate>(air, natural, temperature);
+template <FilmKind Kind, bool Wet>
+[[gnu::always_inline]] inline SurfaceFlux surface_flux(const AirFilm& air,
+                                                       const NaturalFilm& natural, double radiation,
+                                                       double heat, double temperature) {
+    const Film film = film_of<Kind>(air, natural, temperature);
     const DryLoss dry = dry_loss(air, film, radiation, temperature);
     SurfaceFlux into{heat - dry.emitted - dry.sensible, -dry.slope};
     if (Wet) {
@@ -70,13 +115,13 @@ struct BackFace {
 /// Heat into it.
 ///
 /// front  the natural film of the other side
-inline SurfaceFlux back_flux(const AirFilm& air, NaturalFilm front, const BackFace& back,
+inline SurfaceFlux back_flux(const AirFilm& air, const NaturalFilm& front, const BackFace& back,
                              double temperature) {
     const double radiation = back.emissivity * stefan_boltzmann;
-    const auto flux = air.plate
-                          ? (back.wet ? surface_flux<true, true> : surface_flux<true, false>)
-                          : (back.wet ? surface_flux<false, true> : surface_flux<false, false>);
-    return flux(air, turned_over(front), radiation, back.arriving, temperature);
+    const NaturalFilm own = turned_over(front);
+    return by_kind(air.kind, back.wet, [&]<FilmKind Kind, bool Wet>() {
+        return surface_flux<Kind, Wet>(air, own, radiation, back.arriving, temperature);
+    });
 }
 
 }  // namespace diurna

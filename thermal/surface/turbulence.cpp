@@ -79,28 +79,19 @@ LouisForm louis_form(double roughness_length, double heat_roughness_length, doub
     return form;
 }
 
-NaturalFilm natural_film(double up_cosine) {
-    const double cosine = std::min(1.0, std::abs(up_cosine));
-    const double buoyant = 9.482 / (7.238 - cosine), held = 1.81 / (1.382 + cosine);
-    return up_cosine >= 0.0 ? NaturalFilm{buoyant, held} : NaturalFilm{held, buoyant};
-}
-
-double tarp_forced(double wind_speed) {
-    constexpr double roughness = 1.67, perimeter_over_area = 0.4, exposure = 0.75;
-    return 2.537 * exposure * roughness * std::sqrt(perimeter_over_area * wind_speed);
-}
-
-double mowitt_forced(double wind_speed) { return 3.26 * std::pow(wind_speed, 0.89); }
-
-double recovery_temperature(double air_temperature, double speed) {
-    constexpr double gamma = 1.4, recovery = 0.89;
-    const double mach_squared = speed * speed / (gamma * dry_air_gas_constant * air_temperature);
-    return air_temperature * (1.0 + recovery * 0.5 * (gamma - 1.0) * mach_squared);
-}
-
-AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
+AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& given,
                  double wind_speed) {
-    const double wind = std::max(wind_speed, least_wind);
+    AirState air = given, reference = given;
+    double wind = std::max(wind_speed, least_wind);
+    if (surface.flight) {
+        wind = surface.flight->speed;
+        const auto* body = std::get_if<BodyFilm>(&surface.convection);
+        const double recovery =
+            recovery_factor(given, *surface.flight, (body ? *body : BodyFilm{}).transition);
+        air.temperature = recovery_temperature(given.temperature, wind, recovery);
+        // Eckert 1955: T + 0.5 (T_s − T) + 0.22 (T_r − T), at T_s = T_r.
+        reference.temperature += 0.72 * (air.temperature - given.temperature);
+    }
     const double capacity = air_density(air) * dry_air_heat_capacity;
     AirFilm film{};
     film.air_temperature = air.temperature;
@@ -112,12 +103,15 @@ AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const Ai
     film.wetness = surface.evaporation.wetness;
     if (const auto* constant = std::get_if<ConstantFilm>(&surface.convection)) {
         film.neutral = constant->film;
-    } else if (std::holds_alternative<Tarp>(surface.convection)) {
-        film.plate = true;
-        film.neutral = tarp_forced(wind);
-    } else if (std::holds_alternative<Mowitt>(surface.convection)) {
-        film.plate = film.quadratic = true;
-        film.neutral = mowitt_forced(wind);
+    } else if (const auto* tarp = std::get_if<Tarp>(&surface.convection)) {
+        film.kind = FilmKind::wall;
+        film.plate = plate_air(*tarp, reference, wind);
+    } else if (const auto* mowitt = std::get_if<Mowitt>(&surface.convection)) {
+        film.kind = FilmKind::wall;
+        film.plate = plate_air(*mowitt, reference, wind);
+    } else if (const auto* body = std::get_if<BodyFilm>(&surface.convection)) {
+        film.kind = FilmKind::body;
+        film.plate = plate_air(*body, reference, wind);
     } else {
         const Louis& ground = std::get<Louis>(surface.convection);
         const double mixing = std::hypot(wind, ground.gust);

@@ -5,8 +5,9 @@
 
 #include "materials/air/moist_air.hpp"
 #include "materials/air/saturation.hpp"
-#include "materials/base/cube_root.hpp"
 #include "materials/matter/material.hpp"
+#include "thermal/surface/film.hpp"
+#include "thermal/surface/plate_film.hpp"
 
 namespace diurna {
 
@@ -41,26 +42,11 @@ struct LouisForm {
 LouisForm louis_form(double roughness_length, double heat_roughness_length, double wind_height,
                      double air_height);
 
-/// Natural convection of a flat plate, h = C |ΔT|^⅓ (Walton's TARP 1983): the factor
-/// C [W m⁻² K⁻⁴ᐟ³] of a plate warmer and one colder than the air. 1.31 both for a wall.
-///
-/// up_cosine  upward part of the outward normal, −1 to 1
-struct NaturalFilm {
-    double warm, cold;
-};
-NaturalFilm natural_film(double up_cosine);
-
-/// Forced part of TARP's film [W m⁻² K⁻¹]: 2.537 W_f R_f √(P U / A), rough plaster (R_f 1.67), a
-/// plate of 10 m (P/A 0.4 m⁻¹), mean of windward and leeward (W_f 0.75).
-double tarp_forced(double wind_speed);
-/// Forced part of DOE-2's MoWiTT film, windward: 3.26 U^0.89.
-double mowitt_forced(double wind_speed);
-
 /// How one kind of surface exchanges heat and vapour with the air at one instant: what the balance
 /// kernel needs, the same for all facets of a material.
 struct AirFilm {
     double air_temperature;  // [K]
-    double neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant or forced film
+    double neutral;          // [W m⁻² K⁻¹] film at neutrality, or the constant
     double instability;      // [K⁻¹] x per kelvin of surface excess; 0 for plates and constants
     double a, c, s;          // of LouisForm; 0 for plates and constants
     double least;            // [W m⁻² K⁻¹] added to ground's film
@@ -69,26 +55,16 @@ struct AirFilm {
     double latent;           // [J m⁻³ Pa⁻¹] ρ L_v 0.622 / p
     double resistance;       // [s m⁻¹] of the surface to evaporation
     double wetness;          // 0: neither evaporation nor dew
-    bool plate;              // TARP or MoWiTT: plate_film, else ground_film
-    bool quadratic;          // MoWiTT
+    FilmKind kind;           // ground_film, wall_film or body_film
+    PlateAir plate;          // of walls and bodies
 };
 
 /// wind below 0.3 m s⁻¹ counts as 0.3: drift in calm air
 inline constexpr double least_wind = 0.3;
 
-/// Air as warm as a surface that moves through it would find it (recovery temperature):
-/// T (1 + r (γ − 1)/2 M²) with r = 0.89, turbulent, and γ = 1.4.
-double recovery_temperature(double air_temperature, double speed);
-
+/// Of a surface in flight the wind is its speed, and the air as warm as it finds it.
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed);
-
-/// A film between surface and air [W m⁻² K⁻¹]; (T_s − T_a) dh/dT_s, which stays finite where the
-/// two are equally warm; and dh/dT_s for the latent heat, zero for plates: there a step of Newton's
-/// more costs less.
-struct Film {
-    double h, rise, slope;
-};
 
 /// Ground (Louis) or constant film, F = n / d and dF/dx = g / d². One root and one division for
 /// both branches: of a choice between them the compiler makes two of each, so they are blended.
@@ -106,17 +82,6 @@ struct Film {
     const double follows = static_cast<double>(excess >= -stable_limit);
     const double steepness = follows * air.neutral * g * inverse * inverse;
     return {air.neutral * n * inverse + air.least, steepness * x, steepness * air.instability};
-}
-
-/// A plate under natural and forced convection: their sum (TARP) or their root sum of squares
-/// (MoWiTT).
-[[gnu::always_inline]] inline Film plate_film(const AirFilm& air, NaturalFilm natural,
-                                              double temperature) {
-    const double excess = temperature - air.air_temperature;
-    const double n = (excess > 0.0 ? natural.warm : natural.cold) * cube_root(std::abs(excess));
-    if (!air.quadratic) return {n + air.neutral, n / 3.0, 0.0};
-    const double h = std::sqrt(n * n + air.neutral * air.neutral);
-    return {h, h > 0.0 ? n * n / (3.0 * h) : 0.0, 0.0};
 }
 
 /// What carries vapour, the air's film and a resistance [s m⁻¹] in series, over ρ cp [m s⁻¹], and
@@ -152,18 +117,38 @@ struct LatentHeat {
     return latent_heat(air, film, excess, slope);
 }
 
-/// Air on the straight line from one instant to another (and beyond).
+/// Air on the straight line from one instant to another (and beyond). Value by value: loops that
+/// copy a whole AirFilm do not become vectors.
 [[gnu::always_inline]] inline AirFilm air_between(const AirFilm& before, const AirFilm& after,
                                                   double share) {
-    AirFilm air = after;
     const double back = 1.0 - share;
-    air.air_temperature += back * (before.air_temperature - after.air_temperature);
-    air.neutral += back * (before.neutral - after.neutral);
-    air.instability += back * (before.instability - after.instability);
-    air.heat_capacity += back * (before.heat_capacity - after.heat_capacity);
-    air.vapour_pressure += back * (before.vapour_pressure - after.vapour_pressure);
-    air.latent += back * (before.latent - after.latent);
-    return air;
+    const auto between = [back](double from, double to) __attribute__((always_inline)) {
+        return to + back * (from - to);
+    };
+    const PlateAir &from = before.plate, &to = after.plate;
+    return {.air_temperature = between(before.air_temperature, after.air_temperature),
+            .neutral = between(before.neutral, after.neutral),
+            .instability = between(before.instability, after.instability),
+            .a = after.a,
+            .c = after.c,
+            .s = after.s,
+            .least = after.least,
+            .heat_capacity = between(before.heat_capacity, after.heat_capacity),
+            .vapour_pressure = between(before.vapour_pressure, after.vapour_pressure),
+            .latent = between(before.latent, after.latent),
+            .resistance = after.resistance,
+            .wetness = after.wetness,
+            .kind = after.kind,
+            .plate = {.conduct = between(from.conduct, to.conduct),
+                      .sixth = between(from.sixth, to.sixth),
+                      .quarter = between(from.quarter, to.quarter),
+                      .third = between(from.third, to.third),
+                      .laminar = between(from.laminar, to.laminar),
+                      .turbulent = between(from.turbulent, to.turbulent),
+                      .edge = between(from.edge, to.edge),
+                      .warming = to.warming,
+                      .roughness = to.roughness,
+                      .quadratic = to.quadratic}};
 }
 
 }  // namespace diurna

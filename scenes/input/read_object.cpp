@@ -145,6 +145,14 @@ ObjectInput read_object(const Section& section, Reading& reading) {
         .metres = metres_per_unit(section),
         .largest_edge = section.number_or(
             "largest_edge_m", "of its triangles; longer ones are divided", 0.5, {0.01, 100.0})};
+    object.airspeed = section.number_or(
+        "airspeed_m_s",
+        "in flight along its heading, at its place: wind of that speed on all its surfaces, and "
+        "air as warm as they find it (its recovery temperature)",
+        {0.0, "0: it stands in the weather's wind"}, {0.0, 1000.0});
+    if (object.airspeed > 0.0 && section.has("texture")) {
+        section.mistake("airspeed_m_s", "not on an object with a texture");
+    }
     object.material = part_materials(section, object.mesh, reading);
     weld(section, object);
     const bool raised = section.has("height_above_ground_m");

@@ -19,6 +19,7 @@ struct ObjectInput {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is found on the ground
     double height_above_ground = 0.0;                 // of its lowest point [m]
+    double airspeed = 0.0;                            // [m s⁻¹] along its heading; 0: it stands
     std::vector<std::string> material;                // (part of the mesh)
     std::vector<std::string> notes;                   // on the mesh: what was left out of it
     std::string where;                                // height_above_ground_m in the scene file

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -14,6 +16,7 @@
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/stepping.hpp"
+#include "scenes/world/wind.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/reciprocity.hpp"
@@ -132,6 +135,8 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
     };
     const MeasuredAlbedo albedo = measured_albedo(prepared.scene, prepared.world, prepared.weather);
     const AirByHeight by_height = air_by_height(prepared.scene, prepared.weather);
+    const std::vector<FilmPart> parts =
+        parts_in_wind(prepared.world, prepared.scene.materials, prepared.weather.wind_height);
     const SolveInput input{.facets = prepared.world.surfaces(),
                            .views = views,
                            .sun = none,
@@ -141,11 +146,15 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                            .elevation = prepared.weather.height,
                            .by_height = &by_height,
                            .height = facet_heights(prepared.world),
+                           .part = parts,
                            .clear_sky = prepared.scene.sky,
                            .measured_share = albedo.share,
                            .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
     SpanResult result = solve_span(input, exposure, span);
     result.start += ": " + start_told(input, span, result.report);
+    if (std::string lee = lee_note(prepared.world, parts); !lee.empty()) {
+        result.notes.push_back(std::move(lee));
+    }
     if (const double share = daily.share_taken_over(); share > 0.0) {
         result.notes.push_back(
             fmt::format("shadows: {:.0f} % of facets and instants have the share of days before "

@@ -2,19 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <utility>
+#include <variant>
 
 #include "terrain/ground/rings.hpp"
 
 namespace diurna {
-
-ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
-                       const MaterialLibrary& materials) {
-    Placing placing = object.placing;
-    placing.base = ground + Eigen::Vector3d(0.0, 0.0, object.height_above_ground);
-    std::vector<MaterialId> material;
-    for (const std::string& name : object.material) material.push_back(materials.find(name));
-    return placed_mesh(object.mesh, placing, material);
-}
 
 namespace {
 
@@ -27,7 +20,31 @@ Eigen::Vector3d size_of(const ObjectInput& object) {
     return size;
 }
 
+/// A material as it is on an object in flight.
+MaterialId in_flight(const ObjectInput& object, const std::string& name,
+                     MaterialLibrary& materials) {
+    Material moving = materials[materials.find(name)];
+    moving.varies = moving.kind();
+    moving.name = name + " of " + object.name + " (in flight)";
+    const auto* body = std::get_if<BodyFilm>(&moving.thermal.convection);
+    moving.thermal.flight = {object.airspeed,
+                             body && body->length > 0.0 ? body->length : size_of(object).y()};
+    return materials.add(std::move(moving));
+}
+
 }  // namespace
+
+ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
+                       MaterialLibrary& materials) {
+    Placing placing = object.placing;
+    placing.base = ground + Eigen::Vector3d(0.0, 0.0, object.height_above_ground);
+    std::vector<MaterialId> material;
+    for (const std::string& name : object.material) {
+        material.push_back(object.airspeed > 0.0 ? in_flight(object, name, materials)
+                                                 : materials.find(name));
+    }
+    return placed_mesh(object.mesh, placing, material);
+}
 
 double object_height(const ObjectInput& object) { return size_of(object).z(); }
 

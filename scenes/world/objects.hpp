@@ -11,9 +11,10 @@
 /// Meshes of files on the ground of a scene.
 namespace diurna {
 
-/// Its triangles, its lowest point `height_above_ground` over the ground at its place.
+/// Its triangles, its lowest point `height_above_ground` over the ground at its place. Of one in
+/// flight the materials are copies that know its speed and length, added to the library.
 ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
-                       const MaterialLibrary& materials);
+                       MaterialLibrary& materials);
 
 /// From its lowest to its highest point [m].
 double object_height(const ObjectInput& object);

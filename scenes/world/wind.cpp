@@ -1,0 +1,189 @@
+#include "scenes/world/wind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <utility>
+#include <variant>
+
+#include "materials/base/parallel.hpp"
+#include "terrain/visibility/object_parts.hpp"
+#include "thermal/weather/wind_share.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t directions = 16;
+
+/// The raster's height at a place; `otherwise` outside it and over voids.
+double ground_at(const World& world, const Eigen::Vector2d& place, double otherwise) {
+    const HeightField& field = *world.relief;
+    const Eigen::Vector2d post = field.post(place);
+    const double column = std::floor(post.x()), row = std::floor(post.y());
+    if (!(column >= 0.0 && row >= 0.0 && column + 1.0 < field.columns() &&
+          row + 1.0 < field.rows())) {
+        return otherwise;
+    }
+    const int c = int(column), r = int(row);
+    const double x = post.x() - column, y = post.y() - row;
+    const auto up = [&](int down, int right) { return double(field.up(r + down, c + right)); };
+    const double height =
+        std::lerp(std::lerp(up(0, 0), up(0, 1), x), std::lerp(up(1, 0), up(1, 1), x), y);
+    return height > -1e4 ? height : otherwise;
+}
+
+/// A body that stands in the wind.
+struct Obstacle {
+    BodyBox box;
+    std::uint32_t body;
+    double ground, height, reach;  // [m]; reach from its middle
+};
+
+std::vector<Obstacle> obstacles(const World& world, const ObjectParts& parts) {
+    std::vector<Obstacle> found;
+    for (std::uint32_t b = 0; b < parts.body.size(); ++b) {
+        const BodyBox& box = parts.body[b];
+        const double ground = ground_at(world, box.middle, box.bottom);
+        const double height = box.top - ground;
+        // What hangs in the air is no wall.
+        if (height <= 0.0 || box.bottom - ground > 0.5 * height) continue;
+        found.push_back({box, b, ground, height,
+                         lee_reach * height + std::hypot(box.half_length, box.half_width)});
+    }
+    return found;
+}
+
+/// How far upwind of a place a box stands in the way; negative where it does not.
+///
+/// towards  where the wind comes from, unit
+double upwind_distance(const BodyBox& box, const Eigen::Vector2d& place,
+                       const Eigen::Vector2d& towards) {
+    const Eigen::Vector2d from = place - box.middle;
+    const Eigen::Vector2d side(-box.along.y(), box.along.x());
+    double enter = 0.0, leave = 1e9;
+    for (const auto& [axis, half] :
+         {std::pair{box.along, box.half_length}, {side, box.half_width}}) {
+        const double at = from.dot(axis), speed = towards.dot(axis);
+        if (std::abs(speed) < 1e-12) {
+            if (std::abs(at) > half) return -1.0;
+            continue;
+        }
+        const double one = (-half - at) / speed, other = (half - at) / speed;
+        enter = std::max(enter, std::min(one, other));
+        leave = std::min(leave, std::max(one, other));
+    }
+    return leave > enter ? enter : -1.0;
+}
+
+/// Obstacles by the cells of a grid that they reach.
+class Reached {
+ public:
+    Reached(const std::vector<Obstacle>& all, const FacetSet& facets) : all_(all) {
+        for (const Eigen::Vector3f& v : facets.vertex) {
+            low_ = low_.cwiseMin(v.head<2>().cast<double>());
+            high_ = high_.cwiseMax(v.head<2>().cast<double>());
+        }
+        for (std::uint32_t o = 0; o < all.size(); ++o) {
+            const Eigen::Vector2d far = Eigen::Vector2d::Constant(all[o].reach);
+            const Eigen::Vector2i from = cell(all[o].box.middle - far);
+            const Eigen::Vector2i to = cell(all[o].box.middle + far);
+            for (int y = from.y(); y <= to.y(); ++y) {
+                for (int x = from.x(); x <= to.x(); ++x) in_[place(x, y)].push_back(o);
+            }
+        }
+    }
+
+    /// What is left of the wind at a place in the lee of all bodies but its own.
+    float share(const Eigen::Vector3d& at, std::uint32_t own_body) const {
+        const Eigen::Vector2i here = cell(at.head<2>());
+        std::array<double, directions> deficit{};
+        bool any = false;
+        for (const std::uint32_t o : in_[place(here.x(), here.y())]) {
+            const Obstacle& obstacle = all_[o];
+            const double far = (at.head<2>() - obstacle.box.middle).squaredNorm();
+            if (obstacle.body == own_body || far > obstacle.reach * obstacle.reach) continue;
+            for (std::size_t d = 0; d < directions; ++d) {
+                const double angle = 2.0 * std::numbers::pi * (double(d) + 0.5) / directions;
+                const double distance =
+                    upwind_distance(obstacle.box, at.head<2>(), {std::cos(angle), std::sin(angle)});
+                if (distance < 0.0) continue;
+                const double less =
+                    lee_deficit(distance, obstacle.height, at.z() - obstacle.ground);
+                deficit[d] = std::max(deficit[d], less);
+                any = any || less > 0.0;
+            }
+        }
+        if (!any) return 1.0f;
+        double share = 1.0;
+        for (const double less : deficit) share -= less / double(directions);
+        return float(share);
+    }
+
+ private:
+    static constexpr int cells = 64;  // each way
+    static std::size_t place(int x, int y) { return std::size_t(y) * cells + std::size_t(x); }
+    Eigen::Vector2i cell(const Eigen::Vector2d& at) const {
+        const Eigen::Vector2d size = (high_ - low_).cwiseMax(1e-3) / double(cells);
+        const Eigen::Vector2d in = (at - low_).cwiseQuotient(size);
+        return in.array().floor().max(0.0).min(cells - 1.0).matrix().cast<int>();
+    }
+
+    const std::vector<Obstacle>& all_;
+    Eigen::Vector2d low_ = Eigen::Vector2d::Constant(1e9), high_ = Eigen::Vector2d::Constant(-1e9);
+    std::array<std::vector<std::uint32_t>, std::size_t(cells) * cells> in_;
+};
+
+}  // namespace
+
+std::vector<FilmPart> parts_in_wind(const World& world, const MaterialLibrary& materials,
+                                    double wind_height) {
+    const FacetSet& solid = world.facets;
+    if (world.ground_facets >= solid.size()) return {};
+    constexpr std::uint32_t nobody = 0xFFFFFFFFu;
+    const ObjectParts parts = object_parts(solid, world.ground_facets);
+    const std::vector<Obstacle> standing = obstacles(world, parts);
+    const Reached reached(standing, solid);
+    std::vector<FilmPart> of_solid(solid.size());
+    for_each_index(solid.size(), [&](std::size_t f) {
+        FilmPart& part = of_solid[f];
+        const Eigen::Vector3d at = solid.centroid[f].cast<double>();
+        if (f < world.ground_facets) {
+            part.wind = reached.share(at, nobody);
+            return;
+        }
+        const PartSize& size = parts.size[f - world.ground_facets];
+        part = {
+            .rise = size.rise, .breadth = size.breadth, .chord = size.chord, .across = size.across};
+        const ThermalSurface& surface = materials[solid.material[f]].thermal;
+        if (surface.flight) return;
+        part.wind = reached.share(at, size.body);
+        if (std::holds_alternative<Louis>(surface.convection)) return;  // has its own profile
+        const double ground = ground_at(world, at.head<2>(), parts.body[size.body].bottom);
+        part.wind *= float(wind_at_height(at.z() - ground, wind_height));
+    });
+    if (world.texture_levels.empty()) return of_solid;
+    std::vector<FilmPart> all;
+    for (const std::uint32_t f : world.texture_levels.origin) all.push_back(of_solid[f]);
+    return all;
+}
+
+std::string lee_note(const World& world, const std::vector<FilmPart>& parts) {
+    std::size_t fewer = 0;
+    float least = 1.0f;
+    for (std::size_t f = 0; f < std::min(parts.size(), world.ground_facets); ++f) {
+        fewer += parts[f].wind < 1.0f ? 1 : 0;
+        least = std::min(least, parts[f].wind);
+    }
+    if (fewer == 0) return "";
+    return fmt::format(
+        "wind: {:.2g} % of the ground's facets lie in the lee of buildings or objects (mean of all "
+        "directions), where down to {:.2f} of the wind is left; trees take none off",
+        100.0 * double(fewer) / double(world.ground_facets), least);
+}
+
+}  // namespace diurna

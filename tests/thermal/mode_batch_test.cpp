@@ -35,7 +35,7 @@ struct Case {
         state.temperature = 291.2;
         air = air_film(surface, louis, state, 1.05 * wind);
         batch.resize(step.modes(), lanes);
-        batch.natural.fill(natural_film(1.0));
+        batch.natural.fill(facet_film(surface.convection, 1.0, {}));
         for (std::size_t l = 0; l < lanes; ++l) {
             heat_before[l] = surface.emissivity * 300.0 + 35.0 * double(l);
             heat[l] = heat_before[l] * 1.02;

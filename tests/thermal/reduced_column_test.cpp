@@ -146,7 +146,7 @@ TEST_CASE("light that goes and comes within a step is met to a tenth of a kelvin
             const ModeStep steps = make_mode_step(column, closed, step);
             ModeBatch batch;
             batch.resize(std::size_t(column.modes()), 1);
-            batch.natural[0] = natural_film(1.0);
+            batch.natural[0] = facet_film(surface.convection, 1.0, {});
             const double sky = surface.emissivity * 350.0;
             double heat[lanes], before[lanes];
             std::fill_n(heat, lanes, sky + shining(8.0 * 3600.0));

@@ -134,7 +134,7 @@ void take_effective_index(const Spectrum& reflectance, Glossy& finish) {
 bool wants_effective_index(const Section& section) {
     return section.has("effective_index") &&
            section.flag_or("effective_index",
-                           "of gloss and metal: from 4 µm (metal: everywhere) the index is the one "
+                           "from 4 µm (metal: everywhere) the index is the one "
                            "that sends back the reflectance upright",
                            false);
 }

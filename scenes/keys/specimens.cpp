@@ -140,7 +140,7 @@ layers = []
 [coat]
 like = "flat"
 roughness_length_m = 0.01
-finish = { kind = "gloss", index_file = "paint.csv" }
+finish = { kind = "gloss", index_file = "paint.csv", effective_index = true }
 bottom = { kind = "temperature" }
 convection = { kind = "constant" }
 canopy = { kind = "two_source" }
@@ -148,7 +148,7 @@ canopy = { kind = "two_source" }
 [net]
 like = "flat"
 cover = 0.7
-finish = { kind = "metal", effective_index = true }
+finish = { kind = "metal", index_file = "zinc.csv", effective_index = true }
 convection = { kind = "tarp" }
 
 [table]

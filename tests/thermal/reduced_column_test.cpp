@@ -185,6 +185,7 @@ TEST_CASE("light that goes and comes within a step is met to a tenth of a kelvin
             worst = std::max(worst, std::abs(coarse[i] - fine[i]));
         }
         INFO("worst " << worst << " K");
+
         CHECK(worst < 0.1);
     }
 }

@@ -24,9 +24,12 @@ constexpr int newton_steps = 10;  // more than a bend takes
 constexpr int halvings = 56;      // of the bracket 1 to 5000 K, to its last bit
 
 /// [K] of the last correction, which has been applied: what is left goes with its square, 1e-9 K
-/// and less for ground; a plate's film rises from the air's temperature with an upright tangent.
-template <FilmKind Kind>
-constexpr double near_enough = on_ground<Kind> ? 1e-4 : 1e-8;
+/// and less for ground; wet ground in calm, dry air leaves 100 times its square; a plate's film
+/// rises from the air's temperature with an upright tangent.
+template <FilmKind Kind, bool Wet>
+constexpr double near_enough = !on_ground<Kind> ? 1e-8
+                               : Wet            ? 1e-6
+                                                : 1e-4;
 
 /// Where a wet surface's balance bends [K]: at the dew point, and as warm as the air, where the
 /// film changes with the root of the difference and vapour with it.

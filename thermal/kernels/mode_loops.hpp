@@ -129,8 +129,8 @@ ModeOutcome advance_lanes(const AirFilm& before, const AirFilm& given, const Mod
             largest = size > largest ? size : largest;
         }
         ++outcome.iterations;
-    } while (largest > near_enough<Kind> && outcome.iterations < newton_steps);
-    outcome.halved = largest > near_enough<Kind>;
+    } while (largest > near_enough<Kind, Wet> && outcome.iterations < newton_steps);
+    outcome.halved = largest > near_enough<Kind, Wet>;
     if (outcome.halved) halve<Kind, Wet>(air.at, radiation, b, s, way);
     double worst = 0.0;
 #pragma omp simd reduction(max : worst)

@@ -204,7 +204,7 @@ bool split_group(const AirFilm& before, const AirFilm& after, const ModeCoeffici
         enter_part(c, s, first, part, p);
         decay_part(c, s, first, p);
         guess_part(c, s, first, p);
-        const double near = part < parts_after_jump ? near_inside : near_enough<Kind>;
+        const double near = part < parts_after_jump ? near_inside : near_enough<Kind, Wet>;
         const bool more = settle_part<Kind, Wet>(film_at, bend_at, radiation, near, s, first, p);
         halved = halved || more;
         leave_part(c, s, first, p);

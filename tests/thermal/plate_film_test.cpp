@@ -1,5 +1,6 @@
 #include "thermal/surface/plate_film.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "materials/base/units.hpp"
 #include "thermal/surface/standing_water.hpp"

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "materials/base/document.hpp"

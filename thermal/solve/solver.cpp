@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 #include <utility>
+#include <variant>
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"

@@ -109,10 +109,11 @@ struct Evaporation {
 
 /// Water standing on a surface, as on leaves, stones and roofs: filled by rain and dew, emptied by
 /// evaporation; what is more runs off. The wet share, content over capacity, evaporates without the
-/// surface's own resistance.
+/// surface's own resistance. Snow lies on top of that (thermal/surface/standing_water.hpp).
 struct WaterStore {
-    double capacity_mm = 0.0;  // none: neither filled nor emptied
+    double capacity_mm = 0.0;  // of level ground; none: neither filled nor emptied
     double wet_albedo = -1.0;  // of the surface where it is wet; negative: as dry
+    bool leaves = false;       // that hold as much on any slope
 };
 
 /// Snow's broadband albedo ages from the material's own on (Douville et al. 1995, Clim. Dyn. 12,

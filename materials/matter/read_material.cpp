@@ -118,10 +118,15 @@ Evaporation read_evaporation(const Section& section) {
 }
 
 WaterStore read_store(const Section& section) {
-    return {.capacity_mm = section.number("capacity_mm", "that the surface holds; more runs off",
-                                          {0.0, 1000.0}),
-            .wet_albedo =
-                section.number_or("wet_albedo", "where it is wet", {-1.0, "as dry"}, {0.0, 1.0})};
+    WaterStore store;
+    store.capacity_mm = section.number("capacity_mm",
+                                       "of water that level ground holds; more runs off, and from "
+                                       "slopes sooner (Kidd 1978)",
+                                       {0.0, 1000.0});
+    store.wet_albedo =
+        section.number_or("wet_albedo", "where it is wet", {-1.0, "as dry"}, {0.0, 1.0});
+    store.leaves = section.flag_or("leaves", "that hold as much on any slope", false);
+    return store;
 }
 
 AgeingAlbedo read_snow_albedo(const Section& section) {
@@ -210,7 +215,8 @@ void read_surface(const Section& section, ThermalSurface& thermal) {
     if (section.has("store")) {
         thermal.store = read_store(section.section(
             "store",
-            "water that stands on the surface: rain and dew fill it, it freezes and melts"));
+            "water that stands on the surface: rain and dew fill it, it freezes and melts, snow "
+            "lies on it; capacity_mm = 0 for none"));
     }
     if (section.has("snow_albedo")) {
         thermal.snow_albedo = read_snow_albedo(

@@ -12,8 +12,6 @@ namespace diurna {
 
 namespace {
 
-constexpr double vapour_heat = 2.5e6;  // [J kg⁻¹] about, for what a step will dry
-
 Bottom bottom_of(const ThermalSurface& surface) {
     // Behind a plate stands air; the grid then ends free.
     return surface.back ? Bottom{FixedFlux{0.0}} : surface.bottom;
@@ -52,21 +50,30 @@ PointFacet::PointFacet(PointSetup setup)
       u(column.size(), 0.0),
       setup_(std::move(setup)),
       rest_(u.size(), 0.0),
-      snow_albedo_(setup_.surface.albedo) {}
+      capacity_(store_capacity(setup_.surface.store, setup_.up_cosine)),
+      snow_albedo_(new_snow_albedo(setup_.surface)) {}
 
-SurfaceConditions PointFacet::conditions(Instant when, const Standing& water,
+double new_snow_albedo(const ThermalSurface& surface) {
+    return surface.snow_albedo ? surface.albedo : AgeingAlbedo{}.fresh;
+}
+
+SurfaceConditions PointFacet::conditions(Instant when, const Standing& lying,
                                          double snow_albedo) const {
     const PointForcing forcing = setup_.forcing(when);
     const ThermalSurface& surface = setup_.surface;
+    const bool leaves = !std::holds_alternative<std::monostate>(surface.canopy);
+    const SnowCover cover = capacity_.any() && !leaves && !surface.snow_albedo
+                                ? snow_cover(lying.frost, surface.roughness_length)
+                                : SnowCover{};
     // Measured light up over light down is the surface's albedo, wet or not.
     double albedo = forcing.albedo;
     if (std::isnan(albedo)) {
         albedo = surface.snow_albedo ? snow_albedo : surface.albedo;
-        const WaterStore& store = surface.store;
-        if (store.capacity_mm > 0.0 && store.wet_albedo >= 0.0) {
-            const double wet = std::min(1.0, water.water / store.capacity_mm);
-            albedo += wet * (store.wet_albedo - albedo);
+        if (capacity_.any() && surface.store.wet_albedo >= 0.0) {
+            const double wet = std::min(1.0, lying.water / capacity_.water_mm);
+            albedo += wet * (surface.store.wet_albedo - albedo);
         }
+        albedo += cover.share * (snow_albedo - albedo);
     }
     const double sunlight = forcing.sunlight + albedo * forcing.own_light;
     SurfaceConditions c;
@@ -84,23 +91,18 @@ SurfaceConditions PointFacet::conditions(Instant when, const Standing& water,
     c.internal =
         scheduled(surface.internal_schedule, surface.internal_heat, setup_.longitude_deg, when);
     c.rain_mm_h = std::max(0.0, forcing.rain_mm_h);
-    c.stores = surface.store.capacity_mm > 0.0;
+    c.stores = capacity_.any();
+    c.snow_conductance = cover.conductance;
+    c.phase_film = cover.phase_film;
     c.canopy = surface.canopy;
     return c;
 }
 
 SurfaceTerms PointFacet::terms(Instant when) const {
     SurfaceConditions c = conditions(when, standing, snow_albedo_);
-    c.wet_share = wet_share({.standing = standing, .evaporation = evaporation_}, 0.0, 0.0);
+    c.wet_share = mean_wet_share(standing.water + standing.frost, 0.0, 0.0, capacity_.water_mm);
+    if (c.snow_conductance > 0.0) c.frost_heat = melts_at_once;
     return surface_terms(c, column.temperature(0, u[0]));
-}
-
-double PointFacet::wet_share(const State& state, double rain, double step) const {
-    const WaterStore& store = setup_.surface.store;
-    if (store.capacity_mm <= 0.0) return 0.0;
-    const double held = state.standing.water + state.standing.frost + 0.5 * rain;
-    const double drying = std::max(0.0, -state.evaporation) / vapour_heat;  // [kg m⁻² s⁻¹]
-    return std::min(1.0, held / (store.capacity_mm + 0.5 * drying * step));
 }
 
 /// What each end of the column meets at the two stages of a step; the references must live.
@@ -136,32 +138,36 @@ PointFacet::Ends PointFacet::ends(const std::array<SurfaceConditions, 2>& c,
 PointFacet::Taken PointFacet::half_step(Instant from, double at, double step, bool gentle,
                                         State& state, Eigen::MatrixXd* map) const {
     const std::array<Instant, 2> when{later(from, at + sdirk_gamma * step), later(from, at + step)};
-    const WaterStore& store = setup_.surface.store;
-    const bool stores = store.capacity_mm > 0.0;
     const State begin = state;
-    // Share and albedo are those of the step's middle.
-    double share = 0.0, snow = 0.0, water = 0.0;  // [1], [kg m⁻²] that fall
-    Standing middle = begin.standing;
-    if (stores) {
+    const bool stores = capacity_.any();
+    double rain = 0.0, snow = 0.0;  // [kg m⁻²] that fall
+    if (stores || setup_.surface.snow_albedo) {
         const PointForcing half_way = setup_.forcing(later(from, at + 0.5 * step));
-        const double rain = std::max(0.0, half_way.rain_mm_h) * step / 3600.0;
-        snow = snow_share(half_way.air.temperature) * rain;
-        water = rain - snow;
-        share = wet_share(begin, rain, step);
-        const double dried = share * std::max(0.0, -begin.evaporation) / vapour_heat * step;
-        middle.water = std::clamp(middle.water + 0.5 * (rain - dried), 0.0, store.capacity_mm);
+        const double all = std::max(0.0, half_way.rain_mm_h) * step / 3600.0;
+        snow = snow_share(half_way.air.temperature) * all;
+        rain = all - snow;
     }
-    std::array<SurfaceConditions, 2> c{conditions(when[0], middle, begin.snow_albedo),
-                                       conditions(when[1], middle, begin.snow_albedo)};
-    for (SurfaceConditions& one : c) {
-        one.frost_heat = (begin.standing.frost + snow) * heat_of_fusion / step;
-        one.water_heat = (begin.standing.water + water) * heat_of_fusion / step;
-    }
-    const Ends met = ends(c, when);
     Eigen::MatrixXd given;
     if (map && stores) given = *map;
+    StoreRates rates = begin.rates;
     for (int attempt = 0;; ++attempt) {
-        for (SurfaceConditions& one : c) one.wet_share = share;
+        // Share, albedo and cover are those of the step's middle.
+        Lying lying;
+        lying.middle = begin.standing;
+        if (stores) lying = lying_over(begin.standing, capacity_, rates, rain, snow, step);
+        const double white =
+            setup_.surface.snow_albedo
+                ? begin.snow_albedo
+                : aged_albedo({}, begin.snow_albedo, rates.melting > 0.0, 0.5 * snow, 0.5 * step);
+        std::array<SurfaceConditions, 2> c{conditions(when[0], lying.middle, white),
+                                           conditions(when[1], lying.middle, white)};
+        for (SurfaceConditions& one : c) {
+            one.frost_heat =
+                (begin.standing.frost + capacity_.caught * snow) * heat_of_fusion / step;
+            one.water_heat = (begin.standing.water + rain) * heat_of_fusion / step;
+            one.wet_share = lying.wet_share;
+        }
+        const Ends met = ends(c, when);
         Taken taken;
         taken.step = column.advance(
             {.duration = step,
@@ -172,26 +178,55 @@ PointFacet::Taken PointFacet::half_step(Instant from, double at, double step, bo
         taken.duration = step;
         taken.last = c[1];
         if (!taken.step.solved) return taken;
-        if (setup_.surface.snow_albedo) {
-            const double fallen =
-                snow_share(c[1].air.air_temperature) * c[1].rain_mm_h * step / 3600.0;
-            state.snow_albedo = aged_albedo(*setup_.surface.snow_albedo, begin.snow_albedo,
-                                            taken.step.surface[1] >= zero_celsius, fallen, step);
+        if (!stores) {
+            age_snow(taken, snow, state);
+            return taken;
         }
-        if (!stores) return taken;
-        const StoreFlows flows = store_flows(c, taken.step.surface, gentle, step);
-        const double have = begin.standing.water + begin.standing.frost + flows.gained();
-        if (flows.evaporated > have && attempt < 4) {
-            share *= have / flows.evaporated;
+        const StoreFlows flows = flows_of(c, taken, lying, gentle);
+        const StoreRates found = flows.rates(step);
+        const Lying better = lying_over(begin.standing, capacity_, found, rain, snow, step);
+        constexpr int most_attempts = 6;
+        if (!alike(better, lying, capacity_) && attempt < most_attempts) {
+            rates = attempt < 3 ? found : middle_of(rates, found);
             state = begin;
             if (map) *map = given;
             continue;
         }
-        state.standing = stored_after(begin.standing, flows, store.capacity_mm);
-        state.evaporation = flows.free;
+        state.standing = stored_after(begin.standing, flows, capacity_, state.water);
+        state.rates = found;
         taken.melted = flows.melt;
+        age_snow(taken, snow, state);
         return taken;
     }
+}
+
+StoreFlows PointFacet::flows_of(const std::array<SurfaceConditions, 2>& c, const Taken& taken,
+                                const Lying& lying, bool gentle) const {
+    StoreFlows flows{.rain = lying.rain, .snow = lying.snow};
+    for (std::size_t k = gentle ? 1 : 0; k < 2; ++k) {
+        const SurfaceTerms terms = surface_terms(c[k], taken.step.surface[k]);
+        add_stage({.weight = taken.duration * (gentle ? 1.0 : stage_weight[k]),
+                   .air_temperature = c[k].air.air_temperature,
+                   .surface = terms.leaf,
+                   .wet_share = lying.wet_share,
+                   .wet_latent = terms.wet_evaporation,
+                   .frost_melt = terms.frost_melt},
+                  flows);
+    }
+    return flows;
+}
+
+/// Of the material itself, or of what lies on it; where none lies it is new.
+void PointFacet::age_snow(const Taken& taken, double snow, State& state) const {
+    const bool own = setup_.surface.snow_albedo.has_value();
+    if (!own && !capacity_.any()) return;
+    const AgeingAlbedo law = setup_.surface.snow_albedo.value_or(AgeingAlbedo{});
+    if (!own && state.standing.frost <= 0.0) {
+        state.snow_albedo = law.fresh;
+        return;
+    }
+    const bool melting = own ? taken.step.surface[1] >= zero_celsius : taken.melted > 0.0;
+    state.snow_albedo = aged_albedo(law, state.snow_albedo, melting, snow, taken.duration);
 }
 
 }  // namespace diurna

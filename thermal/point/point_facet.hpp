@@ -45,6 +45,9 @@ struct PointSetup {
     bool wet_behind = false;  // it evaporates as the front does, but for water that stands there
 };
 
+/// Of snow before it has aged: the material's own, or that of what falls on it.
+double new_snow_albedo(const ThermalSurface& surface);
+
 /// A facet that needs more than a linear column and a dry or evenly wet surface, on its way through
 /// the weather: the column's state, what stands on it, and how it steps. The point tool's engine,
 /// and the facet solver's where a material asks for it (thermal/solve/point_facets.hpp).
@@ -69,7 +72,7 @@ class PointFacet {
     double close_period(const std::vector<double>& start, const Eigen::MatrixXd& map);
     void keep_in_bounds();
     /// Snow as old as at the beginning: before a span is gone through again.
-    void renew_snow() { snow_albedo_ = setup_.surface.albedo; }
+    void renew_snow() { snow_albedo_ = new_snow_albedo(setup_.surface); }
     double snow_albedo() const { return snow_albedo_; }
     void set_snow_albedo(double albedo) { snow_albedo_ = albedo; }
     /// Takes over the state of a facet of the same column, and how long its steps were.
@@ -82,7 +85,7 @@ class PointFacet {
     };
     const Ending& ending() const { return ending_; }
 
-    SurfaceConditions conditions(Instant when, const Standing& water, double snow_albedo) const;
+    SurfaceConditions conditions(Instant when, const Standing& lying, double snow_albedo) const;
     SurfaceTerms terms(Instant when) const;
 
     struct Count {
@@ -96,6 +99,7 @@ class PointFacet {
     NonlinearColumn column;
     std::vector<double> u;  // (node), see NonlinearColumn
     Standing standing;
+    WaterCount water;  // since it was made
     Count count;
 
  private:
@@ -103,10 +107,11 @@ class PointFacet {
     struct State {
         std::vector<double> u{}, rest{};  // (node) and what its doubles do not hold
         Standing standing;
-        double evaporation = 0.0;  // of the last step [W m⁻²] per unit wet share
+        WaterCount water;
+        StoreRates rates;  // of the last step
         double snow_albedo = 0.0;
     };
-    State state() const { return {u, rest_, standing, evaporation_, snow_albedo_}; }
+    State state() const { return {u, rest_, standing, water, rates_, snow_albedo_}; }
     void take(const State& state);
     struct Taken {
         NonlinearColumn::Step step;
@@ -119,10 +124,12 @@ class PointFacet {
     };
     Ends ends(const std::array<SurfaceConditions, 2>& conditions,
               const std::array<Instant, 2>& when) const;
-    double wet_share(const State& state, double rain, double step) const;
     /// One step of SDIRK2 from `at` seconds after `from`.
     Taken half_step(Instant from, double at, double step, bool gentle, State& state,
                     Eigen::MatrixXd* map) const;
+    StoreFlows flows_of(const std::array<SurfaceConditions, 2>& conditions, const Taken& taken,
+                        const Lying& lying, bool gentle) const;
+    void age_snow(const Taken& taken, double snow, State& state) const;
     /// A step that may be taken: its halves, where they lead, and how far the whole leads
     /// elsewhere.
     struct Trial {
@@ -141,9 +148,10 @@ class PointFacet {
     PointSetup setup_;
     double next_step_ = 0.05;   // [s]
     double next_march_ = 10.0;  // [s]
-    double evaporation_ = 0.0;  // of the last step [W m⁻²] per unit wet share
+    StoreRates rates_;          // of the last step
     std::vector<double> rest_;  // (node) of u
-    double snow_albedo_;        // of snow that ages
+    StoreCapacity capacity_;
+    double snow_albedo_;  // of snow that ages, or lies on the store
     Ending ending_;
 };
 

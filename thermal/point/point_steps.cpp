@@ -18,7 +18,8 @@ void PointFacet::take(const State& state) {
     u = state.u;
     rest_ = state.rest;
     standing = state.standing;
-    evaporation_ = state.evaporation;
+    water = state.water;
+    rates_ = state.rates;
     snow_albedo_ = state.snow_albedo;
 }
 
@@ -63,6 +64,13 @@ void PointFacet::try_step(Instant from, double at, double step, bool gentle, con
     for (std::size_t i = 0; i < u.size(); ++i) {
         trial.error = std::max(trial.error, std::abs(column.temperature(i, trial.end.u[i]) -
                                                      column.temperature(i, trial.whole.u[i])));
+    }
+    // Wet or dry, a surface is some kelvin warmer or colder.
+    constexpr double wet_matters = 15.0;  // [K] times three, as errors add up
+    if (capacity_.any()) {
+        trial.error =
+            std::max(trial.error, wet_matters * apart(trial.end.standing, trial.whole.standing) /
+                                      capacity_.water_mm);
     }
     trial.error /= 3.0;
 }

@@ -71,7 +71,7 @@ PointRow row_of(const PointFacet& facet, Instant when, double melt) {
             .sensible = b.sensible,
             .latent = b.latent,
             // The ground takes what the other terms leave over.
-            .conducted = -b.sum(),
+            .conducted = -b.sum() - terms.frost_melt,
             .back_temperature = facet.column.temperature(facet.column.size() - 1, facet.u.back()),
             .ground_temperature = facet.column.temperature(0, facet.u[0]),
             .leaf_temperature = terms.leaf,
@@ -98,12 +98,14 @@ void follow(const PointJob& job, PointFacet& facet, PointResult& result) {
     const auto rows =
         static_cast<long long>(std::floor(seconds_between(job.start, job.end) / job.step + 1e-9));
     result.row.push_back(row_of(facet, job.start, 0.0));
+    facet.water = {};
     for (long long i = 0; i < rows; ++i) {
         const Instant from = later(job.start, double(i) * job.step);
         const Instant to = later(job.start, double(i + 1) * job.step);
         const double melted = facet.advance(from, to);
         result.row.push_back(row_of(facet, to, melted / job.step));
     }
+    result.water = facet.water;
     result.worst_energy_closure = facet.count.worst_closure;
     result.steps = facet.count.steps;
     result.rejected = facet.count.rejected;

@@ -5,6 +5,7 @@
 
 #include "thermal/point/point_job.hpp"
 #include "thermal/point/run_column.hpp"
+#include "thermal/surface/standing_water.hpp"
 
 namespace diurna {
 
@@ -23,6 +24,7 @@ struct PointRow {
 
 struct PointResult {
     std::vector<PointRow> row;  // at start, start + step, ... end
+    WaterCount water;           // over the span, without its spin-up
     bool has_back = false, has_canopy = false, has_store = false, has_melt = false;
     std::string note;                   // what was modelled for want of measurements
     int passes = 0;                     // of the spin-up

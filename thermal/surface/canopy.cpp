@@ -11,18 +11,6 @@ namespace diurna {
 
 namespace {
 
-/// The film at which stable air carries most heat [W m⁻² K⁻¹]: colder, Louis's film falls faster
-/// than the difference grows. Ground has its own heat to hold it; leaves have none and would jump
-/// between two temperatures, so their film, a boundary layer of their own, falls no further.
-/// There 15 s y² = √(1 + 30 y), in the notation of LouisForm, or y is stable_limit.
-double fullest_film(const AirFilm& air) {
-    if (air.instability <= 0.0 || air.s <= 0.0) return 0.0;
-    double y = 0.1;
-    for (int i = 0; i < 8; ++i) y = std::sqrt(std::sqrt(1.0 + 30.0 * y) / (15.0 * air.s));
-    y = std::min(y, stable_limit);
-    return air.neutral / (1.0 + air.s * y * std::sqrt(1.0 + 30.0 * y)) + air.least;
-}
-
 /// The root of a falling function between 1 and 5000 K.
 template <class Function>
 double root_of(const Function& function, double guess) {
@@ -34,7 +22,7 @@ double root_of(const Function& function, double guess) {
         if (!(next > low && next < high) || i > 50) next = 0.5 * (low + high);
         const double moved = std::abs(next - at);
         at = next;
-        if (moved < 1e-11) break;
+        if (moved < 3e-13) break;
     }
     return at;
 }
@@ -58,8 +46,15 @@ double leaves_film(const SurfaceConditions& c, double leaf_area) {
 
 }  // namespace
 
-SurfaceTerms big_leaf_terms(const SurfaceConditions& c, const BigLeaf& leaf, double ground) {
-    const double joined = leaf.skin_conductance;
+double fullest_film(const AirFilm& air) {
+    if (air.instability <= 0.0 || air.s <= 0.0) return 0.0;
+    double y = 0.1;
+    for (int i = 0; i < 8; ++i) y = std::sqrt(std::sqrt(1.0 + 30.0 * y) / (15.0 * air.s));
+    y = std::min(y, stable_limit);
+    return air.neutral / (1.0 + air.s * y * std::sqrt(1.0 + 30.0 * y)) + air.least;
+}
+
+SurfaceTerms skin_terms(const SurfaceConditions& c, double joined, double ground) {
     SurfacePart leaves = whole_ground(c);
     leaves.least_film = fullest_film(c.air);
     const double skin = root_of(
@@ -73,7 +68,8 @@ SurfaceTerms big_leaf_terms(const SurfaceConditions& c, const BigLeaf& leaf, dou
     terms.balance.internal = c.internal;
     add(e, terms);
     terms.radiometric = terms.leaf = skin;
-    terms.into_ground = joined * (skin - ground);
+    // What it conducts: joined (skin − ground), whose digits a stiff joint would lose.
+    terms.into_ground = e.flux;
     terms.into_ground_slope = joined * (joined / (joined - e.slope) - 1.0);
     return terms;
 }

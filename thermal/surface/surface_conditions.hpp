@@ -6,6 +6,9 @@
 
 namespace diurna {
 
+/// [W m⁻² K⁻¹] between a surface and the little frost or water that lies on it.
+inline constexpr double thin_phase_film = 50.0;
+
 /// What stands above one facet's ground at one instant: a point's surface, with all it may
 /// carry (water, frost, leaves).
 struct SurfaceConditions {
@@ -22,8 +25,10 @@ struct SurfaceConditions {
     double rain_mm_h = 0.0;
     bool stores = false;  // dew collects even on what does not evaporate by itself
     /// What melts all frost and freezes all water that lies there within the step [W m⁻²]: they do
-    /// so by 50 W m⁻² K⁻¹ from 273.15 K, up to this.
+    /// so by `phase_film` from 273.15 K, up to this.
     double frost_heat = 0.0, water_heat = 0.0;
+    double phase_film = thin_phase_film;  // [W m⁻² K⁻¹]
+    double snow_conductance = 0.0;  // [W m⁻² K⁻¹] of snow that lies on bare ground; 0: none
     Canopy canopy;
 };
 
@@ -33,7 +38,7 @@ struct SurfaceTerms {
     double wet_evaporation;    // latent heat of the wet share alone, per unit wet share
     double frost_melt;         // heat taken by melting frost (negative), given by freezing water
     double radiometric;        // [K] what a radiometer sees
-    double leaf;               // [K] leaves or skin; the ground itself without them
+    double leaf;               // [K] leaves, skin or snow; the ground itself without them
     double into_ground;        // all of it
     double into_ground_slope;  // d/dT of the ground [W m⁻² K⁻¹]
 };

@@ -4,13 +4,12 @@
 
 #include "materials/base/units.hpp"
 #include "thermal/surface/frost.hpp"
+#include "thermal/surface/stored_flux.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {
 
 namespace {
-
-constexpr double phase_film = 50.0;  // [W m⁻² K⁻¹] between a surface and its frost or water
 
 /// The film between a part and the air: the open air's, through leaves, or sheltered by them.
 Film film_above(const SurfaceConditions& c, const SurfacePart& part, double t) {
@@ -59,14 +58,13 @@ PartTerms part_terms(const SurfaceConditions& c, const SurfacePart& part, double
         e.latent = part.cover * (c.wet_share * free.flux + (1.0 - c.wet_share) * held.flux);
         latent_slope = part.cover * (c.wet_share * free.slope + (1.0 - c.wet_share) * held.slope);
     }
-    const double thaw = t - zero_celsius;
-    e.melt = -part.cover * std::clamp(phase_film * thaw, -c.water_heat, c.frost_heat);
-    const bool turning = phase_film * thaw > -c.water_heat && phase_film * thaw < c.frost_heat;
+    const SurfaceFlux melt = melting_flux(c.phase_film, c.frost_heat, c.water_heat, t);
+    e.melt = part.cover * melt.flux;
     e.flux =
         e.solar + e.longwave_in + e.longwave_out + e.sensible + e.latent + e.melt + part.internal;
     e.slope =
         part.cover * (4.0 * stefan_boltzmann * t * t * t * c.emissivity * (incoming_slope - 1.0) -
-                      film.h - film.rise - (turning ? phase_film : 0.0)) +
+                      film.h - film.rise + melt.slope) +
         latent_slope;
     return e;
 }

@@ -19,7 +19,7 @@ constexpr double sky_per_facet = 9e-6;
 constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
 constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
 constexpr double heat_per_facet_step = 0.25e-6;      // all passes and the exchange
-constexpr double heat_per_freezing_point = 30e-3;    // a day, found by Newton
+constexpr double heat_per_lane = 1e-3;               // a day, side by side (bench/column_bench)
 constexpr double frost_air = 276.0;                  // [K] under which open ground may freeze
 constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
 constexpr double flux_passes = 1.3;                  // of the heat balance, where it is taken down
@@ -44,17 +44,21 @@ std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     return kinds.empty() ? "none" : fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-/// Processor time of facets that are solved one by one, a day [s].
+/// Processor time of facets that need more than their blocks give them, a day [s].
 double point_seconds(const Scene& scene, const World& world, const Weather& weather) {
-    const bool frost = std::any_of(weather.sample.begin(), weather.sample.end(),
-                                   [](const Forcing& f) { return f.air.temperature < frost_air; });
+    const auto any = [&](auto has) {
+        return std::any_of(weather.sample.begin(), weather.sample.end(), has);
+    };
+    const bool frost = any([](const Forcing& f) { return f.air.temperature < frost_air; });
+    const bool rain = any([](const Forcing& f) { return f.rain_mm_h > 0.0; });
     std::vector<double> each;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const Material& material = scene.materials[MaterialId{static_cast<std::uint16_t>(i)}];
-        const PointNeed need = point_need(material.thermal);
-        each.push_back(need == PointNeed::always                 ? heat_per_point
-                       : need == PointNeed::if_freezing && frost ? heat_per_freezing_point
-                                                                 : 0.0);
+        const ThermalSurface& surface =
+            scene.materials[MaterialId{static_cast<std::uint16_t>(i)}].thermal;
+        const PointNeed need = point_need(surface);
+        const bool taken = need == PointNeed::always || (need == PointNeed::if_wet && rain) ||
+                           (need != PointNeed::never && frost && freezes(surface));
+        each.push_back(!taken ? 0.0 : in_lanes(surface) ? heat_per_lane : heat_per_point);
     }
     double sum = 0.0;
     for (const MaterialId id : world.facets.material) sum += each[index(id)];

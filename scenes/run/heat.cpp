@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <span>
@@ -87,6 +88,23 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
     return notes;
 }
 
+/// What was followed of the water on surfaces, and what was not.
+std::string water_told(const SolveReport& report) {
+    std::vector<std::string> parts;
+    if (report.stores > 0) {
+        parts.push_back(
+            fmt::format("rain, dew, frost and snow are followed on {} facets", report.stores));
+    }
+    if (report.unfollowed > 0) {
+        parts.push_back(fmt::format(
+            "on {} no rain falls and dew was left out where it is worth less than {:.2g} K of "
+            "heat, or where the ground evaporates by itself (its heat is counted, its way back, up "
+            "to {:.2g} mm, is not)",
+            report.unfollowed, std::max(0.01, report.dew_left_out), report.most_dew_unfollowed));
+    }
+    return parts.empty() ? "" : fmt::format("water: {}", fmt::join(parts, "; "));
+}
+
 }  // namespace
 
 FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
@@ -154,6 +172,9 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
     result.start += ": " + start_told(input, span, result.report);
     if (std::string lee = lee_note(prepared.world, parts); !lee.empty()) {
         result.notes.push_back(std::move(lee));
+    }
+    if (std::string told = water_told(result.report); !told.empty()) {
+        result.notes.push_back(std::move(told));
     }
     if (const double share = daily.share_taken_over(); share > 0.0) {
         result.notes.push_back(

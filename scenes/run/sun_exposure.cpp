@@ -18,7 +18,7 @@ namespace diurna {
 namespace {
 
 constexpr double day = 86400.0;  // [s]
-constexpr float alike = 0.02f;   // shares of the sun that count as one
+constexpr float agreeing = 0.02f;   // shares of the sun that count as one
 
 Eigen::Vector3d direction(const Prepared& prepared, Instant when) {
     return sun_direction(sun_over(prepared, when));
@@ -177,7 +177,7 @@ SunExposure DailySunExposure::between_days(const std::vector<Instant>& instants,
         for_each_index(facets(), [&](std::size_t f) {
             const auto [low, high] = range_about(*before_, facets(), i, f);
             const auto [low_after, high_after] = range_about(*after_, facets(), i, f);
-            known[f] = std::max(high, high_after) - std::min(low, low_after) <= alike;
+            known[f] = std::max(high, high_after) - std::min(low, low_after) <= agreeing;
             const std::size_t at = i * facets() + f;
             if (known[f]) {
                 fraction[f] = std::lerp(before_->fraction[at], after_->fraction[at], float(share));

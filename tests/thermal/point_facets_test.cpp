@@ -122,6 +122,8 @@ TEST_CASE("snow, leaves, standing water, freezing ground and schedules reach the
     CHECK(result.report.points == 7);
     CHECK(result.report.limited == 0);
     CHECK(result.report.worst_energy_closure < 1e-9);
+    CHECK(result.report.worst_water_closure < 1e-9);
+    CHECK(result.report.batched == 4);
     const MaterialLibrary materials = library();
     for (int g = 0; g < grounds; ++g) {
         PointJob job;
@@ -196,7 +198,8 @@ TEST_CASE("on hills with shadows every point closes its day and its energy",
     const SolveResult summer = run(warm, options);
     std::size_t always = 0;
     for (const MaterialId id : facets.material) {
-        always += point_need(all[id].thermal) == PointNeed::always;
+        const PointNeed need = point_need(all[id].thermal);
+        always += need == PointNeed::always || need == PointNeed::if_wet;  // a shower at noon
     }
     CHECK(summer.report.points == always);
     CHECK(summer.report.converged);
@@ -209,7 +212,8 @@ TEST_CASE("who needs to be solved as a point", "[thermal][scene_points]") {
     };
     CHECK(need(rock) == PointNeed::never);
     CHECK(need(freezing) == PointNeed::if_freezing);
-    for (const Ground g : {snow, ageing_snow, big_leaf, two_source, wet, room}) {
+    CHECK(need(wet) == PointNeed::if_wet);
+    for (const Ground g : {snow, ageing_snow, big_leaf, two_source, room}) {
         CHECK(need(g) == PointNeed::always);
     }
 }

@@ -62,6 +62,25 @@ NonlinearColumn::NonlinearColumn(std::span<const Layer> layers, const Bottom& bo
     assert(link_.size() + 1 == node_.size());
 }
 
+EnthalpyColumn NonlinearColumn::enthalpy() const {
+    const auto plain = [](const Link& link) {
+        return EnthalpyLink{link.per_width, link.frozen, link.thawed};
+    };
+    EnthalpyColumn column{.node = {},
+                          .link = {},
+                          .below_flux = below_flux_,
+                          .below_conductance = below_conductance_,
+                          .below_temperature = below_temperature_,
+                          .below_is_link = below_is_link_,
+                          .below_link = plain(below_link_)};
+    for (const NodeHeat& n : node_) {
+        assert(n.mass == 0.0);
+        column.node.push_back({n.zero, n.thawed, n.frozen, n.latent, n.held, n.drains});
+    }
+    for (const Link& link : link_) column.link.push_back(plain(link));
+    return column;
+}
+
 NonlinearColumn::Link NonlinearColumn::link_of(const Layer& layer, double width) {
     Link link{.per_width = 1.0 / width,
               .frozen = layer.conductivity,

@@ -9,6 +9,7 @@
 
 #include "materials/matter/material.hpp"
 #include "thermal/column/column.hpp"
+#include "thermal/column/enthalpy_column.hpp"
 
 namespace diurna {
 
@@ -34,6 +35,8 @@ class NonlinearColumn {
     std::size_t size() const { return depth_.size(); }
     double depth(std::size_t node) const { return depth_[node]; }
     bool linear() const { return linear_; }
+    /// Its nodes and links as plain numbers; not of regolith.
+    EnthalpyColumn enthalpy() const;
     /// Whether a node's u from 0 to 1 is spent in melting water that stays.
     bool melts(std::size_t node) const { return node_[node].latent > 0.0 && !node_[node].drains; }
 

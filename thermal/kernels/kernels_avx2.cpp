@@ -1,3 +1,4 @@
+#include "thermal/kernels/enthalpy_loops.hpp"
 #include "thermal/kernels/mode_loops.hpp"
 #include "thermal/kernels/shadow_edge_loops.hpp"
 
@@ -5,5 +6,6 @@ namespace diurna {
 
 const SurfaceKernel surface_avx2{solve};
 const ModeKernel modes_avx2{advance_all, split_some, balance_all};
+const EnthalpyKernel enthalpy_avx2{solve_enthalpy, store_at, carry_enthalpy};
 
 }  // namespace diurna

@@ -1,5 +1,7 @@
 #include "thermal/kernels/surface_kernel.hpp"
 
+#include "thermal/kernels/enthalpy_kernel.hpp"
+
 namespace diurna {
 
 bool wide_vectors() {
@@ -13,5 +15,7 @@ bool wide_vectors() {
 SurfaceCount solve_surface(const AirFilm& air, const SurfaceLanes& surface) {
     return (wide_vectors() ? surface_avx512 : surface_avx2).solve(air, surface);
 }
+
+const EnthalpyKernel& enthalpy_kernel() { return wide_vectors() ? enthalpy_avx512 : enthalpy_avx2; }
 
 }  // namespace diurna

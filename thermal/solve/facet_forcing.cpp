@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "thermal/surface/standing_water.hpp"
+
 namespace diurna {
 
 FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather,
@@ -10,6 +12,8 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
     : solve_(solve), weather_(std::move(weather)) {
     const std::size_t facet = block.facet[lane];
     measured_share_ = measured_share(solve.input, solve.input.facets.material[facet]);
+    rain_share_ =
+        rain_share(solve.input.facets.normal[facet].z(), double(solve.input.views.sky[facet]));
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const std::size_t at = i * solve.facets + facet;
         double longwave = solve.at_facet(&SkyState::longwave_down, i, facet);
@@ -17,7 +21,7 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
         if (!solve.tilt.empty())
             longwave += solve.tilt[facet] * solve.at_facet(&SkyState::tilted_longwave, i, facet);
         sunlight_.push_back(solve.sunlight[at]);
-        if (!solve.tiers.flat()) {
+        if (!solve.tiers.flat() && !weather_.empty()) {
             weather_[i].air = air_at_height(*solve.input.by_height, weather_[i].air,
                                             double(solve.input.height[facet]));
         }
@@ -62,24 +66,27 @@ PointForcing FacetForcing::operator()(Instant when) const {
     const auto i = std::min(static_cast<std::size_t>(std::max(0.0, place)), last);
     const double x = std::clamp(place - double(i), 0.0, 1.0);
     const Forcing weather = between(weather_[i], weather_[i + 1], x);
-    PointForcing f{.air = weather.air,
-                   .wind_speed = weather.wind_speed,
-                   .rain_mm_h = weather.rain_mm_h,
-                   .sunlight = std::lerp(sunlight_[i], sunlight_[i + 1], x),
-                   .own_light = 0.0,
-                   .albedo = std::lerp(measured_albedo(solve_.sky[i], measured_share_),
-                                       measured_albedo(solve_.sky[i + 1], measured_share_), x),
-                   .longwave_in = std::lerp(longwave_[i], longwave_[i + 1], x),
-                   .own_view = 0.0};
+    return {.air = weather.air,
+            .wind_speed = weather.wind_speed,
+            .rain_mm_h = rain_share_ * weather.rain_mm_h,
+            .sunlight = sunlight(i, x),
+            .own_light = 0.0,
+            .albedo = std::lerp(measured_albedo(solve_.sky[i], measured_share_),
+                                measured_albedo(solve_.sky[i + 1], measured_share_), x),
+            .longwave_in = longwave(i, x),
+            .own_view = 0.0};
+}
+
+double FacetForcing::sunlight(std::size_t i, double x) const {
+    double light = std::lerp(sunlight_[i], sunlight_[i + 1], x);
     // The straight line has the jump in it; a millisecond behind the edge it is done.
     const std::size_t from = jump_.empty() ? 0 : first_jump_[i];
     const std::size_t to = jump_.empty() ? 0 : first_jump_[i + 1];
     for (std::size_t k = from; k < to; ++k) {
         const double done = std::clamp((x - jump_[k].share) * solve_.step / 1e-3, 0.0, 1.0);
-        f.sunlight += (done - x) * jump_[k].heat;
+        light += (done - x) * jump_[k].heat;
     }
-    f.sunlight = std::max(0.0, f.sunlight);
-    return f;
+    return std::max(0.0, light);
 }
 
 }  // namespace diurna

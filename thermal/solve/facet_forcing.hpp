@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "thermal/point/point_facet.hpp"
@@ -11,11 +12,23 @@ namespace diurna {
 /// instants of the steps, but for the jumps of sunlight at shadows' edges.
 class FacetForcing {
  public:
-    /// weather  at the solve's instants; the solve must outlive this
+    /// weather  at the solve's instants; without it only sunlight, longwave and what falls are
+    /// told.
+    ///          The solve must outlive this
     FacetForcing(const SolveState& solve, std::vector<Forcing> weather, const Block& block,
                  std::size_t lane);
 
     PointForcing operator()(Instant when) const;
+    /// [W m⁻²] incident, at a share of step i.
+    double sunlight(std::size_t i, double share) const;
+    double longwave(std::size_t i, double share) const {
+        return std::lerp(longwave_[i], longwave_[i + 1], share);
+    }
+    double behind(std::size_t i, double share) const {
+        return std::lerp(behind_[i], behind_[i + 1], share);
+    }
+    /// Of rain on level open ground, what falls on it.
+    double rain() const { return rain_share_; }
 
     /// Whether it is a sheet's front, and what its back absorbs of sun and longwave [W m⁻²].
     bool has_back() const { return !behind_.empty(); }
@@ -27,7 +40,7 @@ class FacetForcing {
 
  private:
     const SolveState& solve_;
-    double measured_share_ = 0.0;
+    double measured_share_ = 0.0, rain_share_ = 1.0;
     std::vector<Forcing> weather_;             // (instant) at the facet's height
     std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
     std::vector<double> behind_{};             // (instant) absorbed by its back; empty: none

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
+#include <tuple>
+#include <utility>
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "thermal/kernels/enthalpy_kernel.hpp"
 #include "thermal/solve/block_profile.hpp"
+#include "thermal/solve/dew_need.hpp"
 #include "thermal/solve/facet_forcing.hpp"
 #include "thermal/solve/heat_record.hpp"
 
@@ -14,16 +19,9 @@ namespace diurna {
 
 namespace {
 
-/// A surface whose water freezes halts at every node the front crosses.
-GridOptions grid_of(const ThermalSurface& surface, GridOptions grid) {
-    const bool wet = std::any_of(surface.layers.begin(), surface.layers.end(), [](const Layer& l) {
-        return std::holds_alternative<Freezing>(l.law) || std::holds_alternative<Melting>(l.law);
-    });
-    if (wet) {
-        grid.first = std::min(grid.first, 0.01);
-        grid.growth = std::min(grid.growth, 0.15);
-    }
-    return grid;
+bool has_water(const Layer& layer) {
+    const auto* freezing = std::get_if<Freezing>(&layer.law);
+    return freezing && freezing->water > 0.0;
 }
 
 /// The state of a facet that has not run yet: its plain mean above, what lies below underneath,
@@ -51,60 +49,113 @@ void take_over(const DepthProfile& plain, PointFacet& facet) {
 
 }  // namespace
 
+bool freezes(const ThermalSurface& surface) {
+    return std::any_of(surface.layers.begin(), surface.layers.end(), has_water);
+}
+
+GridOptions grid_of_point(const ThermalSurface& surface, GridOptions grid) {
+    const bool wet = std::any_of(surface.layers.begin(), surface.layers.end(), [](const Layer& l) {
+        return std::holds_alternative<Freezing>(l.law) || std::holds_alternative<Melting>(l.law);
+    });
+    if (wet) {
+        grid.first = std::min(grid.first, 0.01);
+        grid.growth = std::min(grid.growth, 0.15);
+    }
+    return grid;
+}
+
 PointNeed point_need(const ThermalSurface& surface) {
     const auto* room = std::get_if<Interior>(&surface.bottom);
-    if (!std::holds_alternative<std::monostate>(surface.canopy) ||
-        surface.store.capacity_mm > 0.0 || surface.snow_albedo ||
+    if (!std::holds_alternative<std::monostate>(surface.canopy) || surface.snow_albedo ||
         !surface.internal_schedule.empty() || (room && !room->schedule.empty())) {
         return PointNeed::always;
     }
-    PointNeed need = PointNeed::never;
+    PointNeed need = surface.store.capacity_mm > 0.0 ? PointNeed::if_wet : PointNeed::never;
     for (const Layer& layer : surface.layers) {
         if (std::holds_alternative<Melting>(layer.law) ||
             std::holds_alternative<Radiating>(layer.law)) {
             return PointNeed::always;
         }
-        const auto* freezing = std::get_if<Freezing>(&layer.law);
-        if (freezing && freezing->water > 0.0) need = PointNeed::if_freezing;
+        if (need == PointNeed::never && has_water(layer)) need = PointNeed::if_freezing;
     }
     return need;
+}
+
+/// Whether a block's facet needs more, as warm as it is now.
+PointFacets::Need PointFacets::need_of(const Level& level, const Block& block,
+                                       std::size_t l) const {
+    constexpr double dew_matters = 0.3;  // [K]
+    const Kind& kind = level.kind[block.material];
+    const ThermalSurface& surface = kind.column.surface;
+    const std::size_t f = block.facet[l];
+    const PointNeed need = point_need(surface);
+    if (need == PointNeed::always) return {.taken = true};
+    if (need == PointNeed::never) return {};
+    const auto* below = std::get_if<FixedTemperature>(&surface.bottom);
+    if (freezes(surface)) {
+        bool cold = below && below->temperature < zero_celsius;
+        for (std::size_t i = 0; !cold && i < solve_.instant.size(); ++i) {
+            cold = solve_.kelvin[i * solve_.facets + f] < zero_celsius;
+        }
+        if (cold) return {.taken = true};
+    }
+    if (need != PointNeed::if_wet) return {};
+    const double open = double(solve_.input.views.sky[f]);
+    if (rains_ && rain_share(solve_.input.facets.normal[f].z(), open) > 0.0) {
+        return {.taken = true};
+    }
+    const Dew dew = dew_on(solve_, kind, block, l);
+    const bool dry = surface.evaporation.wetness == 0.0;
+    return {.taken = dry && dew.most_warming >= dew_matters,
+            .unfollowed = true,
+            .dew = dew.gathered,
+            .warming = dry ? dew.most_warming : 0.0};
 }
 
 void PointFacets::take_in(const Level& level) {
     if (taken_.empty()) taken_.assign(solve_.facets, false);
     fresh_ = false;
-    for (std::size_t b = 0; b < solve_.block.size(); ++b) {
-        const Block& block = solve_.block[b];
-        const ThermalSurface& surface = level.kind[block.material].column.surface;
-        const PointNeed need = point_need(surface);
-        if (need == PointNeed::never) continue;
-        const auto* below = std::get_if<FixedTemperature>(&surface.bottom);
-        const bool frozen = below && below->temperature < zero_celsius;
-        for (std::size_t l = 0; l < block.facet.size(); ++l) {
-            const std::size_t f = block.facet[l];
-            if (taken_[f]) continue;
-            bool cold = need == PointNeed::always || frozen;
-            for (std::size_t i = 0; !cold && i < solve_.instant.size(); ++i) {
-                cold = solve_.kelvin[i * solve_.facets + f] < zero_celsius;
-            }
-            if (!cold) continue;
-            taken_[f] = fresh_ = true;
-            point_.push_back(
-                {.facet = f,
-                 .block = b,
-                 .lane = l,
-                 .start = {.facet = f, .u = {}, .standing = {}, .snow_albedo = surface.albedo},
-                 .end = {},
-                 .kelvin = {},
-                 .excess = {},
-                 .count = {}});
+    if (weather_.empty()) {
+        for (const Instant when : solve_.instant) {
+            weather_.push_back(solve_.series.weather().at(when));
+            rains_ = rains_ || weather_.back().rain_mm_h > 0.0;
         }
     }
-    for (const Point& p : point_) fresh_ = fresh_ || p.kelvin.empty();
-    if (fresh_ && weather_.empty()) {
-        for (const Instant when : solve_.instant)
-            weather_.push_back(solve_.series.weather().at(when));
+    left_out_ = {};
+    std::vector<std::vector<Need>> need(solve_.block.size());
+    for_each_index(
+        need.size(),
+        [&](std::size_t b) {
+            const Block& block = solve_.block[b];
+            for (std::size_t l = 0; l < block.facet.size(); ++l) {
+                need[b].push_back(taken_[block.facet[l]] ? Need{} : need_of(level, block, l));
+            }
+        },
+        4);
+    for (std::size_t b = 0; b < need.size(); ++b) {
+        const Block& block = solve_.block[b];
+        const ThermalSurface& surface = level.kind[block.material].column.surface;
+        for (std::size_t l = 0; l < block.facet.size(); ++l) {
+            const Need& one = need[b][l];
+            const std::size_t f = block.facet[l];
+            if (!one.taken) {
+                left_out_.unfollowed += one.unfollowed ? 1 : 0;
+                left_out_.most_dew_unfollowed = std::max(left_out_.most_dew_unfollowed, one.dew);
+                left_out_.dew_left_out = std::max(left_out_.dew_left_out, one.warming);
+                continue;
+            }
+            taken_[f] = fresh_ = true;
+            point_.push_back({.facet = f,
+                              .block = b,
+                              .lane = l,
+                              .start = {.facet = f,
+                                        .u = {},
+                                        .standing = {},
+                                        .snow_albedo = new_snow_albedo(surface)},
+                              .end = {}});
+        }
     }
+    for (const FacetPoint& p : point_) fresh_ = fresh_ || p.kelvin.empty();
 }
 
 void PointFacets::set_out_from(const std::vector<HeatState::Point>& left) {
@@ -117,26 +168,19 @@ void PointFacets::set_out_from(const std::vector<HeatState::Point>& left) {
             const std::size_t f = block.facet[l];
             if (!of[f]) continue;
             taken_[f] = true;
-            point_.push_back({.facet = f,
-                              .block = b,
-                              .lane = l,
-                              .begun = true,
-                              .start = *of[f],
-                              .end = *of[f],
-                              .kelvin = {},
-                              .excess = {},
-                              .count = {}});
+            point_.push_back(
+                {.facet = f, .block = b, .lane = l, .begun = true, .start = *of[f], .end = *of[f]});
         }
     }
 }
 
 std::vector<HeatState::Point> PointFacets::left() const {
     std::vector<HeatState::Point> left;
-    for (const Point& p : point_) left.push_back(p.end);
+    for (const FacetPoint& p : point_) left.push_back(p.end);
     return left;
 }
 
-bool PointFacets::rests(const Point& p) const {
+bool PointFacets::rests(const FacetPoint& p) const {
     if (!p.begun || p.kelvin.empty()) return false;
     if (solve_.options.periodic && (p.residual > solve_.options.tolerance || p.move > 0.01)) {
         return false;
@@ -148,7 +192,7 @@ bool PointFacets::rests(const Point& p) const {
             return false;
     }
     for (std::size_t i = 0; i < p.back_excess.size(); ++i) {
-        const float now = solve_.excess[i * solve_.facets + back_of_point(p)];
+        const float now = solve_.excess[i * solve_.facets + back_of_point(solve_, p)];
         if (std::abs(now - p.back_excess[i]) > counts) return false;
     }
     return true;
@@ -165,7 +209,7 @@ double PointFacets::mean_kelvin(std::size_t facet) const {
 
 /// A facet's way through the span, step by step and from edge to edge; Point::kelvin becomes what a
 /// radiometer sees of it.
-void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet, Point& p,
+void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet, FacetPoint& p,
                              Eigen::MatrixXd* map) const {
     const std::vector<Instant>& instant = solve_.instant;
     const auto record = [&](std::size_t i, const SurfaceTerms& terms, double taken) {
@@ -201,24 +245,15 @@ void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet
     }
 }
 
-void PointFacets::run(const Level& level, Point& p) const {
+void PointFacets::run(const Level& level, FacetPoint& p) const {
     constexpr int most_passes = 8;          // at a time: neighbours change in between
     constexpr double settled_water = 1e-3;  // [mm]
     const Block& block = solve_.block[p.block];
     const MaterialColumn& column = level.kind[block.material].column;
     const std::size_t instants = solve_.instant.size();
-    if (!solve_.excess.empty()) p.excess.resize(instants);
-    for (std::size_t i = 0; i < p.excess.size(); ++i) {
-        p.excess[i] = solve_.excess[i * solve_.facets + p.facet];
-    }
     const FacetForcing forcing(solve_, weather_, block, p.lane);
-    if (forcing.has_back()) {
-        p.back_kelvin.resize(instants);
-        p.back_excess.resize(p.excess.size());
-        for (std::size_t i = 0; i < p.back_excess.size(); ++i) {
-            p.back_excess[i] = solve_.excess[i * solve_.facets + back_of_point(p)];
-        }
-    }
+    note_excess(solve_, p, forcing.has_back());
+    if (forcing.has_back()) p.back_kelvin.resize(instants);
     std::function<double(Instant)> behind;
     if (forcing.has_back()) behind = [&](Instant when) { return forcing.behind(when); };
     PointFacet facet({.surface = column.surface,
@@ -228,7 +263,7 @@ void PointFacets::run(const Level& level, Point& p) const {
                       .wind_height = solve_.series.weather().wind_height,
                       .longitude_deg = solve_.input.site.longitude_deg,
                       .reference = column.reference,
-                      .grid = grid_of(column.surface, solve_.options.grid),
+                      .grid = grid_of_point(column.surface, solve_.options.grid),
                       .longest_step = solve_.step / solve_.options.refinement,
                       .forcing = [&](Instant when) { return forcing(when); },
                       .behind = behind,
@@ -247,15 +282,18 @@ void PointFacets::run(const Level& level, Point& p) const {
     p.kelvin.resize(instants);
     const bool periodic = solve_.options.periodic;
     double before = 1e9;
-    bool plain = false;
+    bool astray = false;
     for (int pass = 0; pass < most_passes; ++pass) {
         const std::vector<double> start = facet.u;
         const Standing stood = facet.standing;
         facet.set_snow_albedo(p.start.snow_albedo);
         const auto size = static_cast<Eigen::Index>(start.size());
+        // Where a front of freezing passes other nodes than it did, the map before misleads: a
+        // plain pass brings it on its way, and needs no map.
+        const bool newton = periodic && !astray;
         Eigen::MatrixXd map;
-        if (periodic) map = Eigen::MatrixXd::Identity(size, size);
-        march_span(forcing.edges(), facet, p, periodic ? &map : nullptr);
+        if (newton) map = Eigen::MatrixXd::Identity(size, size);
+        march_span(forcing.edges(), facet, p, newton ? &map : nullptr);
         ++p.passes;
         p.count = facet.count;
         p.end = {p.facet, facet.u, facet.standing, facet.snow_albedo()};
@@ -265,11 +303,9 @@ void PointFacets::run(const Level& level, Point& p) const {
             break;
         }
         p.residual = facet.change_since(start);
-        // Where a front of freezing passes other nodes than it did, the map before misleads: a
-        // plain pass brings it on its way.
-        plain = !plain && p.residual > 0.5 * before && !facet.column.linear();
+        p.move = newton ? facet.close_period(start, map) : p.residual;
+        astray = !astray && p.residual > 0.5 * before && !facet.column.linear();
         before = p.residual;
-        p.move = plain ? p.residual : facet.close_period(start, map);
         if (p.residual <= solve_.options.tolerance && p.move <= 0.01 &&
             apart(facet.standing, stood) <= settled_water) {
             break;
@@ -279,36 +315,86 @@ void PointFacets::run(const Level& level, Point& p) const {
     p.start.standing = facet.standing;
 }
 
-void PointFacets::pass(SolveState& solve, const Level& level) {
-    take_in(level);
+void PointFacets::run_groups(const Level& level, std::vector<FacetPoint*> waiting) {
+    column_.resize(level.kind.size());
+    const auto kind_of = [&](const FacetPoint* p) { return solve_.block[p->block].material; };
+    const auto key = [&](const FacetPoint* p) {
+        return std::tuple(kind_of(p), solve_.block[p->block].behind.empty(),
+                          height_slice(solve_, p->facet));
+    };
+    std::stable_sort(waiting.begin(), waiting.end(),
+                     [&](const FacetPoint* a, const FacetPoint* b) { return key(a) < key(b); });
+    std::vector<std::span<FacetPoint* const>> group;
+    for (std::size_t from = 0; from < waiting.size();) {
+        std::size_t to = from + 1;
+        while (to < waiting.size() && to - from < enthalpy_lanes &&
+               key(waiting[to]) == key(waiting[from])) {
+            ++to;
+        }
+        group.push_back(std::span(waiting).subspan(from, to - from));
+        std::optional<PointColumn>& column = column_[kind_of(waiting[from])];
+        if (!column) {
+            column.emplace(point_column(solve_, level.kind[kind_of(waiting[from])].column));
+        }
+        from = to;
+    }
     for_each_index(
-        point_.size(),
-        [&](std::size_t i) {
-            if (solve_.record || !rests(point_[i])) run(level, point_[i]);
+        group.size(),
+        [&](std::size_t g) {
+            run_point_group(solve_, level, *column_[kind_of(group[g][0])], weather_, group[g]);
         },
         1);
+}
+
+void PointFacets::pass(SolveState& solve, const Level& level) {
+    take_in(level);
+    std::vector<FacetPoint*> alone, together;
+    for (FacetPoint& p : point_) {
+        if (!solve_.record && rests(p)) continue;
+        (by_itself(level, p) ? alone : together).push_back(&p);
+    }
+    for_each_index(
+        alone.size(), [&](std::size_t i) { run(level, *alone[i]); }, 1);
+    run_groups(level, std::move(together));
+    stores_ = batched_ = 0;
+    for (const FacetPoint& p : point_) {
+        const Kind& kind = level.kind[solve_.block[p.block].material];
+        stores_ += kind.column.surface.store.capacity_mm > 0.0 ? 1 : 0;
+        batched_ += by_itself(level, p) ? 0 : 1;
+    }
     put(solve);
 }
 
+/// A sheet that evaporates on both sides is beyond what goes side by side, too.
+bool PointFacets::by_itself(const Level& level, const FacetPoint& p) const {
+    const Block& block = solve_.block[p.block];
+    return !in_lanes(level.kind[block.material].column.surface) ||
+           (!block.behind.empty() && back_of(solve_, block).wet);
+}
+
 void PointFacets::put(SolveState& solve) const {
-    for (const Point& p : point_) {
+    for (const FacetPoint& p : point_) {
         for (std::size_t i = 0; i < p.kelvin.size(); ++i) {
             solve.kelvin[i * solve.facets + p.facet] = p.kelvin[i];
         }
         for (std::size_t i = 0; i < p.back_kelvin.size(); ++i) {
-            solve.kelvin[i * solve.facets + back_of_point(p)] = p.back_kelvin[i];
+            solve.kelvin[i * solve.facets + back_of_point(solve_, p)] = p.back_kelvin[i];
         }
     }
 }
 
 PointFacets::Summary PointFacets::summary() const {
-    Summary s{.fresh = fresh_};
-    for (const Point& p : point_) {
+    Summary s = left_out_;
+    s.fresh = fresh_;
+    s.stores = stores_;
+    s.batched = batched_;
+    for (const FacetPoint& p : point_) {
         s.residual = std::max(s.residual, p.residual);
         s.largest_move = std::max(s.largest_move, p.move);
         s.worst_closure = std::max(s.worst_closure, p.count.worst_closure);
         s.worst_passes = std::max(s.worst_passes, p.passes);
         s.limited += p.count.limited;
+        s.worst_water_closure = std::max(s.worst_water_closure, p.water_closure);
     }
     return s;
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "thermal/point/point_facet.hpp"
+#include "thermal/solve/facet_point.hpp"
+#include "thermal/solve/point_group.hpp"
 #include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
@@ -11,16 +14,24 @@ namespace diurna {
 enum class PointNeed {
     never,
     if_freezing,  // ground whose water may freeze: where a facet falls below 273.15 K
-    always,       // canopy, store of water, snow, regolith, schedules
+    if_wet,       // a store of water: where it rains, or dew matters; and where ground freezes
+    always,       // canopy, snow, regolith, schedules
 };
 PointNeed point_need(const ThermalSurface& surface);
+/// Whether there is water in its layers that may freeze.
+bool freezes(const ThermalSurface& surface);
 
-/// The facets of a scene that are solved one by one as points (thermal/point/point_facet.hpp), with
-/// the sun, sky and neighbours of the scene: forcing straight between step instants, jumps at
-/// shadows' edges. Steps of `SolveOptions::step`, second order.
+/// The facets of a scene that are solved as points, with the sun, sky and neighbours of the scene:
+/// forcing straight between step instants, jumps at shadows' edges. Steps of `SolveOptions::step`
+/// (600 s where water stands, if that is less), second order. Side by side where they may
+/// (thermal/solve/point_group.hpp), one by one where leaves, regolith or schedules ask for it
+/// (thermal/point/point_facet.hpp, some twenty times the time).
 ///
-/// The blocks solve these facets too, as if they were plain: their first guess. A facet costs some
-/// 5 ms a periodic day, five hundred times a plain one, so none is taken that needs no more.
+/// The blocks solve these facets too, as if they were plain: their first guess. A facet is taken in
+/// if it needs more: a store of water where rain or snow falls on it, or where dew and hoar on a
+/// surface that else is dry would warm it by 0.3 K or more. Where the ground evaporates by itself,
+/// dew's heat is in the blocks' balance, and only its way back is left out. Once taken in, a facet
+/// stays for the days that follow.
 class PointFacets {
  public:
     explicit PointFacets(const SolveState& solve) : solve_(solve) {}
@@ -44,38 +55,35 @@ class PointFacets {
         double largest_move = 0.0;  // [K] that the next start is away
         double worst_closure = 0.0;
         int worst_passes = 0, limited = 0;
-        bool fresh = false;  // some were taken in by the last pass
+        bool fresh = false;                                   // some were taken in by the last pass
+        std::size_t batched = 0, stores = 0, unfollowed = 0;  // as SolveReport tells them
+        double most_dew_unfollowed = 0.0, dew_left_out = 0.0, worst_water_closure = 0.0;
     };
     Summary summary() const;
 
  private:
-    struct Point {
-        std::size_t facet, block, lane;
-        bool begun = false;
-        HeatState::Point start, end;
-        std::vector<float> kelvin, excess;  // (instant) of the last run; what it ran under
-        std::vector<float> back_kelvin{}, back_excess{};  // the same of its back, if it has one
-        double residual = 0.0, move = 0.0;
-        int passes = 0;
-        PointFacet::Count count;
-    };
     void take_in(const Level& level);
+    struct Need {
+        bool taken = false, unfollowed = false;
+        double dew = 0.0, warming = 0.0;
+    };
+    Need need_of(const Level& level, const Block& block, std::size_t lane) const;
+    bool by_itself(const Level& level, const FacetPoint& point) const;
     double mean_kelvin(std::size_t facet) const;  // over the span, as it is in the solve
-    void run(const Level& level, Point& point) const;
-    void march_span(const std::vector<Instant>& edge, PointFacet& facet, Point& point,
+    void run(const Level& level, FacetPoint& point) const;
+    void march_span(const std::vector<Instant>& edge, PointFacet& facet, FacetPoint& point,
                     Eigen::MatrixXd* map) const;
-    bool rests(const Point& point) const;
-    /// The facet that is a point's back; none: the facet itself.
-    std::size_t back_of_point(const Point& point) const {
-        const Block& block = solve_.block[point.block];
-        return block.behind.empty() ? point.facet : block.behind[point.lane];
-    }
+    bool rests(const FacetPoint& point) const;
+    void run_groups(const Level& level, std::vector<FacetPoint*> waiting);
 
     const SolveState& solve_;
     std::vector<Forcing> weather_;  // (instant)
     std::vector<bool> taken_;       // (facet)
-    std::vector<Point> point_;
-    bool fresh_ = false;
+    std::vector<FacetPoint> point_;
+    std::vector<std::optional<PointColumn>> column_;  // (kind) of points side by side
+    bool rains_ = false, fresh_ = false;
+    std::size_t stores_ = 0, batched_ = 0;
+    Summary left_out_;  // what was told of those that were not taken in
 };
 
 }  // namespace diurna

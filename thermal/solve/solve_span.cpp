@@ -49,6 +49,12 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.points = std::max(all.points, one.points);
     all.point_passes = std::max(all.point_passes, one.point_passes);
     all.limited += one.limited;
+    all.batched = std::max(all.batched, one.batched);
+    all.stores = std::max(all.stores, one.stores);
+    all.unfollowed = std::max(all.unfollowed, one.unfollowed);
+    all.most_dew_unfollowed = std::max(all.most_dew_unfollowed, one.most_dew_unfollowed);
+    all.dew_left_out = std::max(all.dew_left_out, one.dew_left_out);
+    all.worst_water_closure = std::max(all.worst_water_closure, one.worst_water_closure);
     all.coldest = first ? one.coldest : std::min(all.coldest, one.coldest);
     all.warmest = std::max(all.warmest, one.warmest);
     all.exchange_seconds += one.exchange_seconds;

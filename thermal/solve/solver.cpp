@@ -246,6 +246,12 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
     report.points = points.size();
     report.point_passes = single.worst_passes;
     report.limited = single.limited;
+    report.batched = single.batched;
+    report.stores = single.stores;
+    report.unfollowed = single.unfollowed;
+    report.most_dew_unfollowed = single.most_dew_unfollowed;
+    report.dew_left_out = single.dew_left_out;
+    report.worst_water_closure = single.worst_water_closure;
     report.worst_energy_closure = std::max(record.worst_closure, single.worst_closure);
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;

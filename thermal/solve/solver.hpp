@@ -26,10 +26,18 @@ struct SolveReport {
     double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, worst facet and step
     double newton_iterations = 0.0;     // mean per stage
     int worst_newton_iterations = 0;
-    std::size_t bisections = 0;         // lanes × iterations that left the bracket
-    std::size_t points = 0;             // facets solved one by one (thermal/solve/point_facets.hpp)
-    int point_passes = 0;               // over the span, the worst of them
-    int limited = 0;                    // their steps that had to be taken otherwise than asked
+    std::size_t bisections = 0;  // lanes × iterations that left the bracket
+    std::size_t points = 0;      // facets that need more (thermal/solve/point_facets.hpp)
+    std::size_t batched = 0;     // of these, in lanes side by side
+    std::size_t stores = 0;      // of these, whose rain, dew, snow was followed
+    /// Facets with a store that was left out: no rain fell on them, and dew was worth less than
+    /// `dew_left_out` [K]; or it condenses there as the ground's own water would. The most dew
+    /// [kg m⁻²] that any of them had.
+    std::size_t unfollowed = 0;
+    double most_dew_unfollowed = 0.0, dew_left_out = 0.0;
+    double worst_water_closure = 0.0;  // [kg m⁻²] fallen + condensed − evaporated − run off − kept
+    int point_passes = 0;              // over the span, the worst of them
+    int limited = 0;                   // their steps that had to be taken otherwise than asked
     double coldest = 0.0, warmest = 0;  // [K] surface
     double exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
     double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock

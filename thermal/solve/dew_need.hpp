@@ -1,0 +1,14 @@
+#pragma once
+
+#include "thermal/solve/solve_state.hpp"
+
+namespace diurna {
+
+/// Dew and hoar that a facet's surface would gather over the span, as warm as the solve has it now.
+struct Dew {
+    double most_warming = 0.0;  // [K] that its heat is worth at the most, were the ground a void
+    double gathered = 0.0;      // [kg m⁻²]
+};
+Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::size_t lane);
+
+}  // namespace diurna

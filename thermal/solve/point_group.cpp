@@ -17,7 +17,7 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t W = enthalpy_lanes;
-constexpr double slice_height = 2.0;  // [m]
+constexpr double slice_height = 8.0;  // [m]: 26 mK of air from its middle to its ends
 
 /// The slowest deviations of a thawed column under a usual film: C⁻¹ K's, orthonormal in C.
 void find_slow(double duration, PointColumn& point) {

@@ -27,13 +27,14 @@ bool in_lanes(const ThermalSurface& surface);
 ///
 /// The period is found by Newton on the slowest deviations of the column alone, what is quicker
 /// follows by itself (Lust, Roose, Spence & Champneys 1998, SIAM J. Sci. Comput. 19, 1188). A
-/// point begins from its block's state. All have the air of one height, the middle of two metres.
+/// point begins from its block's state. All have the air of one height, the middle of eight metres
+/// (0.026 K of its ends).
 ///
 /// weather  at the solve's instants
 void run_point_group(const SolveState& solve, const Level& level, const PointColumn& column,
                      const std::vector<Forcing>& weather, std::span<FacetPoint* const> point);
 
-/// [m] Which two metres of height a facet lies in.
+/// [m] Which eight metres of height a facet lies in.
 long height_slice(const SolveState& solve, std::size_t facet);
 
 }  // namespace diurna

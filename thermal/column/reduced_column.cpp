@@ -105,6 +105,15 @@ double error_at(const ReducedColumn& column, std::span<const Layer> layers, cons
     return std::abs(impedance(column, frequency) - exact) / std::abs(scale);
 }
 
+double kelvin_at(const ReducedColumn& column, std::span<const Layer> layers, const Bottom& bottom,
+                 double period, const GridOptions& grid) {
+    constexpr double swing = 500.0, film = 8.0;
+    const double frequency = 2.0 * std::numbers::pi / period;
+    const auto answer = [=](std::complex<double> z) { return z / (1.0 + film * z); };
+    return swing * std::abs(answer(impedance(column, frequency)) -
+                            answer(impedance(layers, bottom, frequency, grid)));
+}
+
 }  // namespace
 
 std::complex<double> impedance(const ReducedColumn& column, double frequency) {
@@ -154,6 +163,14 @@ double reduction_error(const ReducedColumn& column, std::span<const Layer> layer
     return worst;
 }
 
+double surface_error(const ReducedColumn& column, std::span<const Layer> layers,
+                     const Bottom& bottom, double longest, const GridOptions& grid) {
+    double worst = 0.0;
+    for (const double period : periods(longest))
+        worst = std::max(worst, kelvin_at(column, layers, bottom, period, grid));
+    return worst;
+}
+
 ReducedColumn reduce_column(std::span<const Layer> layers, const Bottom& bottom, double reference,
                             const ReductionOptions& options) {
     const ColumnGrid grid = column_grid(layers, bottom, options.grid);
@@ -172,14 +189,15 @@ ReducedColumn reduce_column(std::span<const Layer> layers, const Bottom& bottom,
         ReducedColumn column = project(grid, reference, k, basis);
         double worst = 0.0;
         for (const double p : periods(options.longest)) {
-            const double error = error_at(column, layers, bottom, p, options.grid);
+            const double error = std::max(
+                error_at(column, layers, bottom, p, options.grid) / options.largest_error,
+                kelvin_at(column, layers, bottom, p, options.grid) / options.largest_kelvin);
             if (error > worst) {
                 worst = error;
                 period = p;
             }
         }
-        if (worst <= options.largest_error || basis.cols() >= std::min(options.most, n) ||
-            basis.cols() == before) {
+        if (worst <= 1.0 || basis.cols() >= std::min(options.most, n) || basis.cols() == before) {
             return column;
         }
     }

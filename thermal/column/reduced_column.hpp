@@ -39,12 +39,14 @@ struct ReducedColumn {
 
 struct ReductionOptions {
     double largest_error = 0.003;   // see reduction_error
+    double largest_kelvin = 0.1;    // [K] see surface_error
     double longest = 31 * 86400.0;  // [s] period up to which it counts; the steady limit is exact
     Eigen::Index most = 14;         // modes
     GridOptions grid{.first = 0.004, .growth = 0.1};
 };
 
-/// As many modes as `largest_error` takes. `reference` stands for columns closed below.
+/// As many modes as `largest_error` and `largest_kelvin` take. `reference` stands for columns
+/// closed below.
 ReducedColumn reduce_column(std::span<const Layer> layers, const Bottom& bottom, double reference,
                             const ReductionOptions& options = {});
 
@@ -59,6 +61,14 @@ std::complex<double> impedance(std::span<const Layer> layers, const Bottom& bott
 /// there.
 double reduction_error(const ReducedColumn& column, std::span<const Layer> layers,
                        const Bottom& bottom, double longest, const GridOptions& grid = {});
+
+/// What the modes' surface is off by [K] under the harshest light: a flux of `swing` [W m⁻²], half
+/// of full sun, at whichever period from a minute to `longest` it does most, and a film of
+/// radiation and calm air, `film` [W m⁻² K⁻¹]: swing |Z / (1 + film Z) − Z' / (1 + film Z')|. A
+/// shadow's edge holds every period alike (its spectrum goes as one over frequency), with a third
+/// of its height.
+double surface_error(const ReducedColumn& column, std::span<const Layer> layers,
+                     const Bottom& bottom, double longest, const GridOptions& grid = {});
 
 /// The column with a film h [W m⁻² K⁻¹] on its surface, driven by u = q + h θ: most of what the
 /// surface answers to its own warming is then in the modes, and they decay as fast as it does.

@@ -62,10 +62,10 @@ constexpr double coldest_node = 1.0, hottest_node = 5000.0;  // [K]
     return from < 0.0 && to > 0.0 ? past_kink : at;
 }
 
-template <bool Plate>
+template <FilmKind Kind>
 [[gnu::always_inline]] inline Film skin_film(const EnthalpySurface& s, const AirFilm& air,
                                              std::size_t l, double t) {
-    Film film = film_of<Plate>(air, s.natural[l], t);
+    Film film = film_of<Kind>(air, s.natural[l], t);
     const bool fallen = film.h < s.least_film[l];
     film.h = fallen ? s.least_film[l] : film.h;
     film.rise = fallen ? 0.0 : film.rise;
@@ -74,7 +74,7 @@ template <bool Plate>
 }
 
 /// The balance of the skins at temperatures [lane].
-template <bool Plate>
+template <FilmKind Kind>
 void balance_of(const EnthalpySurface& s, const double* temperature, double* flux, double* slope) {
     const AirFilm air = s.air;
     const double radiation = s.emissivity * stefan_boltzmann;
@@ -84,7 +84,7 @@ void balance_of(const EnthalpySurface& s, const double* temperature, double* flu
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
         const double t = temperature[l];
-        const Film film = skin_film<Plate>(s, air, l, t);
+        const Film film = skin_film<Kind>(s, air, l, t);
         const DryLoss dry = dry_loss(air, film, radiation, t);
         const SurfaceFlux wet = stored_latent(air, film, vapour, of_ice, s.wet_share[l], t);
         const SurfaceFlux melt = melting_flux(s.phase_film[l], s.frost_heat[l], s.water_heat[l], t);
@@ -93,11 +93,11 @@ void balance_of(const EnthalpySurface& s, const double* temperature, double* flu
     }
 }
 void balance_at(const EnthalpySurface& s, const double* temperature, double* flux, double* slope) {
-    s.air.plate ? balance_of<true>(s, temperature, flux, slope)
-                : balance_of<false>(s, temperature, flux, slope);
+    by_kind(s.air.kind, false,
+            [&]<FilmKind Kind, bool>() { balance_of<Kind>(s, temperature, flux, slope); });
 }
 
-template <bool Plate>
+template <FilmKind Kind>
 void store_of(const EnthalpySurface& s, const double* skin, double* wet_latent, double* melt) {
     const AirFilm air = s.air;
     const double of_ice = latent_heat_of_sublimation(air.air_temperature) /
@@ -105,15 +105,15 @@ void store_of(const EnthalpySurface& s, const double* skin, double* wet_latent, 
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
         const double t = skin[l];
-        const Film film = skin_film<Plate>(s, air, l, t);
+        const Film film = skin_film<Kind>(s, air, l, t);
         const FrostVapour vapour = frost_vapour(air, air.latent, of_ice, t);
         wet_latent[l] = latent_of(air, film, vapour, 1.0, 0.0).flux;
         melt[l] = melting_flux(s.phase_film[l], s.frost_heat[l], s.water_heat[l], t).flux;
     }
 }
 void store_at(const EnthalpySurface& s, const double* skin, double* wet_latent, double* melt) {
-    s.air.plate ? store_of<true>(s, skin, wet_latent, melt)
-                : store_of<false>(s, skin, wet_latent, melt);
+    by_kind(s.air.kind, false,
+            [&]<FilmKind Kind, bool>() { store_of<Kind>(s, skin, wet_latent, melt); });
 }
 
 /// What reaches the ground at its temperatures [lane]: the skin's balance, through the snow that

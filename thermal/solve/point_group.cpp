@@ -121,11 +121,15 @@ class GroupRun {
     /// Air and its film at the instants, at the middle of the slice.
     void prepare_air(const std::vector<Forcing>& weather) {
         const double height = slice_height * (double(height_slice(solve_, point_[0]->facet)) + 0.5);
+        const bool in_lee = std::any_of(point_.begin(), point_.end(), [&](const FacetPoint* p) {
+            return solve_.block[p->block].sheltered;
+        });
         for (const Forcing& now : weather) {
             const AirState air = solve_.tiers.flat()
                                      ? now.air
                                      : air_at_height(*solve_.input.by_height, now.air, height);
             air_.push_back(air_film(kind_.column.surface, kind_.column.louis, air, now.wind_speed));
+            if (in_lee) air_.back().kind = FilmKind::sheltered_ground;
             rain_.push_back(std::max(0.0, now.rain_mm_h));
         }
     }
@@ -137,7 +141,8 @@ class GroupRun {
         if (forcing_[l]->has_back()) p.back_kelvin.resize(solve_.instant.size());
         p.kelvin.resize(solve_.instant.size());
         const double up = solve_.input.facets.normal[p.facet].z();
-        batch_.natural[l] = natural_film(up);
+        batch_.natural[l] =
+            facet_film(kind_.column.surface.convection, up, solve_.part_of(p.facet));
         batch_.capacity[l] = store_capacity(kind_.column.surface.store, up);
         batch_.rain_share[l] = forcing_[l]->rain();
         if (!p.begun) {

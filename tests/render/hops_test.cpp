@@ -215,7 +215,7 @@ TEST_CASE("a measured BRDF sends the eye its own share of the sun", "[render][ho
     }
     const Eigen::Vector3d low_sun = direction(200.0, 12.0);
     const auto sunlit = [&](Finish finish) {
-        Stage stage;
+        HopStage stage;
         stage.to_sun = low_sun;
         Material wall = testing::material("wall", flat_spectrum(0.4));
         wall.finish = std::move(finish);

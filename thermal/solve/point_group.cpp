@@ -236,7 +236,7 @@ class GroupRun {
     }
     /// Steps that grow from 10 s after a jump.
     void march(std::size_t i, double from, double to, bool restart) {
-        constexpr double first = 10.0, growth = 3.0, longest_wet = 600.0;  // [s]
+        constexpr double first = 5.0, growth = 1.6, longest_wet = 600.0;  // [s]
         double longest = solve_.step / solve_.options.refinement;
         if (batch_.stores()) longest = std::min(longest, longest_wet);
         if (restart) next_ = first;

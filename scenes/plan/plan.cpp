@@ -19,11 +19,11 @@ constexpr double sky_per_facet = 9e-6;
 constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
 constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
 constexpr double heat_per_facet_step = 0.25e-6;      // all passes and the exchange
-constexpr double heat_per_lane =
-    4e-3;  // a day that repeats, freezing, eight side by side; wet 1e-3, under snow 6e-3
-constexpr double frost_air = 276.0;      // [K] under which open ground may freeze
-constexpr double heat_per_point = 5e-3;  // a day (thermal/solve/point_facets.hpp)
-constexpr double flux_passes = 1.3;      // of the heat balance, where it is taken down
+constexpr double heat_per_lane = 1.1e-3;             // a wet day that repeats, eight side by side
+constexpr double heat_per_freezing_lane = 20e-3;     // 4 ms in full lanes, 32 in a valley of 950
+constexpr double frost_air = 276.0;                  // [K] under which open ground may freeze
+constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
+constexpr double flux_passes = 1.3;                  // of the heat balance, where it is taken down
 constexpr double write_per_value = 0.08e-6;
 constexpr double cast_per_ray = 0.05e-6;
 constexpr double render_per_pixel = 0.3e-6;  // and band
@@ -57,9 +57,11 @@ double point_seconds(const Scene& scene, const World& world, const Weather& weat
         const ThermalSurface& surface =
             scene.materials[MaterialId{static_cast<std::uint16_t>(i)}].thermal;
         const PointNeed need = point_need(surface);
-        const bool taken = need == PointNeed::always || (need == PointNeed::if_wet && rain) ||
-                           (need != PointNeed::never && frost && freezes(surface));
-        each.push_back(!taken ? 0.0 : in_lanes(surface) ? heat_per_lane : heat_per_point);
+        const bool freezing = need != PointNeed::never && frost && freezes(surface);
+        const bool taken =
+            need == PointNeed::always || (need == PointNeed::if_wet && rain) || freezing;
+        const double in_lane = freezing ? heat_per_freezing_lane : heat_per_lane;
+        each.push_back(!taken ? 0.0 : in_lanes(surface) ? in_lane : heat_per_point);
     }
     double sum = 0.0;
     for (const MaterialId id : world.facets.material) sum += each[index(id)];

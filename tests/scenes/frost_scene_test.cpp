@@ -63,7 +63,7 @@ TEST_CASE("the plan tells what freezing ground takes", "[scenes][frost]") {
     write_text(folder.path / "scene.toml", small_scene());
     const Plan january_plan = january().plan,
                july = prepare(read_scene(folder.path / "scene.toml")).plan;
-    // July's scene is the larger one; eight side by side a freezing facet takes some 4 ms a day.
+    // July's scene is the larger one; eight side by side a freezing facet takes 4 to 32 ms a day.
     CHECK(july.facets > january_plan.facets);
-    CHECK(heat_of(january_plan) > heat_of(july));
+    CHECK(heat_of(january_plan) > 3.0 * heat_of(july));
 }

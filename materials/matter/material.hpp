@@ -68,8 +68,8 @@ using Bottom = std::variant<FixedTemperature, FixedFlux, Interior>;
 /// How the surface exchanges heat with the air.
 struct Louis {
     double least_film = 0.0;  // [W m⁻² K⁻¹] added: what calm, stable air still exchanges
-    double gust = 1.0;        // [m s⁻¹] of motions the mean wind does not tell of: √(U² + gust²)
-};                            // bulk Monin-Obukhov, Louis 1979: ground
+    double gust = 1.0;  // [m s⁻¹] of motions the mean wind does not tell of: √(U² + gust²)
+};                      // bulk Monin-Obukhov, Louis 1979: ground
 /// Natural + forced by plate orientation (Walton 1983): walls and roofs of buildings.
 struct Tarp {
     double length = 10.0;  // [m] of the square whose perimeter over area the wind meets

@@ -17,8 +17,8 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;  // [s]
-constexpr float agreeing = 0.02f;   // shares of the sun that count as one
+constexpr double day = 86400.0;    // [s]
+constexpr float agreeing = 0.02f;  // shares of the sun that count as one
 
 Eigen::Vector3d direction(const Prepared& prepared, Instant when) {
     return sun_direction(sun_over(prepared, when));

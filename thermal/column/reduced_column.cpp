@@ -96,6 +96,13 @@ std::vector<double> periods(double longest) {
     }
 }
 
+template <class Error>
+double worst_of(double longest, const Error& error) {
+    double worst = 0.0;
+    for (const double period : periods(longest)) worst = std::max(worst, error(period));
+    return worst;
+}
+
 double error_at(const ReducedColumn& column, std::span<const Layer> layers, const Bottom& bottom,
                 double period, const GridOptions& grid) {
     const double frequency = 2.0 * std::numbers::pi / period;
@@ -157,18 +164,14 @@ std::complex<double> impedance(std::span<const Layer> layers, const Bottom& bott
 
 double reduction_error(const ReducedColumn& column, std::span<const Layer> layers,
                        const Bottom& bottom, double longest, const GridOptions& grid) {
-    double worst = 0.0;
-    for (const double period : periods(longest))
-        worst = std::max(worst, error_at(column, layers, bottom, period, grid));
-    return worst;
+    return worst_of(longest,
+                    [&](double period) { return error_at(column, layers, bottom, period, grid); });
 }
 
 double surface_error(const ReducedColumn& column, std::span<const Layer> layers,
                      const Bottom& bottom, double longest, const GridOptions& grid) {
-    double worst = 0.0;
-    for (const double period : periods(longest))
-        worst = std::max(worst, kelvin_at(column, layers, bottom, period, grid));
-    return worst;
+    return worst_of(longest,
+                    [&](double period) { return kelvin_at(column, layers, bottom, period, grid); });
 }
 
 ReducedColumn reduce_column(std::span<const Layer> layers, const Bottom& bottom, double reference,

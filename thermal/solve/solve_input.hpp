@@ -36,7 +36,8 @@ struct SolveOptions {
     bool goes_on = false;        // other spans follow: what is slower than this one is kept
     int max_passes = 12;         // over the span
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
-    double settled = 0.01;       // [K] that neighbours' heat may still be worth after the last pass
+    double settled =
+        0.01;  // [K] that neighbours' heat may still be worth at the end; 0.05 where water lies
     Method method = Method::modes;
     double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
     GridOptions grid{};         // of layered columns

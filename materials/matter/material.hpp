@@ -91,7 +91,7 @@ struct BodyFilm {
     BodyShape shape = BodyShape::plate;
     double length = 0.0;      // [m] of a plate along the wind, of a cylinder or box across; 0: the
                               // part's own
-    double transition = 5e5;  // Re at which a plate's boundary layer turns turbulent
+    double transition = 1e5;  // Re at which a plate's boundary layer turns turbulent: in gusts
 };
 using Convection = std::variant<Louis, Tarp, Mowitt, ConstantFilm, BodyFilm>;
 

@@ -92,11 +92,11 @@ Convection read_convection(const Section& section) {
             "length_m", "of a plate's sides, of a cylinder's or box's width",
             {0.0, "the part's own in a mesh; 1 on ground and in columns"}, lengths);
         if (kind == "plate") {
-            body.transition = section.number_or(
-                "transition_Re",
-                "Reynolds number at which its boundary layer turns turbulent: 5e5 smooth, 1e5 in "
-                "gusts, 0 tripped at its edge",
-                body.transition, {0.0, 3e6});
+            body.transition = section.number_or("transition_Re",
+                                                "Reynolds number at which its boundary layer turns "
+                                                "turbulent: 5e5 in a smooth flow, 1e5 in "
+                                                "gusts, 0 tripped at its edge",
+                                                body.transition, {0.0, 3e6});
         }
         return body;
     }

@@ -93,7 +93,7 @@ double mowitt_forced(double wind_speed);
 /// Air as warm as a surface that moves through it would find it: T (1 + r (γ − 1)/2 M²), γ = 1.4.
 double recovery_temperature(double air_temperature, double speed, double recovery);
 /// r of a plate: √Pr where its boundary layer is laminar, up to the transition; ∛Pr beyond.
-double recovery_factor(const AirState& air, const Flight& flight, double transition = 5e5);
+double recovery_factor(const AirState& air, const Flight& flight, double transition);
 
 /// A wall under natural and forced convection: their sum (TARP) or natural + R_f (√(natural² +
 /// forced²) − natural) (MoWiTT).

@@ -141,6 +141,7 @@ void solve_piece(const Piece& piece, Walk& walk) {
                                 .elevation = given.elevation,
                                 .by_height = given.by_height,
                                 .height = given.height,
+                                .part = given.part,
                                 .clear_sky = given.clear_sky,
                                 .measured_share = given.measured_share,
                                 .sunlight_views = given.sunlight_views,

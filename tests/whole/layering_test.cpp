@@ -36,7 +36,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
     {"terrain",
      {"place", "raster", "ground", "objects", "facets", "relief", "visibility", "texture"}},
     {"thermal",
-     {"weather", "weather_file", "column", "surface", "kernels", "steppers", "point",
+     {"weather", "weather_file", "column", "surface", "kernels", "steppers", "network", "point",
       "heat_flux_field", "netcdf_output", "temperature_field", "solve"}},
     {"render", {"picture", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes", {"input", "keys", "world", "plan", "report", "run", "commands"}},
@@ -47,7 +47,8 @@ const std::set<std::string> circles_to_be_mended = {};
 
 // Physics that takes numbers and spans, and is tested without a mesh.
 const std::set<std::string> without_terrain = {"thermal/column", "thermal/kernels",
-                                               "thermal/steppers", "thermal/surface"};
+                                               "thermal/network", "thermal/steppers",
+                                               "thermal/surface"};
 
 // Start of an include -> the sources it may stand in.
 const std::map<std::string, std::set<std::string>> homes = {

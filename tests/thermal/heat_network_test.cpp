@@ -1,0 +1,327 @@
+#include "thermal/network/heat_network.hpp"
+
+#include <Eigen/Dense>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+
+#include "materials/base/units.hpp"
+#include "thermal/network/network_step.hpp"
+
+using namespace diurna;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A sheet in its plane, cut into triangles.
+struct Sheet {
+    HeatNetwork network;
+    std::vector<Eigen::Vector2d> centre;
+    std::vector<std::array<Eigen::Vector2d, 3>> middle;  // of the sides
+
+    /// The mean over a facet of what is given at points, exact to second order.
+    template <class Of>
+    double mean(std::size_t f, const Of& of) const {
+        return (of(middle[f][0]) + of(middle[f][1]) + of(middle[f][2])) / 3.0;
+    }
+};
+
+/// across × up rectangles of two triangles each; inner corners moved by up to `uneven` of a cell.
+Sheet sheet(double width, double height, int across, int up, const NetworkColumn& column,
+            double uneven = 0.0) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-uneven, uneven);
+    std::vector<Eigen::Vector2d> corner;
+    for (int j = 0; j <= up; ++j) {
+        for (int i = 0; i <= across; ++i) {
+            const double x = i > 0 && i < across ? i + any(random) : i;
+            const double y = j > 0 && j < up ? j + any(random) : j;
+            corner.emplace_back(x * width / across, y * height / up);
+        }
+    }
+    Sheet made;
+    made.network.column = {column};
+    std::map<std::pair<int, int>, std::uint32_t> edge;
+    const auto add = [&](std::array<int, 3> v) {
+        NetworkFacet facet;
+        std::array<double, 3> side{};
+        std::array<Eigen::Vector2d, 3> middle;
+        for (int s = 0; s < 3; ++s) {
+            const int a = v[(s + 1) % 3], b = v[(s + 2) % 3];
+            middle[s] = 0.5 * (corner[a] + corner[b]);
+            side[s] = (corner[a] - corner[b]).norm();
+            facet.edge[0][s] =
+                edge.try_emplace(std::minmax(a, b), std::uint32_t(edge.size())).first->second;
+        }
+        const Eigen::Vector2d p = corner[v[1]] - corner[v[0]], q = corner[v[2]] - corner[v[0]];
+        facet.area = 0.5 * std::abs(p.x() * q.y() - p.y() * q.x());
+        facet.sideways = sideways_flow(side, facet.area);
+        made.network.facet.push_back(facet);
+        made.middle.push_back(middle);
+        made.centre.push_back((corner[v[0]] + corner[v[1]] + corner[v[2]]) / 3.0);
+    };
+    for (int j = 0; j < up; ++j) {
+        for (int i = 0; i < across; ++i) {
+            const int a = j * (across + 1) + i, c = a + across + 1;
+            add({a, a + 1, c + 1});
+            add({a, c + 1, c});
+        }
+    }
+    made.network.edges = std::uint32_t(edge.size());
+    return made;
+}
+
+/// Films to air on the outer ends, and on the inner ones.
+NetworkForcing in_air(double air, double outer_film, double inner_film) {
+    return {.loads = {},
+            .faces = [=](double, const std::vector<double>& outer, const std::vector<double>& inner,
+                         FaceFluxes& out) {
+                for (std::size_t f = 0; f < outer.size(); ++f) {
+                    out.outer[f] = outer_film * (air - outer[f]);
+                    out.outer_slope[f] = -outer_film;
+                    out.inner[f] = inner_film * (air - inner[f]);
+                    out.inner_slope[f] = -inner_film;
+                }
+            }};
+}
+
+const Layer aluminium{0.002, 200.0, 2700.0, 900.0};
+
+}  // namespace
+
+TEST_CASE("a sheet of one metal is one node, a wall is many", "[thermal][network]") {
+    const NetworkColumn metal = network_column({aluminium}, FixedFlux{0.0});
+    CHECK(metal.grid.size() == 1);
+    CHECK(metal.grid.capacity[0] == Approx(0.002 * 2700.0 * 900.0));
+    CHECK(metal.spread[0] == Approx(0.4));
+    const NetworkColumn sandwich =
+        network_column({aluminium, {0.05, 0.03, 30.0, 1400.0}, aluminium}, FixedFlux{0.0});
+    CHECK(sandwich.grid.size() > 2);
+    // Half of the foam's 0.0015 W/K belongs to each skin.
+    CHECK(sandwich.spread[0] == Approx(0.4 + 0.00075));
+    CHECK(sandwich.spread[1] == Approx(0.4 + 0.00075));
+}
+
+TEST_CASE("a linear temperature conducts as it should through any triangle", "[thermal][network]") {
+    // T = x: through each side T's gradient times its outward normal times its length.
+    const std::array<Eigen::Vector2d, 3> corner{{{0.1, 0.0}, {1.3, 0.2}, {0.4, 0.7}}};
+    std::array<double, 3> side{}, at{}, expected{};
+    for (int s = 0; s < 3; ++s) {
+        const Eigen::Vector2d a = corner[(s + 1) % 3], b = corner[(s + 2) % 3];
+        side[s] = (b - a).norm();
+        at[s] = 0.5 * (a.x() + b.x());
+        expected[s] = -(b - a).y();  // −∇T · (dy, −dx)
+    }
+    const Eigen::Vector2d p = corner[1] - corner[0], q = corner[2] - corner[0];
+    const double area = 0.5 * (p.x() * q.y() - p.y() * q.x());
+    const SidewaysFlow b = sideways_flow(side, area);
+    const double middle = (corner[0].x() + corner[1].x() + corner[2].x()) / 3.0;
+    const std::array<double, 3> away{middle - at[0], middle - at[1], middle - at[2]};
+    CHECK(b[0] * away[0] + b[1] * away[1] + b[2] * away[2] == Approx(expected[0]));
+    CHECK(b[1] * away[0] + b[3] * away[1] + b[4] * away[2] == Approx(expected[1]));
+    CHECK(b[2] * away[0] + b[4] * away[1] + b[5] * away[2] == Approx(expected[2]));
+}
+
+TEST_CASE("a fin heated at its foot", "[thermal][network]") {
+    // theta'' = m2 theta - q / (k t), m2 = 2 h / (k t), heated over 0 < x < a, insulated ends
+    // (Incropera 3.6): q / (k t m2) (1 - sinh(m (L - a)) cosh(m x) / sinh(m L)) and beyond
+    // q / (k t m2) sinh(m a) cosh(m (L - x)) / sinh(m L).
+    constexpr double length = 0.4, foot = 0.04, film = 12.5, heat = 6000.0, air = 290.0;
+    constexpr int cells = 60;  // second order: 0.09 K with 40
+    const Sheet fin = sheet(length, 0.05, cells, 8, network_column({aluminium}, FixedFlux{0.0}));
+    NetworkForcing forcing = in_air(air, film, film);
+    forcing.loads = [&](double, NetworkLoads& loads) {
+        for (std::size_t f = 0; f < fin.centre.size(); ++f) {
+            loads.outer[f] = fin.centre[f].x() < foot ? heat : 0.0;
+        }
+    };
+    NetworkStepper stepper(fin.network);
+    stepper.settle(air);
+    for (int i = 0; i < 30; ++i) stepper.advance(3600.0, forcing);
+    const double kt = 0.4, m = std::sqrt(2.0 * film / kt), most = heat / (kt * m * m);
+    double worst = 0.0, warmest = 0.0;
+    for (std::size_t f = 0; f < fin.centre.size(); ++f) {
+        const double exact = fin.mean(f, [&](const Eigen::Vector2d& p) {
+            const double x = p.x(), all = std::sinh(m * length);
+            return most * (x < foot ? 1.0 - std::sinh(m * (length - foot)) * std::cosh(m * x) / all
+                                    : std::sinh(m * foot) * std::cosh(m * (length - x)) / all);
+        });
+        warmest = std::max(warmest, exact);
+        worst = std::max(worst, std::abs(stepper.state.node[f] - air - exact));
+    }
+    CAPTURE(warmest, worst);
+    CHECK(warmest > 60.0);
+    CHECK(worst < 0.05);
+    CHECK(stepper.count.worst_closure < 1e-8);
+    CHECK(stepper.count.limited == 0);
+}
+
+TEST_CASE("a warm pattern fades on a plate of uneven triangles", "[thermal][network]") {
+    // cos(pi x / a) cos(2 pi y / b), insulated sides: exp(-(alpha (pi2 / a2 + 4 pi2 / b2) + 2 h /
+    // C) t) (Carslaw & Jaeger 3.3).
+    constexpr double a = 0.5, b = 0.8, film = 10.0, air = 300.0;
+    const Sheet plate = sheet(a, b, 24, 40, network_column({aluminium}, FixedFlux{0.0}), 0.25);
+    NetworkStepper stepper(plate.network);
+    stepper.settle(air);
+    const auto pattern = [&](const Eigen::Vector2d& p) {
+        return 20.0 * std::cos(pi * p.x() / a) * std::cos(2.0 * pi * p.y() / b);
+    };
+    for (std::size_t f = 0; f < plate.centre.size(); ++f) {
+        stepper.state.node[f] += plate.mean(f, pattern);
+    }
+    for (int i = 0; i < 20; ++i) stepper.advance(5.0, in_air(air, film, film));
+    const double rate = 200.0 / (2700.0 * 900.0) * (pi * pi / (a * a) + 4.0 * pi * pi / (b * b)) +
+                        2.0 * film / (0.002 * 2700.0 * 900.0);
+    double worst = 0.0;
+    for (std::size_t f = 0; f < plate.centre.size(); ++f) {
+        const double exact = air + plate.mean(f, pattern) * std::exp(-rate * 100.0);
+        worst = std::max(worst, std::abs(stepper.state.node[f] - exact));
+    }
+    CHECK(std::exp(-rate * 100.0) < 0.6);
+    CHECK(worst < 0.05);
+}
+
+TEST_CASE("a thick rod cools through its end", "[thermal][network]") {
+    // First mode of a slab, insulated behind: cos(z (1 - x / L)) exp(-z2 alpha t / L2), z tan z =
+    // h L / k (Incropera 5.5). Concrete, 0.2 m, 15 W/m2K: Bi 2, z 1.07687.
+    constexpr double thick = 0.2, k = 1.5, film = 15.0, air = 280.0;
+    HeatNetwork rod;
+    rod.column = {network_column({{thick, k, 2300.0, 880.0}}, FixedFlux{0.0})};
+    rod.facet = {NetworkFacet{.area = 0.01}};
+    double z = 1.07687;
+    for (int i = 0; i < 5; ++i) {
+        z -= (z * std::tan(z) - 2.0) / (std::tan(z) + z / (std::cos(z) * std::cos(z)));
+    }
+    NetworkStepper stepper(rod);
+    const ColumnGrid& grid = rod.column[0].grid;
+    for (std::size_t j = 0; j < grid.size(); ++j) {
+        stepper.state.node[j] = air + 30.0 * std::cos(z * (1.0 - grid.depth[j] / thick));
+    }
+    for (int i = 0; i < 48; ++i) stepper.advance(300.0, in_air(air, film, 0.0));
+    const double decay = std::exp(-z * z * k / (2300.0 * 880.0) * 14400.0 / (thick * thick));
+    CHECK(stepper.state.node.front() == Approx(air + 30.0 * std::cos(z) * decay).margin(0.05));
+    CHECK(stepper.state.node.back() == Approx(air + 30.0 * decay).margin(0.05));
+}
+
+TEST_CASE("two slabs in contact", "[thermal][network]") {
+    // Equal half-spaces with a conductance of 200 W/m2K between them: about the middle each is one
+    // with a film of 400 to the mean: exp(H2 alpha t) erfc(H sqrt(alpha t)), H = 400 / k (Carslaw &
+    // Jaeger 2.7). Half an hour of 0.4 m of steel is a half-space's.
+    constexpr double k = 50.0, heat = 7800.0 * 460.0;
+    HeatNetwork slabs;
+    slabs.column = {network_column({{0.6, k, 7800.0, 460.0}}, FixedFlux{0.0},
+                                   {.period = 3600.0, .first = 0.02, .growth = 0.1})};
+    slabs.lump = {HeatLump{}};
+    // Turned about, so that fine cells meet: outer ends look at one another through a lump.
+    slabs.facet = {NetworkFacet{.area = 0.5}, NetworkFacet{.area = 0.5}};
+    NetworkStepper stepper(slabs);
+    for (std::size_t f = 0; f < 2; ++f) {
+        for (std::size_t n = stepper.system().node_of(f); n <= stepper.system().last_of(f); ++n) {
+            stepper.state.node[n] = f == 0 ? 340.0 : 290.0;
+        }
+    }
+    const NetworkForcing touch{.loads = {},
+                               .faces = [](double, const std::vector<double>& outer,
+                                           const std::vector<double>&, FaceFluxes& out) {
+                                   for (std::size_t f = 0; f < 2; ++f) {
+                                       out.outer[f] = 200.0 * (outer[1 - f] - outer[f]);
+                                       out.outer_slope[f] = -200.0;
+                                   }
+                               }};
+    for (int i = 0; i < 120; ++i) stepper.advance(10.0, touch);
+    const double h = 400.0 / k, reach = k / heat * 1200.0;
+    const double surface = 315.0 + 25.0 * std::exp(h * h * reach) * std::erfc(h * std::sqrt(reach));
+    CHECK(stepper.state.node[0] == Approx(surface).margin(0.05));
+    CHECK(stepper.state.node[stepper.system().node_of(1)] == Approx(630.0 - surface).margin(0.05));
+}
+
+TEST_CASE("two planes face each other across an enclosure", "[thermal][network]") {
+    // q = sigma (T1^4 - T2^4) / (1 / e1 + 1 / e2 - 1); 300 W/m2 into the one, the other loses them
+    // through a film of 20 to 280 K: T2 = 295 K.
+    constexpr double e1 = 0.9, e2 = 0.3, heat = 300.0, film = 20.0, air = 280.0;
+    const std::vector<double> factor = carroll_factors({2.0, 2.0});
+    CHECK(factor[0] == Approx(2.0));
+    HeatNetwork box;
+    box.column = {network_column({aluminium}, FixedFlux{0.0})};
+    box.lump = {HeatLump{}};
+    box.facet = {NetworkFacet{.area = 2.0, .star = 0, .radiant = radiant_share(2.0, e1)},
+                 NetworkFacet{.area = 2.0, .star = 0, .radiant = radiant_share(2.0, e2)}};
+    NetworkForcing forcing = in_air(air, film, 0.0);
+    const auto faces = forcing.faces;
+    forcing.faces = [faces](double share, const std::vector<double>& outer,
+                            const std::vector<double>& inner, FaceFluxes& out) {
+        faces(share, outer, inner, out);
+        out.outer[0] = out.outer_slope[0] = 0.0;
+    };
+    forcing.loads = [](double, NetworkLoads& loads) { loads.outer[0] = heat; };
+    NetworkStepper stepper(box);
+    stepper.settle(air);
+    for (int i = 0; i < 60; ++i) stepper.advance(7200.0, forcing);
+    const double exchange = stefan_boltzmann / (1.0 / e1 + 1.0 / e2 - 1.0);
+    const double cold = air + heat / film;
+    const double warm = std::pow(std::pow(cold, 4.0) + heat / exchange, 0.25);
+    CHECK(stepper.state.node[1] == Approx(cold).margin(0.01));
+    CHECK(stepper.state.node[0] == Approx(warm).margin(0.05));
+}
+
+TEST_CASE("an engine warms up", "[thermal][network]") {
+    // C dT/dt = P - G (T - T_air): P / G (1 - exp(-G t / C)).
+    constexpr double power = 5000.0, leak = 60.0, capacity = 300.0 * 460.0, air = 283.0;
+    HeatNetwork engine;
+    engine.lump = {{.capacity = capacity}, {.fixed = true}};
+    engine.link = {{0, 1, leak}};
+    const NetworkForcing forcing{.loads =
+                                     [](double, NetworkLoads& loads) {
+                                         loads.lump[0] = power;
+                                         loads.fixed[1] = air;
+                                     },
+                                 .faces = {}};
+    NetworkStepper stepper(engine);
+    stepper.settle(air);
+    for (int i = 0; i < 20; ++i) stepper.advance(120.0, forcing);
+    const double exact = air + power / leak * (1.0 - std::exp(-leak * 2400.0 / capacity));
+    CHECK(exact - air > 50.0);
+    CHECK(stepper.state.lump[0] == Approx(exact).margin(0.05));
+}
+
+TEST_CASE("coolant carries an engine's heat to its radiator", "[thermal][network]") {
+    // Steady: all of P leaves through the radiator, T_r = T_air + P / G; the engine is warmer by
+    // P / (m c), and the stream arrives as warm as it left.
+    constexpr double power = 20000.0, stream = 1500.0, radiator = 400.0, air = 283.0;
+    HeatNetwork loop;
+    loop.lump = {{.capacity = 1e5}, {.capacity = 2e4}, {.fixed = true}};
+    loop.link = {{1, 2, radiator}};
+    loop.stream = {{0, 1, stream}, {1, 0, stream}};
+    const NetworkForcing forcing{.loads =
+                                     [](double, NetworkLoads& loads) {
+                                         loads.lump[0] = power;
+                                         loads.fixed[2] = air;
+                                     },
+                                 .faces = {}};
+    NetworkStepper stepper(loop);
+    stepper.settle(air);
+    for (int i = 0; i < 100; ++i) stepper.advance(300.0, forcing);
+    CHECK(stepper.state.lump[1] == Approx(air + power / radiator).margin(1e-3));
+    CHECK(stepper.state.lump[0] == Approx(air + power / radiator + power / stream).margin(1e-3));
+}
+
+TEST_CASE("heat put in is heat stored, at any step", "[thermal][network]") {
+    for (const double step : {1.0, 60.0, 3600.0, 21600.0}) {
+        Sheet plate = sheet(1.0, 1.0, 6, 6, network_column({aluminium}, FixedFlux{0.0}), 0.2);
+        NetworkForcing forcing = in_air(280.0, 0.0, 0.0);
+        forcing.loads = [](double, NetworkLoads& loads) { loads.outer[5] = 1000.0; };
+        NetworkStepper stepper(plate.network);
+        stepper.settle(280.0);
+        for (int i = 0; i < 10; ++i) stepper.advance(step, forcing);
+        double stored = 0.0;
+        for (std::size_t f = 0; f < plate.network.facet.size(); ++f) {
+            stored += plate.network.facet[f].area * 4860.0 * (stepper.state.node[f] - 280.0);
+        }
+        CAPTURE(step);
+        CHECK(stored == Approx(1000.0 * plate.network.facet[5].area * 10.0 * step).epsilon(1e-8));
+    }
+}

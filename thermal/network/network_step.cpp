@@ -1,0 +1,178 @@
+#include "thermal/network/network_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double closed = 1e-9;     // of the heat that flows
+constexpr double warmest = 5000.0;  // [K] no step of Newton's leads beyond
+
+/// σ R (T² + T*²)(T + T*): what a kelvin between a face and its radiant mean carries.
+double star_conductance(double radiant, double face, double star) {
+    return stefan_boltzmann * radiant * (face * face + star * star) * (face + star);
+}
+
+}  // namespace
+
+NetworkStepper::NetworkStepper(const HeatNetwork& network) : network_(network), system_(network) {
+    const std::size_t facets = network.facet.size();
+    for (std::vector<double>* of :
+         {&loads_.outer, &loads_.inner, &faces_.outer, &faces_.outer_slope, &faces_.inner,
+          &faces_.inner_slope, &outer_, &inner_, &to_star_}) {
+        of->assign(facets, 0.0);
+    }
+    loads_.lump.assign(network.lump.size(), 0.0);
+    loads_.fixed.assign(network.lump.size(), 0.0);
+    settle(zero_celsius);
+}
+
+void NetworkStepper::settle(double kelvin) {
+    state.node.assign(system_.nodes(), kelvin);
+    state.lump.assign(network_.lump.size(), kelvin);
+    state.edge.assign(network_.edges, kelvin);
+}
+
+void NetworkStepper::ends(std::vector<double>& outer, std::vector<double>& inner) const {
+    for (std::size_t f = 0; f < network_.facet.size(); ++f) {
+        outer[f] = state.node[system_.node_of(f)];
+        inner[f] = state.node[system_.last_of(f)];
+    }
+}
+
+/// What every equation lacks at the present state; returns its share of all heat that flows.
+double NetworkStepper::residual(double tau, const NetworkState& start) {
+    missing_.node.assign(state.node.size(), 0.0);
+    missing_.edge.assign(state.edge.size(), 0.0);
+    missing_.lump.assign(state.lump.size(), 0.0);
+    double flowing = 0.0;
+    const auto pass = [&](double watts, double& from, double& to) {
+        from -= watts;
+        to += watts;
+        flowing += std::abs(watts);
+    };
+    const auto into = [&](double watts, double& to) {
+        to += watts;
+        flowing += std::abs(watts);
+    };
+    for (std::size_t f = 0; f < network_.facet.size(); ++f) {
+        const NetworkFacet& facet = network_.facet[f];
+        const NetworkColumn& column = network_.column[facet.column];
+        const ColumnGrid& grid = column.grid;
+        const std::size_t at = system_.node_of(f), last = system_.last_of(f);
+        const double area = facet.area;
+        for (std::size_t j = at; j <= last; ++j) {
+            const double store = grid.capacity[j - at] / tau;
+            into(-area * store * (state.node[j] - start.node[j]), missing_.node[j]);
+            if (j == last) break;
+            pass(area * grid.conductance[j - at] * (state.node[j] - state.node[j + 1]),
+                 missing_.node[j], missing_.node[j + 1]);
+        }
+        into(area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
+        into(area * (faces_.inner[f] + loads_.inner[f] + grid.below_flux +
+                     grid.conductance.back() * (grid.below_temperature - state.node[last])),
+             missing_.node[last]);
+        for (int end = 0; end < 2; ++end) {
+            if (facet.edge[end][0] == no_number || column.spread[end] == 0.0) continue;
+            double& node = missing_.node[end == 0 ? at : last];
+            const double here = state.node[end == 0 ? at : last];
+            const SidewaysFlow& b = facet.sideways;
+            double away[3];
+            for (int s = 0; s < 3; ++s) away[s] = here - state.edge[facet.edge[end][s]];
+            const double out[3]{b[0] * away[0] + b[1] * away[1] + b[2] * away[2],
+                                b[1] * away[0] + b[3] * away[1] + b[4] * away[2],
+                                b[2] * away[0] + b[4] * away[1] + b[5] * away[2]};
+            for (int s = 0; s < 3; ++s) {
+                pass(column.spread[end] * out[s], node, missing_.edge[facet.edge[end][s]]);
+            }
+        }
+        if (facet.air != no_number) {
+            pass(area * facet.film * (state.node[last] - state.lump[facet.air]),
+                 missing_.node[last], missing_.lump[facet.air]);
+        }
+        if (facet.star != no_number) {
+            const double star = state.lump[facet.star];
+            to_star_[f] = star_conductance(facet.radiant, state.node[last], star);
+            pass(area * to_star_[f] * (state.node[last] - star), missing_.node[last],
+                 missing_.lump[facet.star]);
+        }
+    }
+    for (const HeatLink& link : network_.link) {
+        pass(link.conductance * (state.lump[link.a] - state.lump[link.b]), missing_.lump[link.a],
+             missing_.lump[link.b]);
+    }
+    for (const HeatStream& stream : network_.stream) {
+        into(stream.conductance * (state.lump[stream.from] - state.lump[stream.to]),
+             missing_.lump[stream.to]);
+    }
+    double missing = 0.0;
+    for (std::size_t k = 0; k < state.lump.size(); ++k) {
+        const double store = network_.lump[k].capacity / tau;
+        into(loads_.lump[k] - store * (state.lump[k] - start.lump[k]), missing_.lump[k]);
+        if (network_.lump[k].fixed) missing_.lump[k] = 0.0;
+        missing += std::abs(missing_.lump[k]);
+    }
+    for (const double m : missing_.node) missing += std::abs(m);
+    for (const double m : missing_.edge) missing += std::abs(m);
+    return flowing > 0.0 ? missing / flowing : 0.0;
+}
+
+void NetworkStepper::stage(double tau, double share, const NetworkForcing& forcing,
+                           const NetworkState& start) {
+    constexpr int most_newton = 40;
+    constexpr double linear_error = 1e-4;
+    std::fill(loads_.outer.begin(), loads_.outer.end(), 0.0);
+    std::fill(loads_.inner.begin(), loads_.inner.end(), 0.0);
+    std::fill(loads_.lump.begin(), loads_.lump.end(), 0.0);
+    if (forcing.loads) forcing.loads(share, loads_);
+    for (std::size_t k = 0; k < state.lump.size(); ++k) {
+        if (network_.lump[k].fixed) state.lump[k] = loads_.fixed[k];
+    }
+    ++count.stages;
+    double before = 1e300, left = 1e300, reach = 1.0;
+    for (int i = 0;; ++i) {
+        ends(outer_, inner_);
+        if (forcing.faces) forcing.faces(share, outer_, inner_, faces_);
+        left = residual(tau, start);
+        if (!(left > closed)) break;
+        if (i == most_newton) {
+            ++count.limited;
+            break;
+        }
+        // A film bends where its surface is as warm as the air: full steps may swing about it.
+        if (left > 0.5 * before && i > 3) reach = std::max(0.25, 0.7 * reach);
+        before = left;
+        system_.factorise(tau, {faces_.outer_slope, faces_.inner_slope, to_star_});
+        count.linear += system_.solve(missing_, linear_error);
+        ++count.newton;
+        const auto move = [&](std::vector<double>& of, const std::vector<double>& by) {
+            for (std::size_t k = 0; k < of.size(); ++k) {
+                const double next = of[k] + reach * by[k];
+                of[k] = std::clamp(next, 0.5 * of[k], std::min(2.0 * of[k], warmest));
+            }
+        };
+        move(state.node, missing_.node);
+        move(state.edge, missing_.edge);
+        move(state.lump, missing_.lump);
+    }
+    count.worst_closure = std::max(count.worst_closure, left);
+}
+
+void NetworkStepper::advance(double step, const NetworkForcing& forcing) {
+    const NetworkState start = state;
+    const double tau = sdirk_gamma * step;
+    stage(tau, stage_share[0], forcing, start);
+    NetworkState onward = start;
+    const auto go_on = [](const std::vector<double>& now, std::vector<double>& of) {
+        for (std::size_t k = 0; k < of.size(); ++k) of[k] += stage_onward * (now[k] - of[k]);
+    };
+    go_on(state.node, onward.node);
+    go_on(state.lump, onward.lump);
+    stage(tau, stage_share[1], forcing, onward);
+}
+
+}  // namespace diurna

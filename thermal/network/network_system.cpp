@@ -1,0 +1,308 @@
+#include "thermal/network/network_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace diurna {
+
+namespace {
+
+double dot(const std::vector<double>& a, const std::vector<double>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+double norm(const std::vector<double>& a) { return std::sqrt(dot(a, a)); }
+
+/// y += scale · (B x − β (β·x) less), B a facet's sideways flow.
+struct Sideways {
+    const SidewaysFlow& b;
+    std::array<double, 3> sums() const {
+        return {b[0] + b[1] + b[2], b[1] + b[3] + b[4], b[2] + b[4] + b[5]};
+    }
+    std::array<double, 3> times(const std::array<double, 3>& x) const {
+        return {b[0] * x[0] + b[1] * x[1] + b[2] * x[2], b[1] * x[0] + b[3] * x[1] + b[4] * x[2],
+                b[2] * x[0] + b[4] * x[1] + b[5] * x[2]};
+    }
+    std::array<double, 3> own() const { return {b[0], b[3], b[5]}; }
+};
+
+}  // namespace
+
+NetworkSystem::NetworkSystem(const HeatNetwork& network)
+    : network_(network), facet_(network.facet.size()), lump_own_(network.lump.size()) {
+    first_.push_back(0);
+    for (std::size_t f = 0; f < network.facet.size(); ++f) {
+        first_.push_back(first_.back() + network.grid_of(f).size());
+    }
+    pivot_.resize(nodes());
+    follows_.resize(nodes());
+}
+
+void NetworkSystem::factorise(double tau, const Ends& ends) {
+    tau_ = tau;
+    for (std::size_t f = 0; f < facet_.size(); ++f) {
+        const NetworkFacet& facet = network_.facet[f];
+        const NetworkColumn& column = network_.column[facet.column];
+        const ColumnGrid& grid = column.grid;
+        const std::size_t n = grid.size(), at = first_[f];
+        Condensed& c = facet_[f];
+        c.to_air = facet.air == no_number ? 0.0 : facet.film * facet.area;
+        c.to_star = facet.star == no_number ? 0.0 : ends.to_star[f] * facet.area;
+        const std::array<double, 3> sums = Sideways{facet.sideways}.sums();
+        const double all = sums[0] + sums[1] + sums[2];
+        for (int end = 0; end < 2; ++end) {
+            c.spread[end] = facet.edge[end][0] == no_number ? 0.0 : column.spread[end];
+        }
+        // From the inner end outward: d_j = own_j + k_j + k_{j−1} − k_j² / d_{j+1}.
+        for (std::size_t j = n; j-- > 0;) {
+            double own = grid.capacity[j] / tau;
+            if (j == 0) own -= ends.outer_slope[f];
+            if (j + 1 == n) own += grid.conductance[j] - ends.inner_slope[f];
+            double d = facet.area * own;
+            if (j == 0) d += c.spread[0] * all;
+            if (j + 1 == n) d += c.spread[1] * all + c.to_air + c.to_star;
+            if (j > 0) d += facet.area * grid.conductance[j - 1];
+            if (j + 1 < n) {
+                const double k = facet.area * grid.conductance[j];
+                d += k - k * k / pivot_[at + j + 1];
+            }
+            pivot_[at + j] = d;
+            if (j > 0) follows_[at + j] = facet.area * grid.conductance[j - 1] / d;
+        }
+        // Row and column of the inverse between the ends: of the outer one 1 / d_0, downward by
+        // what follows; of the inner one by the sweep from there.
+        c.outer = 1.0 / pivot_[at];
+        double down = c.outer;
+        for (std::size_t j = 1; j < n; ++j) down *= follows_[at + j];
+        c.across = down;
+        double inner = 1.0 / pivot_[at + n - 1], path = 1.0;
+        if (n > 1) {
+            // (K⁻¹)_ll = Σ over j of path² / d_j, path the product of what follows from l up to j.
+            inner = 0.0;
+            for (std::size_t j = n; j-- > 0;) {
+                inner += path * path / pivot_[at + j];
+                if (j > 0) path *= follows_[at + j];
+            }
+        }
+        c.inner = inner;
+    }
+    for (std::size_t k = 0; k < lump_own_.size(); ++k) {
+        lump_own_[k] = network_.lump[k].capacity / tau;
+    }
+    add_diagonal();
+}
+
+void NetworkSystem::add_diagonal() {
+    diagonal_.assign(unknowns(), 0.0);
+    const std::size_t lumps = network_.edges;
+    for (std::size_t f = 0; f < facet_.size(); ++f) {
+        const NetworkFacet& facet = network_.facet[f];
+        const Condensed& c = facet_[f];
+        const Sideways flow{facet.sideways};
+        const auto own = flow.own(), sums = flow.sums();
+        for (int end = 0; end < 2; ++end) {
+            if (c.spread[end] == 0.0) continue;
+            const double inverse = end == 0 ? c.outer : c.inner;
+            for (int s = 0; s < 3; ++s) {
+                diagonal_[facet.edge[end][s]] +=
+                    c.spread[end] * (own[s] - c.spread[end] * sums[s] * sums[s] * inverse);
+            }
+        }
+        if (c.to_air > 0.0) diagonal_[lumps + facet.air] += c.to_air * (1.0 - c.to_air * c.inner);
+        if (c.to_star > 0.0) {
+            diagonal_[lumps + facet.star] += c.to_star * (1.0 - c.to_star * c.inner);
+        }
+    }
+    for (const HeatLink& link : network_.link) {
+        diagonal_[lumps + link.a] += link.conductance;
+        diagonal_[lumps + link.b] += link.conductance;
+    }
+    for (const HeatStream& stream : network_.stream) {
+        diagonal_[lumps + stream.to] += stream.conductance;
+    }
+    for (std::size_t k = 0; k < lump_own_.size(); ++k) {
+        double& d = diagonal_[lumps + k];
+        d += lump_own_[k];
+        if (network_.lump[k].fixed || !(d > 0.0)) d = 1.0;
+    }
+}
+
+void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) const {
+    const std::size_t lumps = network_.edges;
+    std::fill(y.begin(), y.end(), 0.0);
+    const auto lump = [&](std::uint32_t k) { return network_.lump[k].fixed ? 0.0 : x[lumps + k]; };
+    for (std::size_t f = 0; f < facet_.size(); ++f) {
+        const NetworkFacet& facet = network_.facet[f];
+        const Condensed& c = facet_[f];
+        const Sideways flow{facet.sideways};
+        const auto sums = flow.sums();
+        std::array<double, 3> at[2]{};
+        double into[2]{};
+        for (int end = 0; end < 2; ++end) {
+            if (c.spread[end] == 0.0) continue;
+            for (int s = 0; s < 3; ++s) {
+                at[end][s] = x[facet.edge[end][s]];
+                into[end] += c.spread[end] * sums[s] * at[end][s];
+            }
+        }
+        if (c.to_air > 0.0) into[1] += c.to_air * lump(facet.air);
+        if (c.to_star > 0.0) into[1] += c.to_star * lump(facet.star);
+        const double moved[2]{c.outer * into[0] + c.across * into[1],
+                              c.across * into[0] + c.inner * into[1]};
+        for (int end = 0; end < 2; ++end) {
+            if (c.spread[end] == 0.0) continue;
+            const auto flux = flow.times(at[end]);
+            for (int s = 0; s < 3; ++s) {
+                y[facet.edge[end][s]] += c.spread[end] * (flux[s] - sums[s] * moved[end]);
+            }
+        }
+        if (c.to_air > 0.0) y[lumps + facet.air] += c.to_air * (lump(facet.air) - moved[1]);
+        if (c.to_star > 0.0) y[lumps + facet.star] += c.to_star * (lump(facet.star) - moved[1]);
+    }
+    for (const HeatLink& link : network_.link) {
+        const double flux = link.conductance * (lump(link.a) - lump(link.b));
+        y[lumps + link.a] += flux;
+        y[lumps + link.b] -= flux;
+    }
+    for (const HeatStream& stream : network_.stream) {
+        y[lumps + stream.to] += stream.conductance * (lump(stream.to) - lump(stream.from));
+    }
+    for (std::size_t k = 0; k < lump_own_.size(); ++k) {
+        double& out = y[lumps + k];
+        out += lump_own_[k] * x[lumps + k];
+        if (network_.lump[k].fixed) out = x[lumps + k];
+    }
+}
+
+int NetworkSystem::conjugate_gradients(const std::vector<double>& b, std::vector<double>& x,
+                                       double error) {
+    const std::size_t n = b.size();
+    std::vector<double> r = b, z(n), p(n), q(n);
+    const double enough = error * norm(b);
+    double rz = 0.0;
+    const int most = 2000;
+    int i = 0;
+    for (; i < most && norm(r) > enough; ++i) {
+        for (std::size_t k = 0; k < n; ++k) z[k] = r[k] / diagonal_[k];
+        const double next = dot(r, z), onward = i == 0 ? 0.0 : next / rz;
+        rz = next;
+        for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + onward * p[k];
+        apply(p, q);
+        const double length = rz / dot(p, q);
+        for (std::size_t k = 0; k < n; ++k) {
+            x[k] += length * p[k];
+            r[k] -= length * q[k];
+        }
+    }
+    return i;
+}
+
+/// van der Vorst 1992 (BiCGSTAB).
+int NetworkSystem::stabilised(const std::vector<double>& b, std::vector<double>& x, double error) {
+    const std::size_t n = b.size();
+    std::vector<double> r = b, shadow = b, p(n), v(n), s(n), t(n), y(n), z(n);
+    const double enough = error * norm(b);
+    double rho = 1.0, alpha = 1.0, omega = 1.0;
+    const int most = 2000;
+    int i = 0;
+    for (; i < most && norm(r) > enough; ++i) {
+        const double next = dot(shadow, r);
+        const double beta = next / rho * (alpha / omega);
+        rho = next;
+        for (std::size_t k = 0; k < n; ++k) {
+            p[k] = r[k] + beta * (p[k] - omega * v[k]);
+            y[k] = p[k] / diagonal_[k];
+        }
+        apply(y, v);
+        alpha = rho / dot(shadow, v);
+        for (std::size_t k = 0; k < n; ++k) {
+            s[k] = r[k] - alpha * v[k];
+            z[k] = s[k] / diagonal_[k];
+        }
+        apply(z, t);
+        const double tt = dot(t, t);
+        omega = tt > 0.0 ? dot(t, s) / tt : 0.0;
+        for (std::size_t k = 0; k < n; ++k) {
+            x[k] += alpha * y[k] + omega * z[k];
+            r[k] = s[k] - omega * t[k];
+        }
+        if (omega == 0.0 || rho == 0.0) break;
+    }
+    return i;
+}
+
+int NetworkSystem::solve(Residual& residual, double relative_error) {
+    const std::size_t lumps = network_.edges;
+    std::vector<double> b(unknowns()), x(unknowns(), 0.0);
+    std::copy(residual.edge.begin(), residual.edge.end(), b.begin());
+    for (std::size_t k = 0; k < network_.lump.size(); ++k) {
+        b[lumps + k] = network_.lump[k].fixed ? 0.0 : residual.lump[k];
+    }
+    // Upward through each column: what its outer and inner end would do alone.
+    std::vector<double>& node = residual.node;
+    for (std::size_t f = 0; f < facet_.size(); ++f) {
+        const std::size_t at = first_[f], n = first_[f + 1] - at;
+        for (std::size_t j = n - 1; j > 0; --j) node[at + j - 1] += follows_[at + j] * node[at + j];
+        const NetworkFacet& facet = network_.facet[f];
+        const Condensed& c = facet_[f];
+        double before = node[at] / pivot_[at];
+        const double outer = before;
+        for (std::size_t j = 1; j < n; ++j) {
+            before = node[at + j] / pivot_[at + j] + follows_[at + j] * before;
+        }
+        const double ends[2]{outer, before};
+        const auto sums = Sideways{facet.sideways}.sums();
+        for (int end = 0; end < 2; ++end) {
+            if (c.spread[end] == 0.0) continue;
+            for (int s = 0; s < 3; ++s) {
+                b[facet.edge[end][s]] += c.spread[end] * sums[s] * ends[end];
+            }
+        }
+        if (c.to_air > 0.0 && !network_.lump[facet.air].fixed) {
+            b[lumps + facet.air] += c.to_air * ends[1];
+        }
+        if (c.to_star > 0.0 && !network_.lump[facet.star].fixed) {
+            b[lumps + facet.star] += c.to_star * ends[1];
+        }
+    }
+    const int iterations = network_.stream.empty() ? conjugate_gradients(b, x, relative_error)
+                                                   : stabilised(b, x, relative_error);
+    for (std::size_t f = 0; f < facet_.size(); ++f) {
+        const std::size_t at = first_[f], n = first_[f + 1] - at;
+        const NetworkFacet& facet = network_.facet[f];
+        const Condensed& c = facet_[f];
+        const auto sums = Sideways{facet.sideways}.sums();
+        double into[2]{};
+        for (int end = 0; end < 2; ++end) {
+            if (c.spread[end] == 0.0) continue;
+            for (int s = 0; s < 3; ++s) {
+                into[end] += c.spread[end] * sums[s] * x[facet.edge[end][s]];
+            }
+        }
+        const auto lump = [&](std::uint32_t k) {
+            return network_.lump[k].fixed ? 0.0 : x[lumps + k];
+        };
+        if (c.to_air > 0.0) into[1] += c.to_air * lump(facet.air);
+        if (c.to_star > 0.0) into[1] += c.to_star * lump(facet.star);
+        double up = into[1];
+        node[at + n - 1] += up;
+        for (std::size_t j = n - 1; j > 0; --j) {
+            up *= follows_[at + j];
+            node[at + j - 1] += up;
+        }
+        node[at] += into[0];
+        double before = 0.0;
+        for (std::size_t j = 0; j < n; ++j) {
+            node[at + j] =
+                node[at + j] / pivot_[at + j] + (j > 0 ? follows_[at + j] * before : 0.0);
+            before = node[at + j];
+        }
+    }
+    std::copy(x.begin(), x.begin() + std::ptrdiff_t(lumps), residual.edge.begin());
+    for (std::size_t k = 0; k < network_.lump.size(); ++k) {
+        residual.lump[k] = network_.lump[k].fixed ? 0.0 : x[lumps + k];
+    }
+    return iterations;
+}
+
+}  // namespace diurna

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "thermal/network/heat_network.hpp"
+
+namespace diurna {
+
+/// Temperatures of a network [K].
+struct NetworkState {
+    std::vector<double> node;  // facet by facet, outer end first
+    std::vector<double> lump;
+    std::vector<double> edge;  // follow from the others; a guess
+};
+
+/// A linearised implicit stage of a network, J δ = r, node by node eliminated: what is left is one
+/// equation for each edge and lump, solved by conjugate gradients (by stabilised bi-conjugate ones
+/// where streams make it unsymmetric).
+class NetworkSystem {
+ public:
+    explicit NetworkSystem(const HeatNetwork& network);
+
+    std::size_t nodes() const { return first_.back(); }
+    /// The first node of a facet.
+    std::size_t node_of(std::size_t facet) const { return first_[facet]; }
+    std::size_t last_of(std::size_t facet) const { return first_[facet + 1] - 1; }
+
+    /// What an implicit stage asks of each facet's ends, at the present temperatures.
+    struct Ends {
+        std::span<const double> outer_slope, inner_slope;  // (facet) d(flux)/dT [W m⁻² K⁻¹]
+        std::span<const double> to_star;  // (facet) [W m⁻² K⁻¹] σ R (T² + T*²)(T + T*)
+    };
+    /// tau  [s] of the stage
+    void factorise(double tau, const Ends& ends);
+
+    /// What is missing from each equation [W].
+    struct Residual {
+        std::vector<double> node, edge, lump;
+    };
+    /// residual → δ [K] in its place. Returns the iterations.
+    int solve(Residual& residual, double relative_error);
+
+ private:
+    /// A facet without its nodes: inverse of their matrix between its ends [K W⁻¹].
+    struct Condensed {
+        double outer, across, inner;
+        double to_air, to_star;  // [W K⁻¹]
+        std::array<double, 2> spread;
+    };
+    std::size_t unknowns() const { return network_.edges + network_.lump.size(); }
+    void column_of(std::size_t f, std::vector<double>& diagonal) const;
+    void apply(const std::vector<double>& x, std::vector<double>& y) const;
+    void add_diagonal();
+    int conjugate_gradients(const std::vector<double>& b, std::vector<double>& x, double error);
+    int stabilised(const std::vector<double>& b, std::vector<double>& x, double error);
+
+    const HeatNetwork& network_;
+    std::vector<std::size_t> first_;  // (facet + 1) node
+    double tau_ = 1.0;
+    std::vector<double> pivot_;    // (node) of the columns' elimination from the inner end outward
+    std::vector<double> follows_;  // (node) δ of it per δ of the node before it
+    std::vector<Condensed> facet_;
+    std::vector<double> lump_own_;  // [W K⁻¹] C/τ
+    std::vector<double> diagonal_;  // of what is left
+};
+
+}  // namespace diurna

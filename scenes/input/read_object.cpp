@@ -53,8 +53,9 @@ std::vector<std::string> part_names(const MeshFile& mesh) {
 
 /// The material of each part: what [object.parts] says of its node or its material's name, else
 /// the object's own.
-std::vector<std::string> part_materials(const Section& section, const MeshFile& mesh,
+std::vector<std::string> part_materials(const Section& section, const ObjectInput& object,
                                         const Reading& reading) {
+    const MeshFile& mesh = object.mesh;
     const std::string own = section.name_or(
         "material", "of the parts that `parts` does not name; needed where there are any", "",
         reading.materials);
@@ -75,6 +76,12 @@ std::vector<std::string> part_materials(const Section& section, const MeshFile& 
                           did_you_mean(key, names));
         }
     }
+    for (std::size_t p = 0; p < material.size() && object.target.given(); ++p) {
+        const int part = object.target.part_of[p];
+        if (part >= 0 && !object.target.part[std::size_t(part)].material.empty()) {
+            material[p] = object.target.part[std::size_t(part)].material;
+        }
+    }
     for (std::size_t p = 0; p < material.size(); ++p) {
         if (!material[p].empty()) continue;
         section.mistake("material", fmt::format("missing, and no [object.parts] names part \"{}\"",
@@ -82,6 +89,25 @@ std::vector<std::string> part_materials(const Section& section, const MeshFile& 
         break;
     }
     return material;
+}
+
+/// The file that tells of an object's parts: the one named, or the one beside its mesh; "": none.
+fs::path part_file(const Section& section, const ObjectInput& object, const Reading& reading) {
+    fs::path beside = object.file;
+    beside.replace_extension(".parts.toml");
+    const bool there = !object.mesh.part.empty() && fs::is_regular_file(beside);
+    const std::string named = section.text_or(
+        "part_file",
+        "tables part, enclosure, lump, link, stream in a file of their own, which goes with the "
+        "mesh",
+        {there ? beside.string() : std::string(), "NAME.parts.toml beside the mesh NAME.obj"});
+    if (named.empty()) return {};
+    const fs::path file = reading.folder / named;
+    if (!fs::is_regular_file(file)) {
+        section.mistake("part_file", fmt::format("no such file: {}", file.string()));
+        return {};
+    }
+    return file;
 }
 
 /// Takes out of an object's mesh what lies there twice or has no area, and tells.
@@ -153,7 +179,12 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     if (object.airspeed > 0.0 && section.has("texture")) {
         section.mistake("airspeed_m_s", "not on an object with a texture");
     }
-    object.material = part_materials(section, object.mesh, reading);
+    object.target =
+        read_target(section, part_file(section, object, reading), object.mesh, reading.materials);
+    object.material = part_materials(section, object, reading);
+    if (object.target.given() && section.has("texture")) {
+        section.mistake("part", "not on an object with a texture");
+    }
     weld(section, object);
     const bool raised = section.has("height_above_ground_m");
     object.where = section.where(raised ? "height_above_ground_m" : "place_m");

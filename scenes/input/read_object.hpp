@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/input/checked_names.hpp"
+#include "scenes/input/read_target.hpp"
 #include "terrain/objects/mesh_file.hpp"
 #include "terrain/objects/placed_mesh.hpp"
 
@@ -21,6 +22,7 @@ struct ObjectInput {
     double height_above_ground = 0.0;                 // of its lowest point [m]
     double airspeed = 0.0;                            // [m s⁻¹] along its heading; 0: it stands
     std::vector<std::string> material;                // (part of the mesh)
+    TargetInput target;                               // as one body of heat
     std::vector<std::string> notes;                   // on the mesh: what was left out of it
     std::string where;                                // height_above_ground_m in the scene file
 };

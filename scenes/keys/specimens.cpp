@@ -27,6 +27,17 @@ ring_m = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
 [[object]]
 [object.parts]
 wheels = "asphalt"
+[[object.part]]
+name = "hood"
+[[object.enclosure]]
+name = "cab"
+[[object.lump]]
+name = "engine"
+[[object.link]]
+between = ["engine", "hood"]
+[[object.stream]]
+from = "engine"
+to = "cab"
 [[shapes]]  # ground
 field = "kind"
 [shapes.kinds]

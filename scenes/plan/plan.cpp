@@ -23,6 +23,7 @@ constexpr double heat_per_lane = 1.1e-3;             // a wet day that repeats, 
 constexpr double heat_per_freezing_lane = 20e-3;     // 4 ms in full lanes, 32 in a valley of 950
 constexpr double frost_air = 276.0;                  // [K] under which open ground may freeze
 constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
+constexpr double heat_per_target = 2e-3;             // a day of one (thermal/solve/network_facets)
 constexpr double flux_passes = 1.3;                  // of the heat balance, where it is taken down
 constexpr double write_per_value = 0.08e-6;
 constexpr double cast_per_ray = 0.05e-6;
@@ -64,6 +65,9 @@ double point_seconds(const Scene& scene, const World& world, const Weather& weat
         each.push_back(!taken ? 0.0 : in_lanes(surface) ? in_lane : heat_per_point);
     }
     double sum = 0.0;
+    for (const TargetFacets& target : world.targets) {
+        for (const auto& [material, part] : target.part) each[index(material)] = heat_per_target;
+    }
     for (const MaterialId id : world.facets.material) sum += each[index(id)];
     return sum;
 }

@@ -17,6 +17,7 @@
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/stepping.hpp"
+#include "scenes/world/targets.hpp"
 #include "scenes/world/wind.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/texture/level_values.hpp"
@@ -165,6 +166,7 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                            .by_height = &by_height,
                            .height = facet_heights(prepared.world),
                            .part = parts,
+                           .network = targets(prepared.world, prepared.scene),
                            .clear_sky = prepared.scene.sky,
                            .measured_share = albedo.share,
                            .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
@@ -172,6 +174,12 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
     result.start += ": " + start_told(input, span, result.report);
     if (std::string lee = lee_note(prepared.world, parts); !lee.empty()) {
         result.notes.push_back(std::move(lee));
+    }
+    if (result.report.target_facets > 0) {
+        result.notes.push_back(fmt::format(
+            "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
+            "them",
+            result.report.target_facets));
     }
     if (std::string told = water_told(result.report); !told.empty()) {
         result.notes.push_back(std::move(told));

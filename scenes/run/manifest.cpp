@@ -22,7 +22,10 @@ std::vector<fs::path> input_files(const Scene& scene) {
     if (!scene.air.table_file.empty()) files.push_back(scene.air.table_file);
     if (!scene.air.sounding_file.empty()) files.push_back(scene.air.sounding_file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
-    for (const ObjectInput& object : scene.terrain.objects) files.push_back(object.file);
+    for (const ObjectInput& object : scene.terrain.objects) {
+        files.push_back(object.file);
+        if (!object.target.file.empty()) files.push_back(object.target.file);
+    }
     for (const BandInput& band : scene.bands) {
         if (!band.file.empty()) files.push_back(band.file);
     }

@@ -32,7 +32,21 @@ MaterialId in_flight(const ObjectInput& object, const std::string& name,
     return materials.add(std::move(moving));
 }
 
+/// A copy by a name of its own.
+MaterialId of_part(const ObjectInput& object, std::size_t part, MaterialId material,
+                   MaterialLibrary& materials) {
+    Material own = materials[material];
+    own.varies = own.kind();
+    own.name = part_material_name(object, part);
+    return materials.add(std::move(own));
+}
+
 }  // namespace
+
+std::string part_material_name(const ObjectInput& object, std::size_t part) {
+    return object.material[part] + " of " + object.name + ": " + std::to_string(part) + " " +
+           object.mesh.part[part].node;
+}
 
 ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
                        MaterialLibrary& materials) {
@@ -42,6 +56,9 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
     for (const std::string& name : object.material) {
         material.push_back(object.airspeed > 0.0 ? in_flight(object, name, materials)
                                                  : materials.find(name));
+        if (object.target.given()) {
+            material.back() = of_part(object, material.size() - 1, material.back(), materials);
+        }
     }
     return placed_mesh(object.mesh, placing, material);
 }

@@ -11,8 +11,13 @@
 /// Meshes of files on the ground of a scene.
 namespace diurna {
 
+/// Of objects that are targets each part has a material of its own, "NAME of OBJECT: PART", by
+/// which its facets are known.
+std::string part_material_name(const ObjectInput& object, std::size_t part);
+
 /// Its triangles, its lowest point `height_above_ground` over the ground at its place. Of one in
-/// flight the materials are copies that know its speed and length, added to the library.
+/// flight the materials are copies that know its speed and length, added to the library; so are
+/// those of the parts of a target.
 ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
                        MaterialLibrary& materials);
 

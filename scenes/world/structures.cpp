@@ -9,6 +9,7 @@
 #include "scenes/world/ground.hpp"
 #include "scenes/world/objects.hpp"
 #include "scenes/world/sheets.hpp"
+#include "scenes/world/targets.hpp"
 
 namespace diurna {
 
@@ -109,7 +110,12 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
         }
         const ObjectMesh mesh = object_mesh(input, ground, scene.materials);
         refuse_buried(input, mesh, dem, world.site);
-        sheets.append(world.facets, mesh, ObjectId{static_cast<std::uint16_t>(++object)});
+        const ObjectId id{static_cast<std::uint16_t>(++object)};
+        sheets.append(world.facets, mesh, id);
+        if (input.target.given()) {
+            const auto place = std::size_t(&input - scene.terrain.objects.data());
+            world.targets.push_back(target_facets(input, place, id, scene.materials));
+        }
     }
 }
 

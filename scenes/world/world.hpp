@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,14 @@
 #include "terrain/texture/texture_levels.hpp"
 
 namespace diurna {
+
+/// An object whose facets are one body of heat (scenes/world/targets.hpp): what of it is which
+/// part.
+struct TargetFacets {
+    std::size_t object;                        // of the scene's
+    ObjectId id;                               // of its facets
+    std::map<MaterialId, std::size_t> part{};  // materials of its parts, each its own
+};
 
 /// The scene in space: every triangle with its material, in the frame of its site. Rays, sun and
 /// sky know `facets`; heat and pictures have `surfaces()`, which are more where there are textures.
@@ -26,6 +35,7 @@ struct World {
     std::size_t filled_facets = 0;      // ground facets on posts void in the file
     std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
     TextureLevels texture_levels;       // what textures make of the facets
+    std::vector<TargetFacets> targets;  // objects whose facets conduct from one to the next
     std::vector<std::string> notes;     // what of the files was left out
 
     const FacetSet& surfaces() const {

@@ -248,8 +248,11 @@ TEST_CASE("two planes face each other across an enclosure", "[thermal][network]"
     HeatNetwork box;
     box.column = {network_column({aluminium}, FixedFlux{0.0})};
     box.lump = {HeatLump{}};
-    box.facet = {NetworkFacet{.area = 2.0, .star = 0, .radiant = radiant_share(2.0, e1)},
-                 NetworkFacet{.area = 2.0, .star = 0, .radiant = radiant_share(2.0, e2)}};
+    box.facet = {
+        NetworkFacet{
+            .area = 2.0, .lump = {no_number, 0, no_number}, .radiant = radiant_share(2.0, e1)},
+        NetworkFacet{
+            .area = 2.0, .lump = {no_number, 0, no_number}, .radiant = radiant_share(2.0, e2)}};
     NetworkForcing forcing = in_air(air, film, 0.0);
     const auto faces = forcing.faces;
     forcing.faces = [faces](double share, const std::vector<double>& outer,

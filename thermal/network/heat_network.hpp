@@ -27,8 +27,12 @@ struct NetworkColumn {
     std::array<double, 2> spread{};
 };
 
-/// A facet, its outer end first. Its inner end may look into an enclosure: at its air, and at its
-/// radiant mean (`star`), with which it exchanges σ radiant (T⁴ − T_star⁴).
+/// What a facet's inner end may have to do with: the air of an enclosure, its radiant mean, with
+/// which it exchanges σ radiant (T⁴ − T_star⁴), and what it touches.
+enum Behind { behind_air, behind_star, behind_touched };
+inline constexpr std::size_t behinds = 3;
+
+/// A facet, its outer end first.
 struct NetworkFacet {
     std::uint32_t column = 0;
     double area = 0.0;  // [m²]
@@ -36,9 +40,10 @@ struct NetworkFacet {
     /// (end) [side] into the network's edges, which neighbours share; or no_number.
     std::array<std::array<std::uint32_t, 3>, 2> edge{
         {{no_number, no_number, no_number}, {no_number, no_number, no_number}}};
-    std::uint32_t air = no_number, star = no_number;  // into lumps
-    double film = 0.0;                                // [W m⁻² K⁻¹] to `air`
-    double radiant = 0.0;  // 0 to 1 and a little more: of σ T⁴, see carroll_share
+    std::array<std::uint32_t, behinds> lump{no_number, no_number, no_number};
+    double film = 0.0;     // [W m⁻² K⁻¹] to the air behind
+    double radiant = 0.0;  // 0 to 1 and a little more: of σ T⁴, see radiant_share
+    double contact = 0.0;  // [W m⁻² K⁻¹] to what it touches
 };
 
 /// One temperature. Without a capacity it is in balance at any time; a fixed one is given.

@@ -10,6 +10,7 @@ namespace diurna {
 namespace {
 
 constexpr double closed = 1e-9;     // of the heat that flows
+constexpr double at_rest = 1e-10;   // [K] of a correction, where next to none does
 constexpr double warmest = 5000.0;  // [K] no step of Newton's leads beyond
 
 /// σ R (T² + T*²)(T + T*): what a kelvin between a face and its radiant mean carries.
@@ -35,7 +36,10 @@ void NetworkStepper::settle(double kelvin) {
     state.node.assign(system_.nodes(), kelvin);
     state.lump.assign(network_.lump.size(), kelvin);
     state.edge.assign(network_.edges, kelvin);
+    begin();
 }
+
+void NetworkStepper::begin() { last_step_ = 0.0; }
 
 void NetworkStepper::ends(std::vector<double>& outer, std::vector<double>& inner) const {
     for (std::size_t f = 0; f < network_.facet.size(); ++f) {
@@ -90,15 +94,15 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
                 pass(column.spread[end] * out[s], node, missing_.edge[facet.edge[end][s]]);
             }
         }
-        if (facet.air != no_number) {
-            pass(area * facet.film * (state.node[last] - state.lump[facet.air]),
-                 missing_.node[last], missing_.lump[facet.air]);
-        }
-        if (facet.star != no_number) {
-            const double star = state.lump[facet.star];
-            to_star_[f] = star_conductance(facet.radiant, state.node[last], star);
-            pass(area * to_star_[f] * (state.node[last] - star), missing_.node[last],
-                 missing_.lump[facet.star]);
+        for (const auto b : {behind_air, behind_star, behind_touched}) {
+            if (facet.lump[b] == no_number) continue;
+            const double there = state.lump[facet.lump[b]];
+            double film = b == behind_air ? facet.film : facet.contact;
+            if (b == behind_star) {
+                film = to_star_[f] = star_conductance(facet.radiant, state.node[last], there);
+            }
+            pass(area * film * (state.node[last] - there), missing_.node[last],
+                 missing_.lump[facet.lump[b]]);
         }
     }
     for (const HeatLink& link : network_.link) {
@@ -149,22 +153,36 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
         system_.factorise(tau, {faces_.outer_slope, faces_.inner_slope, to_star_});
         count.linear += system_.solve(missing_, linear_error);
         ++count.newton;
+        double most = 0.0;
         const auto move = [&](std::vector<double>& of, const std::vector<double>& by) {
             for (std::size_t k = 0; k < of.size(); ++k) {
                 const double next = of[k] + reach * by[k];
                 of[k] = std::clamp(next, 0.5 * of[k], std::min(2.0 * of[k], warmest));
+                most = std::max(most, std::abs(by[k]));
             }
         };
         move(state.node, missing_.node);
         move(state.edge, missing_.edge);
         move(state.lump, missing_.lump);
+        if (most < at_rest) return;
     }
     count.worst_closure = std::max(count.worst_closure, left);
+}
+
+/// Sets out a stage from where the way from `since` leads, for Newton's sake.
+void NetworkStepper::guess(const NetworkState& since, double onward) {
+    const auto go_on = [&](std::vector<double>& now, const std::vector<double>& then) {
+        for (std::size_t k = 0; k < now.size(); ++k) now[k] += onward * (now[k] - then[k]);
+    };
+    go_on(state.node, since.node);
+    go_on(state.edge, since.edge);
+    go_on(state.lump, since.lump);
 }
 
 void NetworkStepper::advance(double step, const NetworkForcing& forcing) {
     const NetworkState start = state;
     const double tau = sdirk_gamma * step;
+    if (last_step_ > 0.0) guess(before_, sdirk_gamma * step / last_step_);
     stage(tau, stage_share[0], forcing, start);
     NetworkState onward = start;
     const auto go_on = [](const std::vector<double>& now, std::vector<double>& of) {
@@ -172,7 +190,10 @@ void NetworkStepper::advance(double step, const NetworkForcing& forcing) {
     };
     go_on(state.node, onward.node);
     go_on(state.lump, onward.lump);
+    guess(start, 1.0 / sdirk_gamma - 1.0);
     stage(tau, stage_share[1], forcing, onward);
+    before_ = start;
+    last_step_ = step;
 }
 
 }  // namespace diurna

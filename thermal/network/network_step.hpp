@@ -47,6 +47,8 @@ class NetworkStepper {
 
     /// All at one temperature.
     void settle(double kelvin);
+    /// Forgets the way that led to the state: a new one begins.
+    void begin();
     void advance(double step, const NetworkForcing& forcing);
     /// The facets' ends (facet) [K].
     void ends(std::vector<double>& outer, std::vector<double>& inner) const;
@@ -55,10 +57,13 @@ class NetworkStepper {
  private:
     void stage(double tau, double share, const NetworkForcing& forcing, const NetworkState& start);
     double residual(double tau, const NetworkState& start);
+    void guess(const NetworkState& since, double onward);
 
     const HeatNetwork& network_;
     NetworkSystem system_;
     NetworkSystem::Residual missing_;
+    NetworkState before_{};   // a step ago
+    double last_step_ = 0.0;  // [s]; 0: none was taken
     NetworkLoads loads_;
     FaceFluxes faces_;
     std::vector<double> outer_, inner_, to_star_;

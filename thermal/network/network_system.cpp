@@ -46,8 +46,12 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
         const ColumnGrid& grid = column.grid;
         const std::size_t n = grid.size(), at = first_[f];
         Condensed& c = facet_[f];
-        c.to_air = facet.air == no_number ? 0.0 : facet.film * facet.area;
-        c.to_star = facet.star == no_number ? 0.0 : ends.to_star[f] * facet.area;
+        const std::array<double, behinds> films{facet.film, ends.to_star[f], facet.contact};
+        double to_lumps = 0.0;
+        for (std::size_t b = 0; b < behinds; ++b) {
+            c.to[b] = facet.lump[b] == no_number ? 0.0 : films[b] * facet.area;
+            to_lumps += c.to[b];
+        }
         const std::array<double, 3> sums = Sideways{facet.sideways}.sums();
         const double all = sums[0] + sums[1] + sums[2];
         for (int end = 0; end < 2; ++end) {
@@ -60,7 +64,7 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
             if (j + 1 == n) own += grid.conductance[j] - ends.inner_slope[f];
             double d = facet.area * own;
             if (j == 0) d += c.spread[0] * all;
-            if (j + 1 == n) d += c.spread[1] * all + c.to_air + c.to_star;
+            if (j + 1 == n) d += c.spread[1] * all + to_lumps;
             if (j > 0) d += facet.area * grid.conductance[j - 1];
             if (j + 1 < n) {
                 const double k = facet.area * grid.conductance[j];
@@ -108,9 +112,9 @@ void NetworkSystem::add_diagonal() {
                     c.spread[end] * (own[s] - c.spread[end] * sums[s] * sums[s] * inverse);
             }
         }
-        if (c.to_air > 0.0) diagonal_[lumps + facet.air] += c.to_air * (1.0 - c.to_air * c.inner);
-        if (c.to_star > 0.0) {
-            diagonal_[lumps + facet.star] += c.to_star * (1.0 - c.to_star * c.inner);
+        for (std::size_t b = 0; b < behinds; ++b) {
+            if (c.to[b] == 0.0) continue;
+            diagonal_[lumps + facet.lump[b]] += c.to[b] * (1.0 - c.to[b] * c.inner);
         }
     }
     for (const HeatLink& link : network_.link) {
@@ -145,8 +149,9 @@ void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) 
                 into[end] += c.spread[end] * sums[s] * at[end][s];
             }
         }
-        if (c.to_air > 0.0) into[1] += c.to_air * lump(facet.air);
-        if (c.to_star > 0.0) into[1] += c.to_star * lump(facet.star);
+        for (std::size_t b = 0; b < behinds; ++b) {
+            if (c.to[b] != 0.0) into[1] += c.to[b] * lump(facet.lump[b]);
+        }
         const double moved[2]{c.outer * into[0] + c.across * into[1],
                               c.across * into[0] + c.inner * into[1]};
         for (int end = 0; end < 2; ++end) {
@@ -156,8 +161,10 @@ void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) 
                 y[facet.edge[end][s]] += c.spread[end] * (flux[s] - sums[s] * moved[end]);
             }
         }
-        if (c.to_air > 0.0) y[lumps + facet.air] += c.to_air * (lump(facet.air) - moved[1]);
-        if (c.to_star > 0.0) y[lumps + facet.star] += c.to_star * (lump(facet.star) - moved[1]);
+        for (std::size_t b = 0; b < behinds; ++b) {
+            if (c.to[b] == 0.0) continue;
+            y[lumps + facet.lump[b]] += c.to[b] * (lump(facet.lump[b]) - moved[1]);
+        }
     }
     for (const HeatLink& link : network_.link) {
         const double flux = link.conductance * (lump(link.a) - lump(link.b));
@@ -258,11 +265,9 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
                 b[facet.edge[end][s]] += c.spread[end] * sums[s] * ends[end];
             }
         }
-        if (c.to_air > 0.0 && !network_.lump[facet.air].fixed) {
-            b[lumps + facet.air] += c.to_air * ends[1];
-        }
-        if (c.to_star > 0.0 && !network_.lump[facet.star].fixed) {
-            b[lumps + facet.star] += c.to_star * ends[1];
+        for (std::size_t k = 0; k < behinds; ++k) {
+            if (c.to[k] == 0.0 || network_.lump[facet.lump[k]].fixed) continue;
+            b[lumps + facet.lump[k]] += c.to[k] * ends[1];
         }
     }
     const int iterations = network_.stream.empty() ? conjugate_gradients(b, x, relative_error)
@@ -282,8 +287,9 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
         const auto lump = [&](std::uint32_t k) {
             return network_.lump[k].fixed ? 0.0 : x[lumps + k];
         };
-        if (c.to_air > 0.0) into[1] += c.to_air * lump(facet.air);
-        if (c.to_star > 0.0) into[1] += c.to_star * lump(facet.star);
+        for (std::size_t k = 0; k < behinds; ++k) {
+            if (c.to[k] != 0.0) into[1] += c.to[k] * lump(facet.lump[k]);
+        }
         double up = into[1];
         node[at + n - 1] += up;
         for (std::size_t j = n - 1; j > 0; --j) {

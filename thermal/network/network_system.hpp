@@ -45,7 +45,7 @@ class NetworkSystem {
     /// A facet without its nodes: inverse of their matrix between its ends [K W⁻¹].
     struct Condensed {
         double outer, across, inner;
-        double to_air, to_star;  // [W K⁻¹]
+        std::array<double, behinds> to;  // [W K⁻¹] its lumps
         std::array<double, 2> spread;
     };
     std::size_t unknowns() const { return network_.edges + network_.lump.size(); }

@@ -21,6 +21,7 @@ struct HeatState {
     std::vector<float> kelvin;               // (facet) of surfaces
     std::vector<std::vector<double>> block;  // (block) [state][lane], see Block::start
     std::vector<Point> point;
+    std::vector<std::vector<double>> network{};  // (target) [K] its nodes, then its lumps
 };
 
 }  // namespace diurna

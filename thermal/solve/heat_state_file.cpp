@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kind = "diurna heat state 1";
+constexpr const char* kind = "diurna heat state 2";
 
 /// Numbers of many lists one behind the other, and how many each has.
 struct Lists {
@@ -155,8 +155,9 @@ void check_owner(const Reader& read, const StateOwner& owner) {
 
 void save_heat_state(const fs::path& path, const TimedState& timed, const StateOwner& owner) {
     const HeatState& state = timed.state;
-    Lists blocks, points;
+    Lists blocks, points, networks;
     for (const std::vector<double>& block : state.block) blocks.add(block);
+    for (const std::vector<double>& network : state.network) networks.add(network);
     std::vector<std::int64_t> facet;
     std::vector<double> water, frost, albedo;
     for (const HeatState::Point& point : state.point) {
@@ -182,6 +183,8 @@ void save_heat_state(const fs::path& path, const TimedState& timed, const StateO
     write.doubles("point_water_mm", water);
     write.doubles("point_frost_mm", frost);
     write.doubles("point_snow_albedo", albedo);
+    write.integers("network_length", networks.length);
+    write.doubles("network_state", networks.value);
     file.finish();
 }
 
@@ -217,6 +220,7 @@ TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
         }
         state.point.push_back({std::size_t(facet[i]), u[i], {water[i], frost[i]}, albedo[i]});
     }
+    state.network = read.lists("network_length", "network_state");
     return timed;
 }
 

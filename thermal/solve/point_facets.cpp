@@ -128,7 +128,9 @@ void PointFacets::take_in(const Level& level) {
         [&](std::size_t b) {
             const Block& block = solve_.block[b];
             for (std::size_t l = 0; l < block.facet.size(); ++l) {
-                need[b].push_back(taken_[block.facet[l]] ? Need{} : need_of(level, block, l));
+                const std::size_t f = block.facet[l];
+                const bool target = !solve_.in_network.empty() && solve_.in_network[f];
+                need[b].push_back(taken_[f] || target ? Need{} : need_of(level, block, l));
             }
         },
         4);

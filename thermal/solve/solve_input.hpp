@@ -12,6 +12,7 @@
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/column/column.hpp"
 #include "thermal/solve/heat_state.hpp"
+#include "thermal/solve/network_object.hpp"
 #include "thermal/surface/plate_film.hpp"
 #include "thermal/temperature_field.hpp"
 #include "thermal/weather/sky_state.hpp"
@@ -79,6 +80,7 @@ struct SolveInput {
     const AirByHeight* by_height = nullptr;
     std::vector<float> height{};   // (facet) [m] above the sea; empty: all at the weather's
     std::vector<FilmPart> part{};  // (facet) to the wind; empty: of unknown size, in the open
+    std::vector<NetworkObject> network{};  // targets whose facets conduct from one to the next
     ClearSky clear_sky{};
     /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
     /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.

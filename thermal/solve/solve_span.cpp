@@ -53,6 +53,7 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.stores = std::max(all.stores, one.stores);
     all.unfollowed = std::max(all.unfollowed, one.unfollowed);
     all.most_dew_unfollowed = std::max(all.most_dew_unfollowed, one.most_dew_unfollowed);
+    all.target_facets = one.target_facets;
     all.dew_left_out = std::max(all.dew_left_out, one.dew_left_out);
     all.worst_water_closure = std::max(all.worst_water_closure, one.worst_water_closure);
     all.coldest = first ? one.coldest : std::min(all.coldest, one.coldest);
@@ -142,6 +143,7 @@ void solve_piece(const Piece& piece, Walk& walk) {
                                 .by_height = given.by_height,
                                 .height = given.height,
                                 .part = given.part,
+                                .network = given.network,
                                 .clear_sky = given.clear_sky,
                                 .measured_share = given.measured_share,
                                 .sunlight_views = given.sunlight_views,

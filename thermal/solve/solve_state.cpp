@@ -17,7 +17,12 @@ SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
       facets(given.facets.size()),
       tiers(air_tiers(given.by_height, given.height)),
       optics(facet_optics(given.facets, given.materials)),
-      other_side(other_sides(given.facets)) {}
+      other_side(other_sides(given.facets)) {
+    for (const NetworkObject& object : given.network) {
+        in_network.resize(facets);
+        for (const std::uint32_t f : object.facet) in_network[f] = true;
+    }
+}
 
 StageForcing between(const StageForcing& low, const StageForcing& high, double up) {
     return {air_between(low.air, high.air, up), std::lerp(low.sky_longwave, high.sky_longwave, up)};

@@ -164,6 +164,7 @@ struct SolveState {
     std::vector<float> tilt;    // (facet) tilted_sky_excess; empty where the sky is even
     std::vector<float> kelvin;  // (instant, facet)
     std::vector<Block> block;
+    std::vector<bool> in_network;  // (facet) a target's; empty where there is none
     HeatRecord* record = nullptr;  // of the pass on its way, if it is to be taken down
 
     /// Instants, step and optics; light, temperatures and blocks follow. All must outlive it.

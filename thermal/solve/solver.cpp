@@ -16,6 +16,7 @@
 #include "thermal/solve/heat_record.hpp"
 #include "thermal/solve/incident_light.hpp"
 #include "thermal/solve/longwave_exchange.hpp"
+#include "thermal/solve/network_facets.hpp"
 #include "thermal/solve/pass.hpp"
 #include "thermal/solve/periodic_newton.hpp"
 #include "thermal/solve/point_facets.hpp"
@@ -198,8 +199,8 @@ void pass_in_hours(SolveState& solve, const std::vector<MaterialId>& materials, 
 }
 
 /// What is left after a pass and the exchange that followed it, and whether that will do.
-void judge(const SolveState& solve, const PointFacets& points, const ExchangeChange& change,
-           SolveReport& report) {
+void judge(const SolveState& solve, const PointFacets& points, const NetworkFacets& targets,
+           const ExchangeChange& change, SolveReport& report) {
     const SolveOptions& options = solve.options;
     report.exchange_change = change.heat;
     report.periodic_residual = 0.0;
@@ -213,6 +214,9 @@ void judge(const SolveState& solve, const PointFacets& points, const ExchangeCha
     const PointFacets::Summary single = points.summary();
     report.periodic_residual = std::max(report.periodic_residual, single.residual);
     report.estimated_error = std::max(report.estimated_error, single.largest_move);
+    const double target = targets.summary().residual;
+    report.periodic_residual = std::max(report.periodic_residual, target);
+    report.estimated_error = std::max(report.estimated_error, target);
     // The steps of wet facets are as long as their water asks: from pass to pass they differ, and
     // with them what the neighbours get, by some hundredths of a kelvin.
     constexpr double wet_steps = 0.05;
@@ -224,7 +228,8 @@ void judge(const SolveState& solve, const PointFacets& points, const ExchangeCha
 }
 
 /// Passes over the span at its own steps until they change nothing that counts.
-void pass_until_settled(SolveState& solve, Level& level, PointFacets& points, SolveReport& report) {
+void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
+                        NetworkFacets& targets, SolveReport& report) {
     constexpr double usual_passes = 3.0;
     const SolveOptions& options = solve.options;
     while (!report.converged && report.passes < options.max_passes) {
@@ -236,15 +241,18 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points, So
             if (options.periodic && report.passes == 1) renew_matrices(solve, level, solve.block);
             if (options.periodic) correct(solve, level);
             points.pass(solve, level);
+            targets.pass(solve, level);
         }
         // What the neighbours send by now tells how far the pass was from its surroundings.
-        judge(solve, points, renew_longwave(solve, level, report), report);
+        judge(solve, points, targets, renew_longwave(solve, level, report), report);
     }
     points.put(solve);
+    targets.put(solve);
 }
 
 /// What all steps of the last pass left behind.
-void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport& report) {
+void tell_steps(const SolveState& solve, const PointFacets& points, const NetworkFacets& targets,
+                SolveReport& report) {
     StepRecord record;
     for (const Block& block : solve.block) record.merge(block.record);
     const PointFacets::Summary single = points.summary();
@@ -257,7 +265,11 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
     report.most_dew_unfollowed = single.most_dew_unfollowed;
     report.dew_left_out = single.dew_left_out;
     report.worst_water_closure = single.worst_water_closure;
-    report.worst_energy_closure = std::max(record.worst_closure, single.worst_closure);
+    const NetworkFacets::Summary network = targets.summary();
+    report.target_facets = network.facets;
+    report.limited += network.limited;
+    report.worst_energy_closure =
+        std::max({record.worst_closure, single.worst_closure, network.worst_closure});
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;
@@ -267,12 +279,14 @@ void tell_steps(const SolveState& solve, const PointFacets& points, SolveReport&
 }
 
 /// Once more over the span, every facet, as it has settled: what the balance is made of.
-HeatFluxField record_heat(SolveState& solve, const Level& level, PointFacets& points) {
+HeatFluxField record_heat(SolveState& solve, const Level& level, PointFacets& points,
+                          NetworkFacets& targets) {
     if (solve.options.heat_at.empty()) return {};
     HeatRecord record(solve, solve.options.heat_at);
     solve.record = &record;
     pass(solve, level, 1.0, 1.0);
     points.pass(solve, level);
+    targets.pass(solve, level);
     solve.record = nullptr;
     return record.field();
 }
@@ -297,11 +311,13 @@ void set_out_from(const HeatState& from, SolveState& solve) {
 }
 
 /// What the span leaves. A periodic one ends where it starts.
-HeatState left_by(SolveState& solve, const Level& level, const PointFacets& points) {
+HeatState left_by(SolveState& solve, const Level& level, const PointFacets& points,
+                  const NetworkFacets& targets) {
     HeatState end{.reference = level.kind.front().column.reference,
                   .kelvin = {},
                   .block = {},
-                  .point = points.left()};
+                  .point = points.left(),
+                  .network = targets.left()};
     const std::span<float> last = solve.row(solve.kelvin, solve.steps());
     end.kelvin.assign(last.begin(), last.end());
     for (const Block& block : solve.block) {
@@ -337,13 +353,17 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
         renew_longwave(state, fine, report);
     }
     PointFacets points(state);
-    if (input.from) points.set_out_from(input.from->point);
-    pass_until_settled(state, fine, points, report);
-    HeatFluxField heat = record_heat(state, fine, points);
-    tell_steps(state, points, report);
+    NetworkFacets targets(state);
+    if (input.from) {
+        points.set_out_from(input.from->point);
+        targets.set_out_from(input.from->network);
+    }
+    pass_until_settled(state, fine, points, targets, report);
+    HeatFluxField heat = record_heat(state, fine, points, targets);
+    tell_steps(state, points, targets, report);
     SolveResult result{.temperature = kept(state),
                        .report = report,
-                       .end = left_by(state, fine, points),
+                       .end = left_by(state, fine, points, targets),
                        .heat = std::move(heat)};
     result.report.seconds = seconds_since(begun);
     if (options.progress) options.progress(1.0);

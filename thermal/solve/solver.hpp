@@ -36,8 +36,9 @@ struct SolveReport {
     std::size_t unfollowed = 0;
     double most_dew_unfollowed = 0.0, dew_left_out = 0.0;
     double worst_water_closure = 0.0;  // [kg m⁻²] fallen + condensed − evaporated − run off − kept
-    int point_passes = 0;              // over the span, the worst of them
-    int limited = 0;                   // their steps that had to be taken otherwise than asked
+    std::size_t target_facets = 0;      // of targets (thermal/solve/network_facets.hpp)
+    int point_passes = 0;               // over the span, the worst of them
+    int limited = 0;                    // their steps that had to be taken otherwise than asked
     double coldest = 0.0, warmest = 0;  // [K] surface
     double exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
     double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock
@@ -65,7 +66,8 @@ struct SolveResult {
 /// with what it does to temperatures, to first order, after each pass
 /// (thermal/solve/longwave_exchange.hpp). Same bytes for any number of threads. Facets whose
 /// material asks for more than a linear column under a dry or evenly wet surface (freezing ground,
-/// snow, canopy, store of water, schedules) are solved one by one: thermal/solve/point_facets.hpp.
+/// snow, canopy, store of water, schedules) are solved one by one: thermal/solve/point_facets.hpp;
+/// those of targets together: thermal/solve/network_facets.hpp.
 ///
 /// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
 /// tells. Throws InputError if arrays do not match.

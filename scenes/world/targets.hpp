@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "thermal/solve/network_object.hpp"
+
+/// Objects as bodies of heat.
+namespace diurna {
+
+/// Which materials of an object's facets are which of its mesh's parts.
+///
+/// object  index into the scene's
+TargetFacets target_facets(const ObjectInput& input, std::size_t object, ObjectId id,
+                           const MaterialLibrary& materials);
+
+/// The networks of all targets over world.surfaces(): their facets joined over common edges, their
+/// enclosures, lumps and sources. Throws InputError where a part's material is beyond a network:
+/// leaves, water that freezes or melts, snow.
+std::vector<NetworkObject> targets(const World& world, const Scene& scene);
+
+}  // namespace diurna

@@ -1,0 +1,189 @@
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+
+#include "materials/base/files.hpp"
+#include "materials/base/units.hpp"
+#include "scenes/world/targets.hpp"
+#include "tests/support/sheet_scene.hpp"
+
+using namespace diurna;
+namespace over_plain = diurna::testing::over_plain;
+
+namespace {
+
+/// A closed box with a group for each of lid, floor and sides; in squares of a metre.
+std::string box(int size, double thick) {
+    std::string text;
+    int n = 0;
+    const double half = 0.5 * size;
+    const auto quad = [&](std::array<Eigen::Vector3d, 4> v) {
+        for (const auto& p : v) text += fmt::format("v {} {} {}\n", p.x(), p.y(), p.z());
+        text += fmt::format("f {} {} {} {}\n", n + 1, n + 2, n + 3, n + 4);
+        n += 4;
+    };
+    for (const bool lid : {true, false}) {
+        text += lid ? "g lid\n" : "g floor\n";
+        for (double a = -half; a < half; a += 1.0) {
+            for (double c = -half; c < half; c += 1.0) {
+                const double b = a + 1.0, d = c + 1.0;
+                if (lid) {
+                    quad({{{a, c, thick}, {b, c, thick}, {b, d, thick}, {a, d, thick}}});
+                } else {
+                    quad({{{a, d, 0}, {b, d, 0}, {b, c, 0}, {a, c, 0}}});
+                }
+            }
+        }
+    }
+    text += "g sides\n";
+    for (double a = -half; a < half; a += 1.0) {
+        const double b = a + 1.0, h = half, z = thick;
+        quad({{{a, -h, 0}, {b, -h, 0}, {b, -h, z}, {a, -h, z}}});
+        quad({{{b, h, 0}, {a, h, 0}, {a, h, z}, {b, h, z}}});
+        quad({{{-h, b, 0}, {-h, a, 0}, {-h, a, z}, {-h, b, z}}});
+        quad({{{h, a, 0}, {h, b, 0}, {h, b, z}, {h, a, z}}});
+    }
+    return text;
+}
+
+struct Solved {
+    Prepared prepared;
+    SpanResult result;
+
+    /// Mean by area of the facets of a mesh's part at an instant [K].
+    double kelvin(const std::string& time, const std::string& part) const {
+        const std::vector<float> all =
+            result.temperature.interpolate(parse_instant("2026-03-20T" + time + ":00Z"));
+        const FacetSet& facets = prepared.world.facets;
+        double sum = 0.0, area = 0.0;
+        for (std::size_t f = prepared.world.ground_facets; f < facets.size(); ++f) {
+            const std::string& name = prepared.scene.materials[facets.material[f]].name;
+            if (name.find(" " + part) == std::string::npos) continue;
+            sum += double(facets.area[f]) * double(all[f]);
+            area += double(facets.area[f]);
+        }
+        REQUIRE(area > 0.0);
+        return sum / area;
+    }
+};
+
+Solved solved(const over_plain::Given& given, const std::string& tables, double hours = 24.0,
+              double largest_edge = 2.0) {
+    const ScratchFolder folder("target");
+    over_plain::write_scene(folder.path, given);
+    std::string text = read_text(folder.path / "scene.toml");
+    const std::string end = "material = \"sheet\"\n";
+    text.insert(text.rfind(end) + end.size(), tables);
+    const auto put = [&](const std::string& old, const std::string& next) {
+        text.replace(text.find(old), old.size(), next);
+    };
+    put("largest_edge_m = 2.0", fmt::format("largest_edge_m = {}", largest_edge));
+    put("object_sky_rays = 1024", "object_sky_rays = 64");
+    put("sky_rays = 1024", "sky_rays = 64");
+    put("interval = \"instant\"", "interval = \"instant\"\nlapse = 0.0");
+    const std::string start = "start = 2026-03-20T00:00:00Z\n";
+    text.insert(text.find(start) + start.size(), fmt::format("duration_h = {}\n", hours));
+    write_text(folder.path / "scene.toml", text);
+    Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
+    Progress silent(ProgressStyle::silent);
+    SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+    return {std::move(prepared), std::move(result)};
+}
+
+}  // namespace
+
+TEST_CASE("a hot floor warms the lid above it", "[scenes][target]") {
+    // Outside nothing but a film of 10 W/m2K to 290 K. Inside, floor held at 340 K, lid 0.9 and 0.9
+    // two centimetres above it: sigma (340^4 - T^4) / (2 / 0.9 - 1) = 10 (T - 290), and no film: T
+    // = 307.4 K (bisection). Without an enclosure the lid is as warm as the air.
+    const over_plain::Given given{
+        .mesh = box(4, 0.02), .height = 2.0, .albedo = 1.0, .black = 0.0, .ground_edge = 5.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "floor"
+inside = "gap"
+inner_emissivity = 0.9
+temperature_K = 340.0
+[[object.part]]
+name = "lid"
+inside = "gap"
+inner_emissivity = 0.9
+welded = false
+[[object.part]]
+name = "sides"
+inside = "gap"
+inner_emissivity = 0.0
+welded = false
+[[object.enclosure]]
+name = "gap"
+volume_m3 = 0.32
+air_changes_per_h = 0
+film_W_m2K = 0
+)");
+    const double x = 200.0, root = std::sqrt(1.0 + x * x);
+    const double f = 2.0 / (std::numbers::pi * x * x) *
+                     (0.5 * std::log(root * root * root * root / (1.0 + 2.0 * x * x)) +
+                      2.0 * x * root * std::atan(x / root) - 2.0 * x * std::atan(x));
+    double low = 290.0, high = 340.0;
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.5 * (low + high);
+        const double in = stefan_boltzmann * (std::pow(340.0, 4) - std::pow(t, 4)) /
+                          (0.2 / 0.9 + 2.0 / (1.0 + f));
+        (in > 10.0 * (t - 290.0) ? low : high) = t;
+    }
+    CHECK(on.kelvin("12:00", "lid") == Approx(low).margin(0.05));
+    CHECK(on.kelvin("12:00", "floor") == Approx(340.0).margin(0.05));
+    CHECK(on.result.report.worst_energy_closure < 1e-8);
+    CHECK(on.result.report.converged);
+}
+
+TEST_CASE("an engine runs by the clock", "[scenes][target]") {
+    // Its heat leaves through the lid alone: P = 10 W/m2K 16 m2 (T - 290) once all is steady;
+    // before it runs, and hours after, all is as warm as the air.
+    const over_plain::Given given{
+        .mesh = box(4, 0.5), .height = 2.0, .albedo = 1.0, .black = 0.0, .ground_edge = 5.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "*"
+[[object.part]]
+name = "lid"
+welded = false
+[[object.lump]]
+name = "engine"
+heat_capacity_J_K = 20000.0
+heat_W = 3200.0
+hours = ["06:00-12:00 1.0", "12:00-14:00 0.5"]
+[[object.link]]
+between = ["engine", "lid"]
+film_W_m2K = 20.0
+)");
+    CHECK(on.kelvin("05:50", "lid") == Approx(290.0).margin(0.05));
+    CHECK(on.kelvin("11:50", "lid") == Approx(310.0).margin(0.05));
+    CHECK(on.kelvin("13:50", "lid") == Approx(300.0).margin(0.05));
+    CHECK(on.kelvin("11:50", "floor") == Approx(290.0).margin(0.05));
+}
+
+TEST_CASE("heat goes on over the edge of a sheet", "[scenes][target]") {
+    // Lid, sides and floor of one sheet, 2 mm of 200 W/mK, 10 W/m2K outside: m = sqrt(10 / 0.4) = 5
+    // /m. The lid gets 200 W/m2; all of it leaves somewhere: sum of A (T - 290) = 20 A_lid. Over
+    // its edge, a fold half a fin deep on either side, go 10 K 0.4 W/K 5 /m = 20 W/m on 8 m, but
+    // for the corners: 160 W, of which the sides lose tanh(2.5) / ... nearly all: 4 K over their 4
+    // m2.
+    const over_plain::Given given{.mesh = box(2, 0.5),
+                                  .height = 2.0,
+                                  .albedo = 1.0,
+                                  .black = 0.0,
+                                  .layer = "thickness_m = 0.002, conductivity_W_mK = 200.0",
+                                  .ground_edge = 5.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "lid"
+heat_W_m2 = 200.0
+[[object.part]]
+name = "*"
+)",
+                             12.0, 0.15);
+    const double lid = on.kelvin("11:00", "lid") - 290.0,
+                 sides = on.kelvin("11:00", "sides") - 290.0,
+                 floor = on.kelvin("11:00", "floor") - 290.0;
+    CAPTURE(lid, sides, floor);
+    CHECK(4.0 * lid + 4.0 * sides + 4.0 * floor == Approx(80.0).epsilon(1e-4));
+    CHECK(sides + floor == Approx(4.0).epsilon(0.1));
+}

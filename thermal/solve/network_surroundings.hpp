@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "thermal/network/network_step.hpp"
+#include "thermal/solve/network_object.hpp"
+#include "thermal/solve/solve_state.hpp"
+
+namespace diurna {
+
+/// What a target's facets meet over a span: air, sun, sky, neighbours, its own sources.
+class NetworkSurroundings {
+ public:
+    /// All must outlive it.
+    NetworkSurroundings(const SolveState& solve, const Level& level, const NetworkObject& object);
+
+    /// What the step from instant i to the next brings in its part s of `parts`. Steps are asked
+    /// for one after the other; it holds until the next is.
+    NetworkForcing of_part(std::size_t i, int s, int parts);
+    /// [K] of the air at an instant.
+    double outdoors(std::size_t i) const { return outdoors_[i]; }
+    /// Takes down the balances of all faces at instant i, if that is wanted.
+    ///
+    /// outer, inner  (network's facet) [K] temperatures of the ends
+    void record(std::size_t i, const std::vector<double>& outer,
+                const std::vector<double>& inner) const;
+
+ private:
+    /// Faces of one material under one air.
+    struct Group {
+        std::size_t kind;  // Level::kind
+        bool inner, wet;
+        bool in_air = false;  // surroundings as warm as the air
+        double emissivity, absorptance;
+        std::vector<std::uint32_t> face{};   // the network's facets
+        std::vector<std::uint32_t> facet{};  // of the scene
+        std::vector<NaturalFilm> natural{};  // [lane], filled up
+        std::vector<AirFilm> air{};          // (instant)
+    };
+    struct Jump {
+        std::size_t step;
+        std::uint32_t face;
+        bool inner;
+        double heat;  // [W m⁻²] that the step's mean has more than its ends tell
+    };
+    void add(std::size_t face, std::size_t kind, bool inner, std::vector<Group>& groups);
+    void sort_faces();
+    void set_airs();
+    void find_jumps();
+    double sun_on(const Group& group, std::size_t l, std::size_t i) const;
+    double longwave_on(const Group& group, std::size_t l, std::size_t i) const;
+    void light_at(std::size_t i, std::vector<double> absorbed[2]) const;
+    double through_panes(const NetworkObject::Sunlit& sunlit, std::size_t i) const;
+    void begin_step(std::size_t i);
+    void loads(double share, NetworkLoads& to) const;
+    void faces(double share, const std::vector<double>& outer, const std::vector<double>& inner,
+               FaceFluxes& out) const;
+
+    const SolveState& solve_;
+    const Level& level_;
+    const NetworkObject& object_;
+    std::vector<Group> group_;
+    std::vector<Jump> jump_;
+    std::vector<double> outdoors_;  // (instant) [K]
+    static constexpr std::size_t no_step = ~std::size_t{0};
+    std::size_t step_ = no_step, next_jump_ = 0;
+    double from_ = 0.0, to_ = 1.0;              // of the step, the part on its way
+    std::vector<double> before_[2], after_[2];  // (end)(facet) [W m⁻²] absorbed at the step's ends
+};
+
+}  // namespace diurna

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <string>
 
+#include "materials/base/files.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
+#include "tests/support/sheet_scene.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;
@@ -66,4 +68,40 @@ TEST_CASE("the plan tells what freezing ground takes", "[scenes][frost]") {
     // July's scene is the larger one; eight side by side a freezing facet takes 4 to 32 ms a day.
     CHECK(july.facets > january_plan.facets);
     CHECK(heat_of(january_plan) > 3.0 * heat_of(july));
+}
+
+TEST_CASE("a drop of rain leaves a closed box its inside", "[scenes][rain]") {
+    // Sheet of 1 mm with air on either side, films of 10 W/m2K, no radiation but 400 W/m2 of sun on
+    // a black lid: 290 + 400 / (10 + 10) = 310 K at noon. A hundredth of a millimetre of rain at
+    // two o'clock in the night is gone by then. Without its back the lid would have 330 K.
+    namespace over_plain = diurna::testing::over_plain;
+    for (const double rain : {0.0, 0.01}) {
+        const ScratchFolder folder("drop");
+        over_plain::write_scene(
+            folder.path, {.mesh = over_plain::level_square(2, 0.5),
+                          .beam = 400.0,
+                          .black = 0.0,
+                          .sheet = "back = { kind = \"exposed\", emissivity = 0.0, albedo = 1.0 }\n"
+                                   "store = { capacity_mm = 0.1 }",
+                          .ground_edge = 5.0});
+        std::string weather = read_text(folder.path / "weather.csv"), rainy;
+        for (std::size_t from = 0, row = 0, to; (to = weather.find('\n', from)) != weather.npos;
+             from = to + 1, ++row) {
+            rainy += weather.substr(from, to - from);
+            rainy += row == 0 ? ",rain_mm_h\n" : row == 3 ? fmt::format(",{}\n", rain) : ",0\n";
+        }
+        write_text(folder.path / "weather.csv", rainy);
+        const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
+        Progress silent(ProgressStyle::silent);
+        const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+        CHECK((result.report.stores > 0) == (rain > 0.0));
+        const std::vector<float> noon =
+            result.temperature.interpolate(parse_instant("2026-03-20T12:00:00Z"));
+        const FacetSet& facets = prepared.world.facets;
+        for (std::size_t f = prepared.world.ground_facets; f < facets.size(); ++f) {
+            if (facets.normal[f].z() < 0.9f) continue;
+            CAPTURE(rain, f);
+            CHECK(noon[f] == Approx(310.0).margin(0.1));
+        }
+    }
 }

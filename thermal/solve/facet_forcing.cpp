@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/base/units.hpp"
 #include "thermal/surface/standing_water.hpp"
 
 namespace diurna {
@@ -27,7 +28,21 @@ FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather
         }
         longwave_.push_back(longwave);
     }
-    if (!block.behind.empty()) {
+    const ThermalSurface& surface =
+        solve.input.materials[solve.input.facets.material[facet]].thermal;
+    other_side_ = !block.behind.empty();
+    if (surface.back && !other_side_) {
+        // Of a closed mesh: surroundings as warm as the air.
+        for (const Instant when : solve.instant) {
+            AirState air = solve.series.weather().at(when).air;
+            if (!solve.tiers.flat()) {
+                air = air_at_height(*solve.input.by_height, air, double(solve.input.height[facet]));
+            }
+            behind_.push_back(surface.back->emissivity * stefan_boltzmann *
+                              power4(air.temperature));
+        }
+    }
+    if (other_side_) {
         const std::size_t back = block.behind[lane];
         const BlockFace face = back_of(solve, block);
         wet_behind_ = face.wet;

@@ -30,8 +30,10 @@ class FacetForcing {
     /// Of rain on level open ground, what falls on it.
     double rain() const { return rain_share_; }
 
-    /// Whether it is a sheet's front, and what its back absorbs of sun and longwave [W m⁻²].
+    /// Whether there is air behind it, and what its back absorbs of sun and longwave [W m⁻²].
     bool has_back() const { return !behind_.empty(); }
+    /// Whether that back is a facet of the scene: a sheet's. In a closed mesh it is none.
+    bool has_other_side() const { return other_side_; }
     double behind(Instant when) const;
     bool wet_behind() const { return wet_behind_; }
 
@@ -44,7 +46,7 @@ class FacetForcing {
     std::vector<Forcing> weather_;             // (instant) at the facet's height
     std::vector<double> sunlight_, longwave_;  // (instant) [W m⁻²]
     std::vector<double> behind_{};             // (instant) absorbed by its back; empty: none
-    bool wet_behind_ = false;
+    bool wet_behind_ = false, other_side_ = false;
     std::vector<HeatJump> jump_;  // of step i from first_jump_[i] to first_jump_[i + 1]
     std::vector<std::size_t> first_jump_;
     std::vector<Instant> edge_;  // (jump)

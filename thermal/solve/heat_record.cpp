@@ -46,22 +46,45 @@ void record_block(SolveState& solve, const Block& block, const Kind& kind, std::
     }
 }
 
+namespace {
+
+void record_back(const SolveState& solve, const Block& block, std::size_t l, std::size_t i,
+                 AirFilm air, double absorbed, double kelvin) {
+    const BlockFace face = back_of(solve, block);
+    const std::size_t back = block.behind[l];
+    if (!face.wet) air.wetness = 0.0;
+    const double sun = face.absorptance * solve.sunlight[i * solve.facets + back];
+    HeatBalance balance = heat_balance(air, turned_over(block.natural[l]), face.emissivity,
+                                       {.absorbed_solar = sun}, kelvin);
+    balance.longwave_in = absorbed - sun;
+    balance.conducted = -balance.sum();
+    solve.record->put(i, back, balance);
+}
+
+}  // namespace
+
 void record_backs(SolveState& solve, const Block& block, std::size_t i,
                   const BlockSurfaces& surfaces) {
     if (!solve.record || !solve.record->wants(i)) return;
-    const BlockFace face = back_of(solve, block);
     for (std::size_t l = 0; l < block.behind.size(); ++l) {
-        const std::size_t back = block.behind[l];
-        if (solve.other_side[back] != block.facet[l]) continue;
-        AirFilm air = surfaces.air.at(l);
-        if (!face.wet) air.wetness = 0.0;
-        const double sun = face.absorptance * solve.sunlight[i * solve.facets + back];
-        HeatBalance balance = heat_balance(air, turned_over(block.natural[l]), face.emissivity,
-                                           {.absorbed_solar = sun}, surfaces.temperature[l]);
-        balance.longwave_in = surfaces.heat[l] - sun;
-        balance.conducted = -balance.sum();
-        solve.record->put(i, back, balance);
+        if (solve.other_side[block.behind[l]] != block.facet[l]) continue;
+        record_back(solve, block, l, i, surfaces.air.at(l), surfaces.heat[l],
+                    surfaces.temperature[l]);
     }
+}
+
+void record_point_back(const SolveState& solve, const Kind& kind, const Block& block,
+                       std::size_t lane, std::size_t i, double absorbed, double kelvin) {
+    if (!solve.record || !solve.record->wants(i) || block.behind.empty()) return;
+    if (solve.other_side[block.behind[lane]] != block.facet[lane]) return;
+    const Forcing now = solve.series.weather().at(solve.instant[i]);
+    const AirState air = solve.tiers.flat()
+                             ? now.air
+                             : air_at_height(*solve.input.by_height, now.air,
+                                             double(solve.input.height[block.facet[lane]]));
+    record_back(solve, block, lane, i,
+                air_film(kind.column.surface, kind.column.louis, air, now.wind_speed), absorbed,
+                kelvin);
 }
 
 }  // namespace diurna

@@ -43,6 +43,11 @@ struct BlockSurfaces {
 /// Takes down a block's balance at instant i, if that is wanted.
 void record_block(SolveState& solve, const Block& block, const Kind& kind, std::size_t i,
                   const BlockSurfaces& surfaces);
+/// That of the back of a facet that is solved as a point.
+///
+/// absorbed  [W m⁻²] of sun and longwave
+void record_point_back(const SolveState& solve, const Kind& kind, const Block& block,
+                       std::size_t lane, std::size_t i, double absorbed, double kelvin);
 /// That of its backs likewise; the column takes what they give.
 void record_backs(SolveState& solve, const Block& block, std::size_t i,
                   const BlockSurfaces& surfaces);

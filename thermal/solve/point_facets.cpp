@@ -211,14 +211,19 @@ double PointFacets::mean_kelvin(std::size_t facet) const {
 
 /// A facet's way through the span, step by step and from edge to edge; Point::kelvin becomes what a
 /// radiometer sees of it.
-void PointFacets::march_span(const std::vector<Instant>& edge, PointFacet& facet, FacetPoint& p,
-                             Eigen::MatrixXd* map) const {
+void PointFacets::march_span(const Level& level, const FacetForcing& forcing, PointFacet& facet,
+                             FacetPoint& p, Eigen::MatrixXd* map) const {
+    const std::vector<Instant>& edge = forcing.edges();
     const std::vector<Instant>& instant = solve_.instant;
     const auto record = [&](std::size_t i, const SurfaceTerms& terms, double taken) {
         if (!solve_.record || !solve_.record->wants(i)) return;
         HeatBalance balance = terms.balance;
         balance.conducted = -taken;
         solve_.record->put(i, p.facet, balance, -terms.frost_melt);
+        if (p.back_kelvin.empty()) return;
+        const Block& block = solve_.block[p.block];
+        record_point_back(solve_, level.kind[block.material], block, p.lane, i,
+                          forcing.behind(instant[i]), double(p.back_kelvin[i]));
     };
     facet.count = {};
     const SurfaceTerms first = facet.terms(instant[0]);
@@ -254,8 +259,8 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
     const MaterialColumn& column = level.kind[block.material].column;
     const std::size_t instants = solve_.instant.size();
     const FacetForcing forcing(solve_, weather_, block, p.lane);
-    note_excess(solve_, p, forcing.has_back());
-    if (forcing.has_back()) p.back_kelvin.resize(instants);
+    note_excess(solve_, p, forcing.has_other_side());
+    if (forcing.has_other_side()) p.back_kelvin.resize(instants);
     std::function<double(Instant)> behind;
     if (forcing.has_back()) behind = [&](Instant when) { return forcing.behind(when); };
     PointFacet facet({.surface = column.surface,
@@ -295,7 +300,7 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
         const bool newton = periodic && !astray;
         Eigen::MatrixXd map;
         if (newton) map = Eigen::MatrixXd::Identity(size, size);
-        march_span(forcing.edges(), facet, p, newton ? &map : nullptr);
+        march_span(level, forcing, facet, p, newton ? &map : nullptr);
         ++p.passes;
         p.count = facet.count;
         p.end = {p.facet, facet.u, facet.standing, facet.snow_albedo()};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "thermal/point/point_facet.hpp"
+#include "thermal/solve/facet_forcing.hpp"
 #include "thermal/solve/facet_point.hpp"
 #include "thermal/solve/point_group.hpp"
 #include "thermal/solve/solve_state.hpp"
@@ -71,8 +72,8 @@ class PointFacets {
     bool by_itself(const Level& level, const FacetPoint& point) const;
     double mean_kelvin(std::size_t facet) const;  // over the span, as it is in the solve
     void run(const Level& level, FacetPoint& point) const;
-    void march_span(const std::vector<Instant>& edge, PointFacet& facet, FacetPoint& point,
-                    Eigen::MatrixXd* map) const;
+    void march_span(const Level& level, const FacetForcing& forcing, PointFacet& facet,
+                    FacetPoint& point, Eigen::MatrixXd* map) const;
     bool rests(const FacetPoint& point) const;
     void run_groups(const Level& level, std::vector<FacetPoint*> waiting);
 

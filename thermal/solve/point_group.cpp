@@ -137,8 +137,8 @@ class GroupRun {
         FacetPoint& p = *point_[l];
         const Block& block = solve_.block[p.block];
         forcing_[l] = std::make_unique<FacetForcing>(solve_, std::vector<Forcing>(), block, p.lane);
-        note_excess(solve_, p, forcing_[l]->has_back());
-        if (forcing_[l]->has_back()) p.back_kelvin.resize(solve_.instant.size());
+        note_excess(solve_, p, forcing_[l]->has_other_side());
+        if (forcing_[l]->has_other_side()) p.back_kelvin.resize(solve_.instant.size());
         p.kelvin.resize(solve_.instant.size());
         const double up = solve_.input.facets.normal[p.facet].z();
         batch_.natural[l] =
@@ -285,6 +285,10 @@ class GroupRun {
             HeatBalance balance = terms.balance;
             balance.conducted = now ? -terms.into_ground : -batch_.taken[l];
             solve_.record->put(i, p.facet, balance, -terms.frost_melt);
+            if (p.back_kelvin.empty()) continue;
+            record_point_back(solve_, kind_, solve_.block[p.block], p.lane, i,
+                              forcing_[l]->behind(i == 0 ? 0 : i - 1, i == 0 ? 0.0 : 1.0),
+                              double(p.back_kelvin[i]));
         }
     }
 

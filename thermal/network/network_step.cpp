@@ -9,7 +9,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double closed = 1e-9;     // of the heat that flows
+constexpr double closed = 4e-9;     // of the heat that flows
 constexpr double at_rest = 1e-10;   // [K] of a correction, where next to none does
 constexpr double warmest = 5000.0;  // [K] no step of Newton's leads beyond
 
@@ -128,7 +128,6 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
 void NetworkStepper::stage(double tau, double share, const NetworkForcing& forcing,
                            const NetworkState& start) {
     constexpr int most_newton = 40;
-    constexpr double linear_error = 1e-4;
     std::fill(loads_.outer.begin(), loads_.outer.end(), 0.0);
     std::fill(loads_.inner.begin(), loads_.inner.end(), 0.0);
     std::fill(loads_.lump.begin(), loads_.lump.end(), 0.0);
@@ -151,6 +150,7 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
         if (left > 0.5 * before && i > 3) reach = std::max(0.25, 0.7 * reach);
         before = left;
         system_.factorise(tau, {faces_.outer_slope, faces_.inner_slope, to_star_});
+        const double linear_error = std::clamp(0.2 * closed / left, 1e-4, 0.1);
         count.linear += system_.solve(missing_, linear_error);
         ++count.newton;
         double most = 0.0;

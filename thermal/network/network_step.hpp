@@ -36,7 +36,7 @@ struct NetworkCount {
 };
 
 /// Steps a network: SDIRK2 (Alexander 1977; thermal/column/column.hpp), each stage by Newton's
-/// method to 1e-9 of the heat that flows, so that energy closes at any step.
+/// method to 4e-9 of the heat that flows, so that energy closes at any step.
 class NetworkStepper {
  public:
     explicit NetworkStepper(const HeatNetwork& network);

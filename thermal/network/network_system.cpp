@@ -93,42 +93,85 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
     for (std::size_t k = 0; k < lump_own_.size(); ++k) {
         lump_own_[k] = network_.lump[k].capacity / tau;
     }
-    add_diagonal();
+    constexpr double alike = 1.2;
+    if (factored_tau_ < tau / alike || factored_tau_ > tau * alike) prepare();
 }
 
-void NetworkSystem::add_diagonal() {
-    diagonal_.assign(unknowns(), 0.0);
+void NetworkSystem::prepare() {
     const std::size_t lumps = network_.edges;
+    std::vector<Eigen::Triplet<float>> entry;
+    const auto add = [&](std::size_t row, std::size_t column, double value) {
+        if (row >= column) entry.emplace_back(int(row), int(column), float(value));
+    };
     for (std::size_t f = 0; f < facet_.size(); ++f) {
         const NetworkFacet& facet = network_.facet[f];
         const Condensed& c = facet_[f];
         const Sideways flow{facet.sideways};
-        const auto own = flow.own(), sums = flow.sums();
+        const auto sums = flow.sums();
+        // All that the facet joins: its way to an end, and which end.
+        std::array<std::size_t, 6 + behinds> at{};
+        std::array<double, 6 + behinds> way{};
+        std::array<int, 6 + behinds> of{};
+        std::size_t n = 0;
         for (int end = 0; end < 2; ++end) {
             if (c.spread[end] == 0.0) continue;
-            const double inverse = end == 0 ? c.outer : c.inner;
-            for (int s = 0; s < 3; ++s) {
-                diagonal_[facet.edge[end][s]] +=
-                    c.spread[end] * (own[s] - c.spread[end] * sums[s] * sums[s] * inverse);
+            for (std::size_t a = 0; a < 3; ++a) {
+                std::array<double, 3> unit{};
+                unit[a] = 1.0;
+                const auto column = flow.times(unit);
+                for (std::size_t b = 0; b < 3; ++b) {
+                    add(facet.edge[end][b], facet.edge[end][a], c.spread[end] * column[b]);
+                }
+                at[n] = facet.edge[end][a];
+                way[n] = c.spread[end] * sums[a];
+                of[n++] = end;
             }
         }
-        for (std::size_t b = 0; b < behinds; ++b) {
-            if (c.to[b] == 0.0) continue;
-            diagonal_[lumps + facet.lump[b]] += c.to[b] * (1.0 - c.to[b] * c.inner);
+        for (std::size_t k = 0; k < behinds; ++k) {
+            if (c.to[k] == 0.0 || network_.lump[facet.lump[k]].fixed) continue;
+            at[n] = lumps + facet.lump[k];
+            way[n] = c.to[k];
+            of[n++] = 1;
+            add(lumps + facet.lump[k], lumps + facet.lump[k], c.to[k]);
+        }
+        for (std::size_t a = 0; a < n; ++a) {
+            for (std::size_t b = 0; b < n; ++b) {
+                const double inverse = of[a] != of[b] ? c.across : of[a] == 0 ? c.outer : c.inner;
+                add(at[b], at[a], -way[a] * way[b] * inverse);
+            }
         }
     }
     for (const HeatLink& link : network_.link) {
-        diagonal_[lumps + link.a] += link.conductance;
-        diagonal_[lumps + link.b] += link.conductance;
+        for (const std::uint32_t end : {link.a, link.b}) {
+            if (!network_.lump[end].fixed) add(lumps + end, lumps + end, link.conductance);
+        }
+        if (network_.lump[link.a].fixed || network_.lump[link.b].fixed) continue;
+        add(lumps + std::max(link.a, link.b), lumps + std::min(link.a, link.b), -link.conductance);
     }
     for (const HeatStream& stream : network_.stream) {
-        diagonal_[lumps + stream.to] += stream.conductance;
+        if (!network_.lump[stream.to].fixed) {
+            add(lumps + stream.to, lumps + stream.to, stream.conductance);
+        }
     }
     for (std::size_t k = 0; k < lump_own_.size(); ++k) {
-        double& d = diagonal_[lumps + k];
-        d += lump_own_[k];
-        if (network_.lump[k].fixed || !(d > 0.0)) d = 1.0;
+        // One that nothing joins would have a row of zeros.
+        add(lumps + k, lumps + k, network_.lump[k].fixed ? 1.0 : lump_own_[k] + 1e-12);
     }
+    const auto size = Eigen::Index(unknowns());
+    Eigen::SparseMatrix<float> left(size, size);
+    left.setFromTriplets(entry.begin(), entry.end());
+    factor_.compute(left);
+    factored_tau_ = tau_;
+}
+
+void NetworkSystem::precondition(const std::vector<double>& r, std::vector<double>& z) {
+    const auto size = Eigen::Index(r.size());
+    // Scaled, for what is left may be as small as no float is.
+    const double large = std::max(1e-300, norm(r));
+    Eigen::VectorXf scaled =
+        (Eigen::Map<const Eigen::VectorXd>(r.data(), size) / large).cast<float>();
+    scaled = factor_.solve(scaled).eval();
+    Eigen::Map<Eigen::VectorXd>(z.data(), size) = large * scaled.cast<double>();
 }
 
 void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) const {
@@ -190,7 +233,7 @@ int NetworkSystem::conjugate_gradients(const std::vector<double>& b, std::vector
     const int most = 2000;
     int i = 0;
     for (; i < most && norm(r) > enough; ++i) {
-        for (std::size_t k = 0; k < n; ++k) z[k] = r[k] / diagonal_[k];
+        precondition(r, z);
         const double next = dot(r, z), onward = i == 0 ? 0.0 : next / rz;
         rz = next;
         for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + onward * p[k];
@@ -218,14 +261,14 @@ int NetworkSystem::stabilised(const std::vector<double>& b, std::vector<double>&
         rho = next;
         for (std::size_t k = 0; k < n; ++k) {
             p[k] = r[k] + beta * (p[k] - omega * v[k]);
-            y[k] = p[k] / diagonal_[k];
         }
+        precondition(p, y);
         apply(y, v);
         alpha = rho / dot(shadow, v);
         for (std::size_t k = 0; k < n; ++k) {
             s[k] = r[k] - alpha * v[k];
-            z[k] = s[k] / diagonal_[k];
         }
+        precondition(s, z);
         apply(z, t);
         const double tt = dot(t, t);
         omega = tt > 0.0 ? dot(t, s) / tt : 0.0;
@@ -272,6 +315,8 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
     }
     const int iterations = network_.stream.empty() ? conjugate_gradients(b, x, relative_error)
                                                    : stabilised(b, x, relative_error);
+    constexpr int outworn = 10;
+    if (iterations > outworn) factored_tau_ = 0.0;
     for (std::size_t f = 0; f < facet_.size(); ++f) {
         const std::size_t at = first_[f], n = first_[f + 1] - at;
         const NetworkFacet& facet = network_.facet[f];

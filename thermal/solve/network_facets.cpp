@@ -11,6 +11,9 @@ namespace diurna {
 namespace {
 
 constexpr double longest_step = 300.0;  // [s]
+constexpr double repeats = 3e-3;        // [K] of a period that is found: what is slower than a
+                                        // day is no part of a target
+constexpr double counts = 0.3;          // [W m⁻²] of neighbours' heat: 0.015 K
 
 std::vector<double> flat(const NetworkState& state) {
     std::vector<double> all = state.node;
@@ -86,9 +89,8 @@ std::vector<float> NetworkFacets::excess_on(const NetworkObject& object) const {
 }
 
 bool NetworkFacets::rests(const Target& target) const {
-    constexpr double counts = 0.05;  // [W m⁻²], as for blocks
     if (target.kelvin.empty() || solve_.record) return false;
-    if (solve_.options.periodic && target.residual > solve_.options.tolerance) return false;
+    if (solve_.options.periodic && target.residual > repeats) return false;
     const std::vector<float> now = excess_on(*target.object);
     for (std::size_t k = 0; k < now.size(); ++k) {
         if (std::abs(now[k] - target.excess[k]) > counts) return false;
@@ -144,7 +146,9 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
 }
 
 void NetworkFacets::run(const Level& level, Target& target) const {
-    constexpr int most_passes = 12;  // at a time: neighbours change in between
+    // The first time until it repeats; then once each time that its neighbours have changed, from
+    // the start that the time before has found.
+    const int most_passes = target.kelvin.empty() ? 12 : 1;
     NetworkStepper stepper(target.object->network);
     NetworkSurroundings around(solve_, level, *target.object);
     target.excess = excess_on(*target.object);
@@ -162,7 +166,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
         for (std::size_t k = 0; k < target.end.size(); ++k) {
             target.residual = std::max(target.residual, std::abs(target.end[k] - target.start[k]));
         }
-        if (target.residual <= solve_.options.tolerance) break;
+        if (target.residual <= repeats) break;
         target.start = search.next(target.start, target.end);
     }
     target.count = stepper.count;

@@ -214,9 +214,7 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     const PointFacets::Summary single = points.summary();
     report.periodic_residual = std::max(report.periodic_residual, single.residual);
     report.estimated_error = std::max(report.estimated_error, single.largest_move);
-    const double target = targets.summary().residual;
-    report.periodic_residual = std::max(report.periodic_residual, target);
-    report.estimated_error = std::max(report.estimated_error, target);
+    report.estimated_error = std::max(report.estimated_error, targets.summary().residual);
     // The steps of wet facets are as long as their water asks: from pass to pass they differ, and
     // with them what the neighbours get, by some hundredths of a kelvin.
     constexpr double wet_steps = 0.05;

@@ -11,7 +11,7 @@
 
 namespace diurna {
 
-/// What was found of triangles in a mesh that have the same three corners as others, or no area.
+/// What was found of triangles in a mesh that lie in the place of others, or have no area.
 struct WeldedFaces {
     std::size_t removed = 0;  // of the same material as the first there, whichever way they face
     std::size_t back_to_back = 0;  // kept: the other way round and of another material
@@ -22,7 +22,9 @@ struct WeldedFaces {
 
 /// Takes out of a mesh what lies there twice: as two layers, the same face would close a sheet
 /// (each edge has two triangles), and a reversed copy of a sheet would be two that know nothing of
-/// each other. A triangle is flat where its height is below 1e-9 of its longest edge.
+/// each other. A triangle is flat where its height is below 1e-9 of its longest edge. Triangles are
+/// in one place that have the same corners; even patches that fill the same border, whichever way
+/// they are cut (doubled_patches.hpp).
 ///
 /// - material: (part) the name of its material
 WeldedFaces weld_faces(MeshFile& mesh, std::span<const std::string> material);

@@ -98,9 +98,16 @@ inline Squares under_heated_sheet() {
     }
     return e;
 }
-/// What the program makes of it. back: a line for the sheet's material, or none.
-inline Solved heated_sheet(const std::string& back) {
-    return solved({.mesh = level_square(12),
+/// What the program makes of it.
+///
+/// - back: a line for the sheet's material, or none
+/// - again: the mesh has each square once more, reversed: from its last corner to its first
+inline Solved heated_sheet(const std::string& back, bool again = false) {
+    std::string mesh = level_square(12);
+    for (int n = 0; again && n < 4 * 12 * 12; n += 4) {
+        mesh += fmt::format("f {} {} {} {}\n", n + 4, n + 3, n + 2, n + 1);
+    }
+    return solved({.mesh = mesh,
                    .longwave = stefan_boltzmann * power4(air),
                    .sheet = "internal_heat_W_m2 = 500.0\n" + back});
 }

@@ -71,3 +71,50 @@ TEST_CASE("triangles whose corners lie on a line are left out", "[terrain][objec
     CHECK(found.flat == 1);
     CHECK(mesh.triangle.size() == 2);
 }
+
+// Triangles of a reversed polygon go out from its last corner: along the other diagonal.
+TEST_CASE("a sheet written twice is one sheet, along whichever diagonal it is cut",
+          "[terrain][objects]") {
+    const std::vector<Corners> copy = GENERATE(std::vector<Corners>{{3, 2, 1}, {3, 1, 0}},
+                                               std::vector<Corners>{{0, 1, 3}, {1, 2, 3}});
+    MeshFile mesh = square_and(copy);
+    const WeldedFaces found = weld_faces(mesh, alike);
+    CHECK(found.removed == 2);
+    CHECK(mesh.triangle == std::vector<Corners>{{0, 1, 2}, {0, 2, 3}});
+    CHECK(is_open(mesh));
+}
+
+TEST_CASE("faces of two materials cut along two diagonals are back to back", "[terrain][objects]") {
+    MeshFile reversed = square_and({{3, 2, 1}, {3, 1, 0}});
+    const WeldedFaces kept = weld_faces(reversed, unlike);
+    CHECK_FALSE(kept.contested);
+    CHECK(kept.back_to_back == 2);
+    CHECK(reversed.triangle == std::vector<Corners>{{0, 1, 2}, {0, 2, 3}, {0, 2, 1}, {0, 3, 2}});
+    CHECK(reversed.part_of == std::vector<std::uint16_t>{0, 0, 1, 1});
+    MeshFile same_way = square_and({{0, 1, 3}, {1, 2, 3}});
+    CHECK(weld_faces(same_way, unlike).contested);
+}
+
+// A square of one edge more, and a grid of bent pieces, each even.
+TEST_CASE("patches in one place are found by their borders", "[terrain][objects]") {
+    MeshFile cut = square_and({});
+    cut.vertex.push_back({0.4, 0.0, 0.0});
+    for (const Corners& corner : {Corners{3, 2, 5}, {2, 1, 5}, {3, 5, 0}}) {
+        cut.triangle.push_back(corner);
+        cut.part_of.push_back(1);
+    }
+    CHECK(weld_faces(cut, alike).removed == 3);
+    MeshFile roof{.vertex = {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}, {0, 1, 0}, {1, 1, 1}, {2, 1, 0}},
+                  .triangle = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}},
+                  .part_of = {0, 0, 0, 0, 0, 0, 0, 0},
+                  .part = {{"a", ""}, {"b", ""}}};
+    for (const Corners& corner : {Corners{3, 4, 1}, {3, 1, 0}, {4, 5, 2}, {4, 2, 1}}) {
+        roof.triangle.push_back(corner);
+    }
+    CHECK(weld_faces(roof, alike).removed == 4);
+    CHECK(is_open(roof));
+    // Two tiles beside each other, the second one's border is none of the first's.
+    MeshFile beside = square_and({{1, 4, 2}});
+    CHECK(weld_faces(beside, alike).removed == 0);
+    CHECK(beside.triangle.size() == 3);
+}

@@ -19,9 +19,10 @@ using namespace diurna::testing::over_plain;
 TEST_CASE("a heated sheet warms the ground beneath it", "[whole][sheet]") {
     const std::string back =
         GENERATE("", "back = { kind = \"exposed\", emissivity = 1.0, albedo = 0.0 }");
-    const Solved scene = heated_sheet(back);
+    const bool again = GENERATE(false, true);
+    const Solved scene = heated_sheet(back, again);
     const Squares e = under_heated_sheet();
-    CAPTURE(back);
+    CAPTURE(back, again);
     const auto warming = [&](double from, double to) {
         return scene.kelvin("12:00", true, from, to) - air;
     };

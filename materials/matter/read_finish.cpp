@@ -19,6 +19,10 @@ namespace diurna {
 
 namespace {
 
+constexpr double heat_begins_um = 4.0;  // of effective indices
+constexpr const char* index_file_says =
+    "of the coat, or of the metal: CSV of wavelength_um, n and k, from end to end of every band";
+
 /// n and k of a file into a finish; the ends go on.
 void read_index(const std::filesystem::path& path, Glossy& finish) {
     const CsvTable table = read_csv(path);
@@ -54,10 +58,7 @@ void read_refraction(const Section& section, const std::filesystem::path& folder
     double index = 1.5;
     if (section.has("index_file")) {
         try {
-            read_index(folder / section.text(
-                                    "index_file",
-                                    "of the coat, or of the metal: CSV of wavelength_um, n and k"),
-                       finish);
+            read_index(folder / section.text("index_file", index_file_says), finish);
             return;
         } catch (const InputError& error) {
             section.mistake("index_file", error.what());
@@ -108,7 +109,7 @@ Finish read_measured(const Section& section, const std::filesystem::path& folder
 /// upright, n = (1 + √ρ) / (1 − √ρ); of a metal n = k (Hagen and Rubens) from
 /// ρ = ((n − 1)² + n²) / ((n + 1)² + n²). Below, a dielectric keeps its index.
 void take_effective_index(const Spectrum& reflectance, Glossy& finish) {
-    constexpr double heat_begins_um = 4.0, most = 0.9999;
+    constexpr double most = 0.9999;
     const Spectrum given = finish.index;
     finish.index = finish.extinction = {};
     for (std::size_t i = 0; i < reflectance.value.size(); ++i) {
@@ -207,8 +208,7 @@ void average_over_hemisphere(const Section& section, Material& material) {
 void read_finish(const Section& section, const std::filesystem::path& folder, Material& material) {
     if (section.has("finish")) {
         material.finish =
-            read_law(section.section("finish", "how light is sent back over the angle"), folder,
-                     material.reflectance);
+            read_law(section.section("finish", finish_says), folder, material.reflectance);
         average_over_hemisphere(section, material);
     }
     material.see_through = section.flag_or(
@@ -230,6 +230,27 @@ void read_finish(const Section& section, const std::filesystem::path& folder, Ma
     if (material.see_through && material.transmittance.empty()) {
         section.mistake("see_through",
                         "expected a transmittance or a cover: nothing lets light through");
+    }
+}
+
+std::optional<IndexReach> index_reach(const Section& section, const std::filesystem::path& folder,
+                                      const Glossy& finish) {
+    if (!section.has("finish")) return {};
+    const Section law = section.section("finish", finish_says);
+    if (!law.has("index_file")) return {};
+    const bool plain = !finish.waves && !finish.pane;
+    const bool effective = plain && wants_effective_index(law);
+    if (finish.metal && effective) return {};
+    try {
+        const CsvTable table = read_csv(folder / law.text("index_file", index_file_says));
+        const std::size_t column = table.column("wavelength_um");
+        if (table.rows.empty()) return {};
+        return IndexReach{.from_um = table.number(0, column),
+                          .to_um = table.number(table.rows.size() - 1, column),
+                          .needed_to_um = effective ? heat_begins_um : 1e3,
+                          .effective_helps = plain && !finish.metal && !effective};
+    } catch (const InputError&) {
+        return {};  // told when it was read
     }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "materials/base/section.hpp"
 #include "materials/matter/material.hpp"
@@ -23,5 +24,19 @@ namespace diurna {
 /// To be read after reflectance, transmittance and the means that follow from them. With a finish
 /// that is not Lambert's the broadband emissivity becomes the hemisphere's, unless it was given.
 void read_finish(const Section& section, const std::filesystem::path& folder, Material& material);
+
+/// What a material's `finish` says.
+inline constexpr const char* finish_says = "how light is sent back over the angle";
+
+/// From where to where a material's index_file has n and k, which go on beyond its ends.
+struct IndexReach {
+    double from_um, to_um;
+    double needed_to_um;   // where another law takes over; 1e3: nowhere
+    bool effective_helps;  // of a gloss
+};
+/// Of a material that was read before as `finish`; none without such a file, or where its index
+/// serves nowhere.
+std::optional<IndexReach> index_reach(const Section& section, const std::filesystem::path& folder,
+                                      const Glossy& finish);
 
 }  // namespace diurna

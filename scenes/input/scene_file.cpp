@@ -7,6 +7,7 @@
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
+#include "scenes/input/index_reach.hpp"
 #include "thermal/weather/sky_section.hpp"
 #include "thermal/weather_file/weather_section.hpp"
 
@@ -131,7 +132,12 @@ Scene read_scene(const Document& document) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");
     }
     scene.texture_uses = std::move(reading.texture_uses);
-    check_table_bands(atmosphere, scene.air, seen_ranges(scene));
+    const std::vector<SeenRange> seen = seen_ranges(scene);
+    check_table_bands(atmosphere, scene.air, seen);
+    for (const std::string& name : materials.free_keys()) {
+        check_index_reach(materials.section(name, material_says), reading.folder,
+                          scene.materials[scene.materials.find(name)], seen);
+    }
     document.finish();
     return scene;
 }

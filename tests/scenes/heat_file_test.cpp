@@ -9,6 +9,7 @@
 #include "scenes/run/heat.hpp"
 #include "tests/support/every_kind_scene.hpp"
 #include "tests/support/small_scene.hpp"
+#include "thermal/solve/heat_state_file.hpp"
 
 // What a third party reads in temperatures.nc, with netCDF alone.
 
@@ -207,4 +208,7 @@ TEST_CASE("materials, objects and clocks can be told from the file", "[scenes][h
     std::size_t noon = 0;
     while (file.string_at("local_time", noon) != "2026-07-15T12:00:00-04:00") ++noon;
     CHECK(solar[noon] == Approx(16.0 - 84.203333 / 15.0 - 5.9 / 60.0).margin(0.005));
+    // A file of temperatures is none to go on from.
+    CHECK_THROWS_WITH(load_heat_state(folder.path / "temperatures.nc", {}),
+                      Catch::Contains("temperatures.nc: is no state of a run"));
 }

@@ -111,3 +111,36 @@ TEST_CASE("a job writes its bands and cubes", "[scenes][bands]") {
         CHECK(sum < 0.6 * double{wide[p]});
     }
 }
+
+// Rows of the file end at 11 µm: beyond, its last row would stand for lines of the spectrum that
+// nobody has measured.
+TEST_CASE("a file of n and k that is short of a band is refused", "[scenes][bands]") {
+    const auto mistakes = [](const std::string& law, double from, double to) {
+        BandScene world("");
+        write_text(world.folder.path / "varnish.csv", "wavelength_um,n,k\n" + std::to_string(from) +
+                                                          ",1.5,0\n" + std::to_string(to) +
+                                                          ",1.6,0.1\n");
+        write_text(world.file, small_scene() +
+                                   "[material.varnished]\nlike = \"painted_steel\"\nfinish = { " +
+                                   law + ", index_file = \"varnish.csv\" }\n");
+        return world.mistakes();
+    };
+    const std::string gloss = "kind = \"gloss\", roughness = 0.1",
+                      metal = "kind = \"metal\", roughness = 0.1",
+                      effective = ", effective_index = true";
+    CHECK(mistakes(gloss, 3.0, 12.0).empty());
+    const auto short_of = mistakes(gloss, 3.0, 11.0);
+    REQUIRE(short_of.size() == 1);
+    const std::string line = short_of[0].line();
+    CAPTURE(line);
+    CHECK(line.find("scene.toml:49:58: material.varnished.finish.index_file: ") !=
+          std::string::npos);
+    CHECK(short_of[0].problem ==
+          "band 8-12 needs n and k from 8 to 12 um, the file has them from 3 to 11");
+    CHECK(short_of[0].hint == "add rows to it, or take effective_index = true beyond 4 um");
+    CHECK(mistakes(gloss, 3.5, 20.0).size() == 1);
+    CHECK(mistakes(metal, 3.0, 11.0).at(0).hint == "add rows to it");
+    CHECK(mistakes(gloss + effective, 2.0, 4.5).empty());
+    CHECK(mistakes(gloss + effective, 2.0, 3.5).size() == 1);
+    CHECK(mistakes(metal + effective, 1.0, 2.0).empty());
+}

@@ -117,6 +117,23 @@ TEST_CASE("a flat sheet on the ground is lifted off it, and told", "[scenes][wor
     CHECK(up(above.world) - up(on.world) == Approx(0.99).margin(1e-3));
 }
 
+TEST_CASE("ground that is nowhere on the raster is refused by its place", "[scenes][world]") {
+    const std::string far =
+        with(small_scene(), "[0.0, 0.0, 1500.0, 45.0, 45.0]", "[90000.0, 0.0, 1500.0, 45.0, 45.0]");
+    try {
+        built(far);
+        FAIL("accepted");
+    } catch (const InputError& error) {
+        REQUIRE(error.mistakes().size() == 1);
+        const std::string line = error.mistakes()[0].line();
+        CAPTURE(line);
+        CHECK(line.find("scene.toml:18:15: ground[0].rectangle_m") != std::string::npos);
+        CHECK(line.find("ground \"runway\" lies wholly outside the elevation data") !=
+              std::string::npos);
+        CHECK(line.find('\n') == std::string::npos);
+    }
+}
+
 TEST_CASE("materials follow polygons first, then the rules", "[scenes][world]") {
     const Built b = built(small_scene());
     const MaterialId grass = b.scene.materials.find("grass"),

@@ -295,7 +295,7 @@ TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span
                       Catch::Contains("'roof: 2 m' there is 'roof: 1 m' here"));
     std::ofstream(folder.path / "text.nc") << "no state";
     CHECK_THROWS_WITH(load_heat_state(folder.path / "text.nc", owner),
-                      Catch::Contains("is no netCDF file"));
+                      Catch::Contains("text.nc: is no netCDF file"));
     std::filesystem::resize_file(folder.path / "state.nc", 2000);
     CHECK_THROWS_AS(load_heat_state(folder.path / "state.nc", owner), InputError);
 }

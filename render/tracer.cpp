@@ -173,13 +173,14 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.
+        std::optional<HopLight> of_hops;
         if (hops) {
-            const HopLight of_hops(*options.hops, options.plumes, light, view.facet.size(),
-                                   {.bounces = options.bounces,
-                                    .tolerance = options.tolerance,
-                                    .by_term = eye.columns_of_band() > 1,
-                                    .path = &path});
-            of_hops.add(planes);
+            of_hops.emplace(*options.hops, options.plumes, light, view.facet.size(),
+                            HopOptions{.bounces = options.bounces,
+                                       .tolerance = options.tolerance,
+                                       .by_term = eye.columns_of_band() > 1,
+                                       .path = &path});
+            of_hops->add(planes);
         }
 
         // Write what has been found.
@@ -190,6 +191,7 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         if (options.surfaces > 0) {
             add_surface_planes(view, light, eye, options.pixel_sun,
                                static_cast<std::size_t>(options.surfaces), frame);
+            if (hops) of_hops->add_surfaces(static_cast<std::size_t>(options.surfaces), frame);
         }
     }
     if (options.truth) add_truth(view, input, options.pixel_sun, frame);

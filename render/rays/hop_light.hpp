@@ -7,6 +7,7 @@
 #include "materials/radiation/band.hpp"
 #include "render/light/radiance_input.hpp"
 #include "render/light/scene_light.hpp"
+#include "render/picture/frame.hpp"
 #include "render/rays/hop_options.hpp"
 #include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
@@ -42,6 +43,9 @@ class HopLight {
     /// Adds to the pixels of the hops: planes (band, term), if so asked, or (band) for the sum of
     /// the terms.
     void add(std::span<std::vector<float>> planes) const;
+    /// Fills what the frame's planes of surfaces (render/eye/surface_planes.hpp) leave empty in the
+    /// pixels of the hops, and adds planes of their own (hop_planes.hpp). By terms only.
+    void add_surfaces(std::size_t surfaces, Frame& frame) const;
 
  private:
     struct State;

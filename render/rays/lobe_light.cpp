@@ -83,7 +83,7 @@ float LobeLight::open_above(std::size_t mirror, const HopRows& rows) const {
 /// Radiance of the background (lane) at a mirror, by the shares of it.
 void LobeLight::add_background(std::size_t mirror, const float* light, HopRows& rows) const {
     const float* dimmed = rows.transmittance_to(mirror, Origin::surface);
-    double* sum = rows.row(mirror, Term::sky);
+    double* sum = rows.mirrored_row(mirror, Term::sky);
     for (std::size_t c = 0; c < tables_.lanes.size(); ++c) {
         sum[c] += double{share_[c] * dimmed[c] * light[c]};
     }
@@ -94,7 +94,7 @@ void LobeLight::add_around(std::size_t mirror, HopRows& rows) const {
     const std::uint32_t target = tables_.target[rows.first + mirror];
     const float seen = 1.0f - tables_.lit.sky_view[tables_.lit_index(target)];
     if (!(seen > 0.0f)) return;
-    double* sum = rows.row(mirror, Term::surroundings);
+    double* sum = rows.mirrored_row(mirror, Term::surroundings);
     for (const Origin origin : all_origins) {
         const float* dimmed = rows.transmittance_to(mirror, origin);
         const float* light = tables_.facet_lanes.from_surroundings(target, origin);

@@ -108,7 +108,7 @@ void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& 
         "surfaces",
         "of each pixel, those it sees most of, that have planes of their own: from these and the "
         "terms, which come with them, its radiance can be added up anew",
-        0, {0, 8});
+        0, {0, 32});
     observer.terms =
         section.flag_or("terms", "planes for the terms of the radiance, one by one", false) ||
         observer.surfaces > 0;

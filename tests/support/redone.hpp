@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <filesystem>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -21,13 +23,23 @@ namespace redone {
 
 using namespace diurna;
 namespace fs = std::filesystem;
-inline constexpr int surfaces = 8;
 
 /// [W m⁻² sr⁻¹ µm⁻¹]; constants of CODATA 2018.
 inline double black_body(double um, double kelvins) {
     constexpr double c1 = 1.191042972e8, c2 = 1.438776877e4;
     return c1 / (std::pow(um, 5) * std::expm1(c2 / (um * kelvins)));
 }
+
+/// Of unpolarised light on a smooth face of index n + ik (Born & Wolf 1.5).
+inline double fresnel(double n, double k, double cosine) {
+    const std::complex<double> index(n, k);
+    const std::complex<double> inside = std::sqrt(1.0 - (1.0 - cosine * cosine) / (index * index));
+    const auto s = (cosine - index * inside) / (cosine + index * inside);
+    const auto p = (index * cosine - inside) / (index * cosine + inside);
+    return 0.5 * (std::norm(s) + std::norm(p));
+}
+/// Of the sun on a white surface facing it: a black body of 5772 K, 6.8e-5 sr wide.
+inline double sunlight(double um) { return 6.8e-5 / std::numbers::pi * black_body(um, 5772.0); }
 
 /// "8-12"
 inline std::array<double, 2> edges(const std::string& band) {
@@ -68,6 +80,8 @@ class Redone {
  public:
     Redone(const Frame& frame, std::string band, const MaterialLibrary& materials)
         : frame_(frame), band_(std::move(band)), materials_(materials) {
+        while (frame.find(name("weight", surfaces_ + 1))) ++surfaces_;
+        has_rays_ = frame.find("rest." + band_) != nullptr;
         // What the sun sends on a plane facing it, over π: of the pixel that faces it most.
         double most = 0.0;
         for (std::size_t p = 0; p < frame.pixels(); ++p) {
@@ -79,12 +93,43 @@ class Redone {
     }
 
     double sum(std::size_t p) const {
-        double sum = double(frame_["path." + band_].pixel[p]);
-        for (int k = 1; k <= surfaces; ++k) {
+        double sum = double(frame_["path." + band_].pixel[p]) + rest(p);
+        for (int k = 1; k <= surfaces_; ++k) {
             const double weight = at(name("weight", k), p);
-            if (weight > 0.0) sum += weight * sent(k, p);
+            if (weight > 0.0) sum += weight * (sent(k, p) + shown(k, p));
         }
         return sum;
+    }
+    /// What is seen past others and is not listed.
+    double rest(std::size_t p) const { return has_rays_ ? of_band("rest", p) : 0.0; }
+    /// Whether a surface of the pixel mirrors.
+    bool has_mirror(std::size_t p) const {
+        for (int k = 1; k <= surfaces_ && has_rays_; ++k) {
+            if (of_band(name("mirror", k), p) > 0.0) return true;
+        }
+        return false;
+    }
+    /// By how much the reflectance that the library's n and k make is another than that of the
+    /// planes, the most of a pixel's surfaces that are seen straight and not at grazing angles,
+    /// where the slopes of waves count. A pane has two faces: 2 R / (1 + R) where it is clear.
+    double off_fresnel(std::size_t p) const {
+        double worst = 0.0;
+        for (int k = 1; k <= surfaces_ && has_rays_; ++k) {
+            const double cosine = at(name("cosine", k), p), found = of_band(name("mirror", k), p);
+            if (at(name("way", k), p) != 0.0 || found <= 0.0 || cosine < 0.5) continue;
+            const Material& of = material(k, p);
+            const auto& finish = std::get<Glossy>(of.finish);
+            const double kelvins = at(name("temperature", k), p);
+            const auto light = [&](double um) { return black_body(um, kelvins) + sunlight(um); };
+            const auto mirrored = [&](double um) {
+                const double r = fresnel(finish.index.at(um), extinction(finish, um), cosine);
+                const bool clear = finish.pane && um < 2.0;
+                return light(um) * (clear ? 2.0 * r / (1.0 + r) : r);
+            };
+            const double expected = integral(band_, mirrored) / integral(band_, light);
+            worst = std::max(worst, std::abs(expected - found));
+        }
+        return worst;
     }
     double at(const std::string& plane, std::size_t p) const {
         return double(frame_[plane].pixel[p]);
@@ -95,13 +140,42 @@ class Redone {
     double of_band(const std::string& plane, std::size_t p) const {
         return at(plane + "." + band_, p);
     }
+    const Material& material(int k, std::size_t p) const {
+        const auto id = static_cast<std::uint16_t>(at(name("material", k), p));
+        return materials_[MaterialId{id}];
+    }
+    static double extinction(const Glossy& finish, double um) {
+        return finish.extinction.value.empty() ? 0.0 : finish.extinction.at(um);
+    }
+
+    /// What a surface mirrors at large, and the air before it where it is seen past another.
+    double shown(int k, std::size_t p) const {
+        if (!has_rays_) return 0.0;
+        return of_band(name("mirrored", k), p) + of_band(name("air", k), p);
+    }
 
     /// Of the k-th surface, at the eye, without the air before it.
     double sent(int k, std::size_t p) const {
         const auto in_band = [&](const char* of) { return of_band(name(of, k), p); };
-        const auto id = static_cast<std::uint16_t>(at(name("material", k), p));
-        const Material& material = materials_[MaterialId{id}];
+        const double sky_and_all =
+            in_band("skylight") * in_band("reflectance_sky") * in_band("transmittance_sky") +
+            in_band("surroundings") * in_band("reflectance_surroundings") *
+                in_band("transmittance_surroundings") +
+            in_band("behind");
+        if (at(name("facet", k), p) < 0.0) {  // smoke, or the sky
+            return in_band("black") * in_band("emissivity") * in_band("transmittance");
+        }
+        const Material& material = this->material(k, p);
+        const double sun_here =
+            sun_ * at(name("sun_fraction", k), p) * at(name("cosine_sun", k), p);
         const double kelvins = at(name("temperature", k), p);
+        if (material.needs_rays()) {  // by the planes: the angle decides
+            const double black =
+                integral(band_, [&](double um) { return black_body(um, kelvins); });
+            return black * in_band("emissivity") * in_band("transmittance") +
+                   sun_here * in_band("reflectance_sun") * in_band("transmittance_sun") +
+                   sky_and_all;
+        }
         const double emitted = integral(band_, [&](double um) {
             const double reflected = material.reflectance.at(um);
             const double through =
@@ -111,26 +185,47 @@ class Redone {
         const double reflectance =
             integral(band_, [&](double um) { return material.reflectance.at(um); }) /
             (edges(band_)[1] - edges(band_)[0]);
-        const double sunlight =
-            sun_ * at(name("sun_fraction", k), p) * at(name("cosine_sun", k), p);
         return emitted * in_band("transmittance") +
-               sunlight * reflectance * in_band("transmittance_sun") +
-               in_band("skylight") * in_band("reflectance_sky") * in_band("transmittance_sky") +
-               in_band("surroundings") * in_band("reflectance_surroundings") *
-                   in_band("transmittance_surroundings") +
-               in_band("behind");
+               sun_here * reflectance * in_band("transmittance_sun") + sky_and_all;
     }
 
     const Frame& frame_;
     std::string band_;
     const MaterialLibrary& materials_;
     double sun_ = 0.0;
+    int surfaces_ = 0;
+    bool has_rays_ = false;  // planes of what is seen in mirrors and through panes
 };
 
 struct Found {
     double worst = 0.0;  // relative
     std::size_t pixels = 0, mixed = 0, partly_lit = 0, two_levels = 0;
+    std::size_t not_listed = 0;  // whose surfaces miss 0.5 % and more of the radiance
+    double off_fresnel = 0.0;    // the most of a reflectance
 };
+
+/// 200 pixels that see a mirror, as water and window glass are, straight.
+inline Found redo_mirrors(const Job& job, const std::string& observer, const std::string& band,
+                          const char* time) {
+    const Frame frame = job.frame(observer, band, time);
+    const Redone redone(frame, band, job.materials);
+    const std::vector<float>& radiance = frame["radiance." + band].pixel;
+    std::mt19937 random(11);
+    Found found;
+    for (int tries = 0; found.pixels < 200 && tries < 100000; ++tries) {
+        const std::size_t p = random() % frame.pixels();
+        if (redone.at("unlisted", p) > 0.0 || !redone.has_mirror(p)) continue;
+        const bool listed = std::abs(redone.rest(p)) < 0.005 * double(radiance[p]);
+        if (!listed) {
+            ++found.not_listed;
+            continue;
+        }
+        ++found.pixels;
+        found.off_fresnel = std::max(found.off_fresnel, redone.off_fresnel(p));
+        found.worst = std::max(found.worst, std::abs(redone.sum(p) / double(radiance[p]) - 1.0));
+    }
+    return found;
+}
 
 /// 200 pixels anywhere in the picture that are wholly listed; of those whose surface an edge of a
 /// shadow crosses, 40 if there are so many.

@@ -50,8 +50,8 @@ TEST_CASE("a street is redone from planes and library", "[whole][redone]") {
         CHECK(checked(job, "east", band, "200000").partly_lit > 2);
 }
 
-// Mirror, pane, net and smoke are in no surface; what is beside them is.
-TEST_CASE("what is beside a net and a mirror is redone from planes and library",
+// Anywhere in the picture, and where a mirror or a pane is seen.
+TEST_CASE("a net, a pane, a mirror and smoke are redone from planes and library",
           "[whole][redone]") {
     const std::string folder = std::string(DIURNA_SOURCE_DIR) + "/scenes/";
     std::ostringstream file;
@@ -66,10 +66,40 @@ TEST_CASE("what is beside a net and a mirror is redone from planes and library",
     text = with(text, "frame_every_s = 21600.0", "frame_every_s = 43200.0");
     text = with(text, "width = 480", "width = 160");
     text = with(text, "height = 240", "height = 80");
-    text = with(text, "terms = true", "surfaces = 8");
+    text = with(text, "terms = true", "surfaces = 24");
     text = with(text, "\"visible\", \"mwir\", \"lwir\"", "\"3-5\", \"8-12\", \"0.62-0.66\"");
     text = with(text, "step_s = 600.0", "step_s = 1200.0");
     text = with(text, "sky_rays = 64", "sky_rays = 32");
     const Job job(text);
-    for (const char* band : {"3-5", "8-12", "0.62-0.66"}) checked(job, "south", band, "160000");
+    for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {
+        checked(job, "south", band, "160000");
+        const Found mirrors = redo_mirrors(job, "south", band, "160000");
+        CAPTURE(band, mirrors.pixels, mirrors.worst, mirrors.not_listed);
+        CHECK(mirrors.pixels == 200);
+        CHECK(mirrors.worst < 0.005);
+    }
+}
+
+// A pond and a hangar's glass front, seen from low: what they mirror is listed with what is met
+// there, and the reflectances are those of the library's n and k.
+TEST_CASE("water and window glass are redone from planes and library", "[whole][redone]") {
+    std::string text = airfield() +
+                       "[[ground]]\nname = \"pond\"\nmaterial = \"water\"\nrectangle_m = [110.0, "
+                       "-40.0, 60.0, 40.0, 0.0]\nlargest_edge_m = 15.0\n";
+    text = with(text, "height_above_ground_m = 40.0",
+                "height_above_ground_m = " + std::string(GENERATE("15.0", "70.0")));
+    text = with(text, "look_at_m = [60.0, 0.0]", "look_at_m = [75.0, -60.0]");
+    text = with(text, "surfaces = 8", "surfaces = 24");
+    const Job job(text);
+    for (const char* time : {"040000", "120000", "200000"}) {
+        for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {
+            if (std::string(band) == "0.62-0.66" && std::string(time) == "040000") continue;
+            const Found found = redo_mirrors(job, "east", band, time);
+            CAPTURE(band, time, found.worst, found.not_listed, found.off_fresnel);
+            CHECK(found.pixels == 200);
+            CHECK(found.worst < 0.005);
+            CHECK(found.not_listed < 100);
+            CHECK(found.off_fresnel < 0.01);
+        }
+    }
 }

@@ -206,7 +206,8 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     const SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
     PixelSun pixel_sun = cast_pixel_sun(s.view, over, s.observer, s.sampling);
     if (!light.moon) {
-        set_pixel_heat(s.view, over, temperature, s.sampling.texture_levels, pixel_sun);
+        set_pixel_heat(s.view, over, prepared.scene.materials, temperature,
+                       s.sampling.texture_levels, pixel_sun);
     }
     Frame frame = render(s.view, s.observer, s.bands, now,
                          {.truth = true,

@@ -28,7 +28,7 @@ struct Warmed {
     Warmed(BoxStage& stage, const std::vector<float>& temperature) : picture(stage.picture()) {
         const RayScene rays(stage.facets);
         set_pixel_heat(picture.view, {rays, stage.facets, stage.fraction, stage.to_sun},
-                       temperature, nullptr, picture.sun);
+                       stage.materials, temperature, nullptr, picture.sun);
         for (std::size_t e = 0; e < picture.sun.sighting.size(); ++e) {
             kelvins.push_back(temperature[facet(e)] + picture.sun.warmer[e]);
         }

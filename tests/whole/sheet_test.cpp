@@ -187,6 +187,44 @@ TEST_CASE("which side of a sheet is its front makes no difference", "[whole][she
     }
 }
 
+// Nothing emits: where the sun shines a thin sheet is warmer than the air by the beam over the
+// films of its two faces, in the shadow of a pole as warm as the air, though none of its facets of
+// two metres lies in that shadow wholly.
+TEST_CASE("a narrow shadow on large facets of a sheet is as cold as the air",
+          "[whole][sheet][sun]") {
+    const std::string sheet = "v 0 -4 0\nv 0 4 0\nv 0 4 4\nv 0 -4 4\n",
+                      faces = GENERATE("f 1 2 3 4\n", "f 4 3 2 1\n");
+    const double beam = 800.0;
+    const ScratchFolder folder("narrow");
+    write_scene(folder.path, {.mesh = sheet + faces + block(3.0, 3.3, -0.25, 0.25, 9.0),
+                              .height = 0.0,
+                              .beam = beam,
+                              .black = 0.0,
+                              .frame_every = 3600.0,
+                              .observer = "place_m = [14.0, -14.0]\nheight_above_ground_m = 4.0\n"
+                                          "look_at_m = [-1.6, 0.0]\nhorizontal_fov_deg = 12.0\n"
+                                          "surfaces = 1\n"});
+    JobOptions options;
+    options.out = folder.path / "out";
+    options.progress = ProgressStyle::silent;
+    run_job(read_scene(folder.path / "scene.toml"), options);
+    const Frame frame = read_exr(folder.path / "out/frames/o_8-12_20260320T090000Z.exr");
+    const double whole = beam * std::sin(radians(46.9)) / (2.0 * film);
+    int shaded = 0, lit = 0;
+    for (std::size_t p = 0; p < frame.pixels(); ++p) {
+        if (frame["weight_1"].pixel[p] < 0.999f || frame["normal.X"].pixel[p] < 0.9f) continue;
+        if (std::abs(frame["range"].pixel[p] - 21.0f) > 4.0f) continue;  // the pole is nearer
+        const double share = double(frame["sun_fraction_1"].pixel[p]);
+        shaded += share == 0.0;
+        lit += share == 1.0;
+        CAPTURE(faces, share);
+        REQUIRE(double(frame["temperature_1"].pixel[p]) ==
+                Approx(air + share * whole).margin(0.02 * whole));
+    }
+    CHECK(shaded > 5);
+    CHECK(lit > 100);
+}
+
 // 5 cm of felt, heated in front: a slab between two films in steady state. A camera below it looks
 // at its underside, one above at its front.
 TEST_CASE("a camera below a sheet sees its underside", "[whole][sheet]") {

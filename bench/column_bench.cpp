@@ -52,6 +52,7 @@ struct Sample {
             view.below.push_back(whole.below[f]);
             view.shares.push_back(whole.shares[f]);
         }
+        facets.object.assign(wanted, ObjectId{0});  // ground: none has another side
         view.others.row.assign(wanted + 1, 0);
         std::vector<std::uint32_t> asked;
         std::vector<float> answer(all.size(), 0.0f);

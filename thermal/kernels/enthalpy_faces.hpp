@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
+#include "materials/air/saturation.hpp"
+#include "materials/base/fast_exp.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/kernels/enthalpy_laws.hpp"
-#include "thermal/surface/frost.hpp"
 #include "thermal/surface/stored_flux.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
@@ -16,70 +18,152 @@ namespace diurna {
 
 namespace {
 
+/// Films and dry losses of skins, and the vapour above them [lane]: in short loops, as the
+/// compiler makes no vectors of long ones.
+struct SkinState {
+    alignas(64) double h[W], steep[W], dry[W], dry_slope[W];
+    alignas(64) double pressure[W], pressure_slope[W];  // of saturation [Pa]
+};
 template <FilmKind Kind>
-[[gnu::always_inline]] inline Film skin_film(const EnthalpySurface& s, const AirFilm& air,
-                                             std::size_t l, double t) {
-    Film film = film_of<Kind>(air, s.natural[l], t);
-    const bool fallen = film.h < s.least_film[l];
-    film.h = fallen ? s.least_film[l] : film.h;
-    film.rise = fallen ? 0.0 : film.rise;
-    film.slope = fallen ? 0.0 : film.slope;
-    return film;
+void films_of(const EnthalpySurface& s, const double* temperature, SkinState& skin) {
+    // A copy where scalars choose between branches: no store through a pointer can change it.
+    const std::conditional_t<on_ground<Kind>, const LaneAir&, LaneAir> air_at = *s.air;
+    const double radiation = s.emissivity * stefan_boltzmann;
+    const double* const least = s.least_film;
+#pragma omp simd
+    for (std::size_t l = 0; l < W; ++l) {
+        const AirFilm& air = air_at(l);
+        const double t = temperature[l], floor = least[l];
+        Film film = film_of<Kind>(air, s.natural[l], t);
+        const double holds = film.h < floor ? 0.0 : 1.0;  // no less of a skin over snow
+        film.h = std::max(film.h, floor);
+        film.rise *= holds;
+        const DryLoss dry = dry_loss(air, film, radiation, t);
+        skin.h[l] = film.h;
+        skin.steep[l] = holds * film.slope;
+        skin.dry[l] = dry.emitted + dry.sensible;
+        skin.dry_slope[l] = dry.slope;
+    }
+}
+/// saturation_over_frost of all lanes.
+void saturate(const double* temperature, SkinState& skin) {
+    alignas(64) double a[W], rest[W], scale[W], factor[W];
+#pragma omp simd
+    for (std::size_t l = 0; l < W; ++l) {
+        const bool ice = temperature[l] < triple_point;
+        const double b = ice ? over_ice.b : over_water.b;
+        a[l] = ice ? over_ice.a : over_water.a;
+        const double t = std::min(std::max(temperature[l], coldest_vapour), hottest_vapour);
+        const double inverse = 1.0 / (t - b);
+        const ExpParts parts = exp_parts(a[l] * (t - triple_point) * inverse);
+        rest[l] = parts.rest;
+        scale[l] = parts.scale;
+        factor[l] = a[l] * (triple_point - b) * inverse * inverse;
+    }
+#pragma omp simd
+    for (std::size_t l = 0; l < W; ++l) {
+        const double pressure = triple_point_pressure * scale[l] * exp_series(rest[l]);
+        const double slope = pressure * factor[l];
+        skin.pressure[l] = pressure + slope * std::max(0.0, temperature[l] - hottest_vapour);
+        skin.pressure_slope[l] = slope;
+    }
+}
+template <FilmKind Kind>
+void skins_at(const EnthalpySurface& s, const double* temperature, SkinState& skin) {
+    films_of<Kind>(s, temperature, skin);
+    saturate(temperature, skin);
+}
+void skins_of(const EnthalpySurface& s, const double* temperature, SkinState& skin) {
+    by_kind(s.air->kind, false,
+            [&]<FilmKind Kind, bool>() { skins_at<Kind>(s, temperature, skin); });
+}
+/// frost_vapour of all lanes: pressure above the air's, and the heat that vapour carries.
+struct LaneVapour {
+    alignas(64) double excess[W], heat[W], heat_slope[W];
+};
+void vapour_over(const EnthalpySurface& s, const SkinState& skin, const double* temperature,
+                 double carries, LaneVapour& v) {
+    const LaneAir& air = *s.air;
+#pragma omp simd
+    for (std::size_t l = 0; l < W; ++l) {
+        const double vapour = carries * air.latent[l], more = air.of_ice[l] - 1.0;
+        const double cold = (zero_celsius - temperature[l]) * (1.0 / freezing_span);
+        const double above = cold > 0.0 ? cold : 0.0, frozen = above < 1.0 ? above : 1.0;
+        const double blends = above - frozen == 0.0 ? 1.0 / freezing_span : 0.0;
+        v.excess[l] = skin.pressure[l] - air.vapour_pressure[l];
+        v.heat[l] = vapour * (1.0 + frozen * more);
+        v.heat_slope[l] = cold > 0.0 ? -blends * vapour * more : 0.0;
+    }
 }
 
 /// The balance of the skins at temperatures [lane].
-template <FilmKind Kind>
-void balance_of(const EnthalpySurface& s, const double* temperature, double* flux, double* slope) {
-    const AirFilm air = s.air;
-    const double radiation = s.emissivity * stefan_boltzmann;
-    const double of_ice = latent_heat_of_sublimation(air.air_temperature) /
-                          latent_heat_of_vaporisation(air.air_temperature);
-    const double vapour = s.evaporates ? air.latent : 0.0;
+void balance_at(const EnthalpySurface& s, const double* temperature, double* flux, double* slope) {
+    SkinState skin;
+    skins_of(s, temperature, skin);
+    const LaneAir& air = *s.air;
+    const double wetness = air.wetness, resistance = air.resistance;
+    const double *const share = s.wet_share, *const film = s.phase_film;
+    const double *const frost = s.frost_heat, *const water = s.water_heat, *const heat = s.heat;
+    alignas(64) double latent[W], latent_slope[W];
+    LaneVapour v;
+    vapour_over(s, skin, temperature, s.evaporates ? 1.0 : 0.0, v);
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
-        const double t = temperature[l];
-        const Film film = skin_film<Kind>(s, air, l, t);
-        const DryLoss dry = dry_loss(air, film, radiation, t);
-        const SurfaceFlux wet = stored_latent(air, film, vapour, of_ice, s.wet_share[l], t);
-        const SurfaceFlux melt = melting_flux(s.phase_film[l], s.frost_heat[l], s.water_heat[l], t);
-        flux[l] = s.heat[l] - dry.emitted - dry.sensible + wet.flux + melt.flux;
-        slope[l] = wet.slope + melt.slope - dry.slope;
+        // stored_latent: the wet share free, the rest through the surface's resistance.
+        const double h = skin.h[l], capacity = air.heat_capacity[l], wet = share[l];
+        const double excess = v.excess[l], carried = v.heat[l];
+        const double drying = excess > 0.0 ? 1.0 : 0.0;
+        const double held = (1.0 - wet) * (1.0 - drying * (1.0 - wetness));
+        const double free_series = 1.0 / capacity;
+        const double series = 1.0 / (capacity + drying * resistance * h);
+        const double conductance = h * (wet * free_series + held * series);
+        const double steeper =
+            capacity * skin.steep[l] * (wet * free_series * free_series + held * series * series);
+        latent[l] = -carried * conductance * excess;
+        latent_slope[l] = -carried * (conductance * skin.pressure_slope[l] + steeper * excess) -
+                          v.heat_slope[l] * conductance * excess;
     }
-}
-void balance_at(const EnthalpySurface& s, const double* temperature, double* flux, double* slope) {
-    by_kind(s.air.kind, false,
-            [&]<FilmKind Kind, bool>() { balance_of<Kind>(s, temperature, flux, slope); });
+#pragma omp simd
+    for (std::size_t l = 0; l < W; ++l) {
+        const double k = film[l], most = frost[l], least = -water[l];
+        const double free = k * (temperature[l] - zero_celsius);
+        const double taken = std::min(std::max(free, least), most);
+        const double turning = (free > least) & (free < most) ? k : 0.0;
+        flux[l] = heat[l] - skin.dry[l] + latent[l] - taken;
+        slope[l] = latent_slope[l] - turning - skin.dry_slope[l];
+    }
 }
 
-template <FilmKind Kind>
-void store_of(const EnthalpySurface& s, const double* skin, double* wet_latent, double* melt) {
-    const AirFilm air = s.air;
-    const double of_ice = latent_heat_of_sublimation(air.air_temperature) /
-                          latent_heat_of_vaporisation(air.air_temperature);
+void store_at(const EnthalpySurface& s, const double* temperature, double* wet_latent,
+              double* melt) {
+    SkinState skin;
+    skins_of(s, temperature, skin);
+    const LaneAir& air = *s.air;
+    const double *const film = s.phase_film, *const frost = s.frost_heat,
+                        *const water = s.water_heat;
+    LaneVapour v;
+    vapour_over(s, skin, temperature, 1.0, v);
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
-        const double t = skin[l];
-        const Film film = skin_film<Kind>(s, air, l, t);
-        const FrostVapour vapour = frost_vapour(air, air.latent, of_ice, t);
-        wet_latent[l] = latent_of(air, film, vapour, 1.0, 0.0).flux;
-        melt[l] = melting_flux(s.phase_film[l], s.frost_heat[l], s.water_heat[l], t).flux;
+        wet_latent[l] = -v.heat[l] * skin.h[l] / air.heat_capacity[l] * v.excess[l];
+        const double most = frost[l], least = -water[l];
+        const double free = film[l] * (temperature[l] - zero_celsius);
+        melt[l] = -std::min(std::max(free, least), most);
     }
-}
-void store_at(const EnthalpySurface& s, const double* skin, double* wet_latent, double* melt) {
-    by_kind(s.air.kind, false,
-            [&]<FilmKind Kind, bool>() { store_of<Kind>(s, skin, wet_latent, melt); });
 }
 
 /// What reaches the ground at its temperatures [lane]: the skin's balance, through the snow that
 /// lies on it.
-void into_ground(const EnthalpySurface& s, const double* ground, double* skin, double* flux,
-                 double* slope) {
+///
+/// settled  [K] of the skin's last correction, which is applied: what is left goes with its square
+void into_ground(const EnthalpySurface& s, const double* ground, double settled, double* skin,
+                 double* flux, double* slope) {
     if (!s.cover) {
         std::copy_n(ground, W, skin);
         balance_at(s, ground, flux, slope);
         return;
     }
-    double low[W], high[W], step[W];
+    alignas(64) double low[W], high[W], step[W];
     std::fill_n(low, W, coldest_node);
     std::fill_n(high, W, hottest_node);
     for (int i = 0; i < 120; ++i) {
@@ -99,7 +183,7 @@ void into_ground(const EnthalpySurface& s, const double* ground, double* skin, d
             flux[l] += slope[l] * (next - skin[l]);
             skin[l] = next;
         }
-        if (worst < 1e-8) break;
+        if (worst < settled) break;
     }
 #pragma omp simd
     for (std::size_t l = 0; l < W; ++l) {
@@ -108,26 +192,48 @@ void into_ground(const EnthalpySurface& s, const double* ground, double* skin, d
     }
 }
 
+/// What plates' backs lose and are given at temperatures [lane].
+template <FilmKind Kind>
+void back_of_plate(const EnthalpySurface& s, const double* t, double* flux, double* slope) {
+    const std::conditional_t<on_ground<Kind>, const LaneAir&, LaneAir> air_at = *s.air;
+    const double radiation = s.back_emissivity * stefan_boltzmann;
+#pragma omp simd
+    for (std::size_t l = 0; l < W; ++l) {
+        const AirFilm& air = air_at(l);
+        const NaturalFilm& front = s.natural[l];  // turned over
+        const NaturalFilm own{.side = -front.side,
+                              .quarter = front.quarter,
+                              .third = front.third,
+                              .conduct = front.conduct,
+                              .sixth = front.sixth,
+                              .laminar = front.laminar,
+                              .turbulent = front.turbulent,
+                              .edge = front.edge};
+        const SurfaceFlux back = surface_flux<Kind, false>(air, own, radiation, 0.0, t[l]);
+        flux[l] = back.flux + s.behind[l];
+        slope[l] = back.slope;
+    }
+}
 /// Into the last nodes from below, at temperatures [lane].
 void from_below(const EnthalpySurface& s, const EnthalpyColumn& c, const double* t, double* flux,
                 double* slope) {
     if (s.behind) {
-        const BackFace face{s.back_emissivity, 0.0, false};
-        for (std::size_t l = 0; l < W; ++l) {
-            const SurfaceFlux back = back_flux(s.air, s.natural[l], face, t[l]);
-            flux[l] = back.flux + s.behind[l];
-            slope[l] = back.slope;
-        }
+        by_kind(s.air->kind, false,
+                [&]<FilmKind Kind, bool>() { back_of_plate<Kind>(s, t, flux, slope); });
     } else if (c.below_is_link) {
-        const double there = potential_of(c.below_link, c.below_temperature);
+        const EnthalpyLink link = c.below_link;
+        const double there = potential_of(link, c.below_temperature);
+#pragma omp simd
         for (std::size_t l = 0; l < W; ++l) {
-            flux[l] = c.below_link.per_width * (there - potential_of(c.below_link, t[l]));
-            slope[l] = -c.below_link.per_width * conductivity_of(c.below_link, t[l]);
+            flux[l] = link.per_width * (there - potential_of(link, t[l]));
+            slope[l] = -link.per_width * conductivity_of(link, t[l]);
         }
     } else {
+        const double into = c.below_flux, k = c.below_conductance, there = c.below_temperature;
+#pragma omp simd
         for (std::size_t l = 0; l < W; ++l) {
-            flux[l] = c.below_flux + c.below_conductance * (c.below_temperature - t[l]);
-            slope[l] = -c.below_conductance;
+            flux[l] = into + k * (there - t[l]);
+            slope[l] = -k;
         }
     }
 }

@@ -3,20 +3,18 @@
 #include <cstddef>
 
 #include "thermal/column/enthalpy_column.hpp"
-#include "thermal/surface/turbulence.hpp"
+#include "thermal/kernels/lane_air.hpp"
 
 namespace diurna {
 
 // An implicit stage of columns whose water freezes and melts and on which water and snow lie, side
 // by side, as plain arrays: what the loops compiled for each width of vectors take
 // (thermal/kernels/enthalpy_loops.hpp). Nothing here allocates or throws. All lanes are computed,
-// used or not.
-
-inline constexpr std::size_t enthalpy_lanes = 8;
+// used or not; each has air and a length of step of its own.
 
 /// What stands above the columns during a stage [lane].
 struct EnthalpySurface {
-    AirFilm air;
+    const LaneAir* air;
     const NaturalFilm* natural;
     const double* heat;        // [W m⁻²] absorbed sun and longwave, internal
     const double* wet_share;   // covered by water or frost, evaporating freely
@@ -34,7 +32,7 @@ struct EnthalpySurface {
 /// heat content = target + tau · fluxes, for every node; arrays [node][lane] and [lane].
 struct EnthalpyStage {
     const EnthalpyColumn& column;
-    double tau;                   // [s]
+    const double* tau;            // [s]
     const double* begin;          // state u that the step sets out from
     const double* target;         // [J m⁻²] above that
     double* by;                   // in: a guess; out: how far each node has come
@@ -43,21 +41,20 @@ struct EnthalpyStage {
     double *flux, *slope;         // out: into the ground [W m⁻²], and d/dT of the ground
     double *below, *below_slope;  // out: the same at the other end
     double* taken;                // out: [W m⁻²] by the ground, from its own side
-};
-
-struct EnthalpyCount {
-    bool solved = true;
-    int passes = 0, iterations = 0;
+    double* solved;               // out: 1, or 0 of lanes whose equations are not
 };
 
 struct EnthalpyKernel {
-    EnthalpyCount (*solve)(const EnthalpySurface&, const EnthalpyStage&);
+    /// Returns how many sweeps it took.
+    int (*solve)(const EnthalpySurface&, const EnthalpyStage&);
     /// At the skins' temperatures [lane]: latent heat per unit wet share, and that of melting
     /// [W m⁻²].
     void (*store)(const EnthalpySurface&, const double* skin, double* wet_latent, double* melt);
-    /// The linearised stage, (heat slope / tau + fluxes' slopes) right, solved for `columns`
-    /// right-hand sides [node][column][lane], in place. u: where the stage has led.
-    void (*carry)(const EnthalpyStage&, const double* u, std::size_t columns, double* right);
+    /// What a step makes of `columns` deviations of its start, [node][column][lane], in place: one
+    /// implicit stage of length tau [lane] from e.begin to u, with the slopes e.slope and
+    /// e.below_slope; lanes whose `taken` is 0 keep theirs. Single precision, as it serves Newton.
+    void (*carry)(const EnthalpyStage&, const double* tau, const double* u, const double* taken,
+                  std::size_t columns, float* map);
 };
 extern const EnthalpyKernel enthalpy_avx2, enthalpy_avx512;
 

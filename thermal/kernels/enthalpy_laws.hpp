@@ -7,7 +7,7 @@
 #include "thermal/kernels/enthalpy_kernel.hpp"
 
 // How a node's temperature, heat and conductivity follow its state u, and where they bend: for the
-// loops of enthalpy_faces.hpp and enthalpy_loops.hpp.
+// loops of enthalpy_faces.hpp and enthalpy_loops.hpp. No branch: one law holds for all nodes.
 
 namespace diurna {
 
@@ -17,42 +17,59 @@ constexpr std::size_t W = enthalpy_lanes;
 constexpr double past_kink = 1e-9;                           // beyond a bend, in u
 constexpr double coldest_node = 1.0, hottest_node = 5000.0;  // [K]
 
-[[gnu::always_inline]] inline double theta_of(const EnthalpyNode& n, double u) {
-    if (n.latent == 0.0) return u;
-    return std::min(u, 0.0) + (n.drains ? 0.0 : std::max(u - 1.0, 0.0));
+/// A node whose water is frozen below u = 0, thawed from u = `melted` on: 1; beyond all u where it
+/// drains (snow); 0 of a node without water.
+struct NodeLaw {
+    double zero, melted;
+    double frozen, latent, thawed;
+    bool plain;
+
+    explicit NodeLaw(const EnthalpyNode& n)
+        : zero(n.zero),
+          melted(n.latent == 0.0 ? 0.0
+                 : n.drains      ? 1e300
+                                 : 1.0),
+          frozen(n.latent == 0.0 ? n.thawed : n.frozen),
+          latent(n.latent),
+          thawed(n.thawed),
+          plain(n.latent == 0.0) {}
+};
+/// [K] T − zero
+[[gnu::always_inline]] inline double theta_of(const NodeLaw& n, double u) {
+    return std::min(u, 0.0) + std::max(u - n.melted, 0.0);
 }
-[[gnu::always_inline]] inline double bend_of(const EnthalpyNode& n, double u) {
-    if (n.latent == 0.0) return 1.0;
-    return u <= 0.0 || (!n.drains && u >= 1.0) ? 1.0 : 0.0;
+[[gnu::always_inline]] inline double bend_of(const NodeLaw& n, double u) {
+    const double solid = u <= 0.0 ? 1.0 : 0.0;
+    return u >= n.melted ? 1.0 : solid;
 }
-[[gnu::always_inline]] inline double heat_slope_of(const EnthalpyNode& n, double u) {
-    if (n.latent == 0.0) return n.thawed;
-    return u <= 0.0 ? n.frozen : (n.drains || u < 1.0 ? n.latent : n.thawed);
+[[gnu::always_inline]] inline double heat_slope_of(const NodeLaw& n, double u) {
+    const double above = u < n.melted ? n.latent : n.thawed;
+    return u <= 0.0 ? n.frozen : above;
 }
-[[gnu::always_inline]] inline double heat_of(const EnthalpyNode& n, double u) {
-    const double most = n.drains ? 1e300 : 1.0;
-    return n.frozen * std::min(u, 0.0) + n.latent * std::min(std::max(u, 0.0), most) +
-           n.thawed * std::max(u - most, 0.0);
+[[gnu::always_inline]] inline double heat_of(const NodeLaw& n, double u) {
+    return n.frozen * std::min(u, 0.0) + n.latent * std::min(std::max(u, 0.0), n.melted) +
+           n.thawed * std::max(u - n.melted, 0.0);
 }
-[[gnu::always_inline]] inline double gain_of(const EnthalpyNode& n, double u, double by) {
-    return n.latent == 0.0 ? n.thawed * by : heat_of(n, u + by) - heat_of(n, u);
+[[gnu::always_inline]] inline double gain_of(const NodeLaw& n, double u, double by) {
+    const double through = heat_of(n, u + by) - heat_of(n, u);
+    return n.plain ? n.thawed * by : through;
 }
+/// As far as the first bend on the way, of a node with water.
+[[gnu::always_inline]] inline double halted(const NodeLaw& n, double from, double to) {
+    const double m = n.melted;
+    double at = to;
+    at = (from >= 0.0) & (from < m) & (to > m) ? m + past_kink : at;
+    at = (from > m) & (to < m) ? m - past_kink : at;
+    at = (from > 0.0) & (from <= m) & (to < 0.0) ? -past_kink : at;
+    return (from < 0.0) & (to > 0.0) ? past_kink : at;
+}
+
 /// ∫k dT from melting on, and k.
 [[gnu::always_inline]] inline double conductivity_of(const EnthalpyLink& link, double t) {
     return t < zero_celsius ? link.frozen : link.thawed;
 }
 [[gnu::always_inline]] inline double potential_of(const EnthalpyLink& link, double t) {
     return conductivity_of(link, t) * (t - zero_celsius);
-}
-/// As far as the first bend on the way.
-[[gnu::always_inline]] inline double halted(const EnthalpyNode& n, double from, double to) {
-    double at = to;
-    if (!n.drains) {
-        at = from >= 0.0 && from < 1.0 && to > 1.0 ? 1.0 + past_kink : at;
-        at = from > 1.0 && to < 1.0 ? 1.0 - past_kink : at;
-    }
-    at = from > 0.0 && from <= 1.0 && to < 0.0 ? -past_kink : at;
-    return from < 0.0 && to > 0.0 ? past_kink : at;
 }
 
 }  // namespace

@@ -326,16 +326,17 @@ void PointFacets::run_groups(const Level& level, std::vector<FacetPoint*> waitin
     column_.resize(level.kind.size());
     const auto kind_of = [&](const FacetPoint* p) { return solve_.block[p->block].material; };
     const auto key = [&](const FacetPoint* p) {
-        return std::tuple(kind_of(p), solve_.block[p->block].behind.empty(),
-                          height_slice(solve_, p->facet));
+        const Block& block = solve_.block[p->block];
+        return std::tuple(block.material, block.behind.empty(), block.sheltered);
     };
     std::stable_sort(waiting.begin(), waiting.end(),
                      [&](const FacetPoint* a, const FacetPoint* b) { return key(a) < key(b); });
+    // The more, the better the lanes are filled; the fewer, the better the processors.
+    const std::size_t most = enthalpy_lanes * std::clamp<std::size_t>(waiting.size() / 128, 2, 16);
     std::vector<std::span<FacetPoint* const>> group;
     for (std::size_t from = 0; from < waiting.size();) {
         std::size_t to = from + 1;
-        while (to < waiting.size() && to - from < enthalpy_lanes &&
-               key(waiting[to]) == key(waiting[from])) {
+        while (to < waiting.size() && to - from < most && key(waiting[to]) == key(waiting[from])) {
             ++to;
         }
         group.push_back(std::span(waiting).subspan(from, to - from));

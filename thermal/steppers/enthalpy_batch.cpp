@@ -5,7 +5,7 @@
 
 #include "materials/base/units.hpp"
 #include "thermal/column/column.hpp"
-#include "thermal/surface/canopy.hpp"
+#include "thermal/steppers/lying_lanes.hpp"
 
 namespace diurna {
 
@@ -14,100 +14,60 @@ namespace {
 constexpr std::size_t W = enthalpy_lanes;
 using Lanes = EnthalpyBatch::Lanes;
 
-/// What lies on the surfaces over a step, and what they are like then.
-struct Covered {
-    std::array<StoreRates, W> rates;
-    std::array<Lying, W> lying;
-    EnthalpyBatch::Met met;
-};
-constexpr double no_snow = 1e7;  // [W m⁻² K⁻¹] between a skin without snow and the ground
-
-bool snow_lies(const ThermalSurface& surface) { return !surface.snow_albedo.has_value(); }
-
-/// The balance's albedo where none is measured, of a surface as wet and as white.
-double albedo_of(const EnthalpyBatch& batch, std::size_t l, double wet, double cover, double snow) {
-    const ThermalSurface& surface = *batch.surface;
-    if (surface.snow_albedo) return batch.snow_albedo[l];
-    double albedo = surface.albedo;
-    if (surface.store.wet_albedo >= 0.0) albedo += wet * (surface.store.wet_albedo - albedo);
-    return albedo + cover * (snow - albedo);
-}
-
-void lie(const EnthalpyBatch& batch, double step, Covered& covered) {
-    const ThermalSurface& surface = *batch.surface;
-    EnthalpyBatch::Met& met = covered.met;
-    met.covered = false;
-    for (std::size_t l = 0; l < W; ++l) {
-        const Standing& at = batch.standing[l];
-        const StoreCapacity& capacity = batch.capacity[l];
-        Lying& lying = covered.lying[l];
-        if (batch.stores()) {
-            lying = lying_over(at, capacity, covered.rates[l], lying.rain, lying.snow, step);
-        }
-        const SnowCover snow = snow_lies(surface)
-                                   ? snow_cover(lying.middle.frost, surface.roughness_length)
-                                   : SnowCover{};
-        const double wet =
-            capacity.any() ? std::min(1.0, lying.middle.water / capacity.water_mm) : 0.0;
-        met.wet_share[l] = lying.wet_share;
-        met.cover[l] = snow.conductance > 0.0 ? snow.conductance : no_snow;
-        met.covered = met.covered || snow.conductance > 0.0;
-        met.phase_film[l] = snow.phase_film;
-        met.frost_heat[l] = (at.frost + capacity.caught * lying.snow) * heat_of_fusion / step;
-        met.water_heat[l] = (at.water + lying.rain) * heat_of_fusion / step;
-        const double white = aged_albedo({}, batch.snow_albedo[l], covered.rates[l].melting > 0.0,
-                                         0.5 * lying.snow, 0.5 * step);
-        met.albedo[l] = albedo_of(batch, l, wet, snow.share, white);
-    }
-}
-
 /// Memory of a step, which is shorter than an allocation.
 struct Memory {
-    std::vector<double> by, target, work, begin, start, given;
-    void fit(std::size_t nodes, std::size_t columns) {
+    std::vector<double> by, target, work, end;
+    void fit(std::size_t nodes) {
         by.assign(nodes * W, 0.0);
         target.assign(nodes * W, 0.0);
         work.resize(3 * nodes * W);
-        start.resize(nodes * columns * W);
-        given.resize(nodes * columns * W);
+        end.resize(nodes * W);
     }
 };
 
-double heat_of(const EnthalpyNode& n, double u) {
-    if (n.latent == 0.0) return n.thawed * u;
-    const double most = n.drains ? 1e300 : 1.0;
-    return n.frozen * std::min(u, 0.0) + n.latent * std::clamp(u, 0.0, most) +
-           n.thawed * std::max(u - most, 0.0);
-}
-double gain_of(const EnthalpyNode& n, double u, double by) {
-    return n.latent == 0.0 ? n.thawed * by : heat_of(n, u + by) - heat_of(n, u);
-}
-double heat_slope_of(const EnthalpyNode& n, double u) {
-    if (n.latent == 0.0) return n.thawed;
-    return u <= 0.0 ? n.frozen : (n.drains || u < 1.0 ? n.latent : n.thawed);
-}
+/// Heat of a node from u = 0 on; one law holds for nodes with water and without.
+struct NodeHeat {
+    double frozen, latent, thawed, melted;
+    explicit NodeHeat(const EnthalpyNode& n)
+        : frozen(n.latent == 0.0 ? n.thawed : n.frozen),
+          latent(n.latent),
+          thawed(n.thawed),
+          melted(n.latent == 0.0 ? 0.0
+                 : n.drains      ? 1e300
+                                 : 1.0) {}
+    double of(double u) const {
+        return frozen * std::min(u, 0.0) + latent * std::min(std::max(u, 0.0), melted) +
+               thawed * std::max(u - melted, 0.0);
+    }
+    double gain(double u, double by) const {
+        const double through = of(u + by) - of(u);
+        return latent == 0.0 ? thawed * by : through;
+    }
+};
 
 /// What a step leaves behind of its stages.
 struct StageEnd {
-    Lanes least_film, skin, flux, slope, below, below_slope, taken, heat;
+    alignas(64) Lanes melt, tau, weight, least_film, skin, flux, slope, below,
+        below_slope, taken, heat, solved;
 };
 
 /// The surface of a stage; the lanes it points to must live.
 EnthalpySurface surface_of(const EnthalpyBatch& batch, const EnthalpyForcing& f, std::size_t k,
                            const Covered& covered, StageEnd& at) {
     const ThermalSurface& surface = *batch.surface;
-    const double measured = f.measured_albedo[k];
-    const double fullest = covered.met.covered ? fullest_film(f.air[k]) : 0.0;
-    Lanes& heat = at.heat;
+    const LaneAir& air = f.air[k];
+    const double share = batch.fullest;
     for (std::size_t l = 0; l < W; ++l) {
-        at.least_film[l] = covered.met.cover[l] < no_snow ? fullest : 0.0;
+        const bool stable = covered.met.cover[l] < no_snow && air.instability[l] > 0.0;
+        at.least_film[l] = stable && share > 0.0 ? air.neutral[l] * share + air.least[l] : 0.0;
+        const double measured = f.measured_albedo[k][l];
         const double albedo = std::isnan(measured) ? covered.met.albedo[l] : measured;
-        heat[l] = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * f.sunlight[k][l] +
-                  surface.emissivity * f.longwave[k][l] + surface.internal_heat;
+        at.heat[l] = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * f.sunlight[k][l] +
+                     surface.emissivity * f.longwave[k][l] + surface.internal_heat;
     }
-    return {.air = f.air[k],
+    return {.air = &air,
             .natural = batch.natural.data(),
-            .heat = heat.data(),
+            .heat = at.heat.data(),
             .wet_share = covered.met.wet_share.data(),
             .frost_heat = covered.met.frost_heat.data(),
             .water_heat = covered.met.water_heat.data(),
@@ -120,235 +80,223 @@ EnthalpySurface surface_of(const EnthalpyBatch& batch, const EnthalpyForcing& f,
             .back_emissivity = surface.back ? surface.back->emissivity : 0.0};
 }
 
-/// Right-hand sides of the linearised stages: heat slopes times the map, then the second stage's.
-void begin_map(const EnthalpyBatch& batch, Memory& memory) {
-    const std::size_t row = batch.columns * W;
-    for (std::size_t i = 0; i < batch.column->node.size(); ++i) {
-        alignas(64) double slope[W];
-        for (std::size_t l = 0; l < W; ++l) {
-            slope[l] = heat_slope_of(batch.column->node[i], batch.u[i * W + l]);
-        }
-        const double* const map = batch.map.data() + i * row;
-        double *const given = memory.given.data() + i * row, *const start =
-                                                                 memory.start.data() + i * row;
-        for (std::size_t j = 0; j < row; j += W) {
-#pragma omp simd
-            for (std::size_t l = 0; l < W; ++l) given[j + l] = start[j + l] = slope[l] * map[j + l];
-        }
+EnthalpyStage stage_of(const EnthalpyBatch& batch, Lanes& skin, Memory& memory, StageEnd& at) {
+    return {*batch.column,    at.tau.data(),      batch.u.data(),        memory.target.data(),
+            memory.by.data(), memory.work.data(), skin.data(),           at.flux.data(),
+            at.slope.data(),  at.below.data(),    at.below_slope.data(), at.taken.data(),
+            at.solved.data()};
+}
+
+/// How long the stages of each lane are, and what they count for.
+void set_stages(const EnthalpyForcing& f, std::array<StageEnd, 2>& end) {
+    for (std::size_t l = 0; l < W; ++l) {
+        const double part = sdirk_gamma * f.duration[l];
+        end[0].tau[l] = part;
+        end[1].tau[l] = f.gentle[l] ? f.duration[l] : part;
+        end[0].weight[l] = f.gentle[l] ? 0.0 : stage_weight[0];
+        end[1].weight[l] = f.gentle[l] ? 1.0 : stage_weight[1];
     }
 }
-void go_on_map(const EnthalpyBatch& batch, const std::vector<double>& u, Memory& memory) {
-    const std::size_t row = batch.columns * W;
+
+/// The second stage sets out above the first's gain; gentle lanes as if there had been none.
+void go_on(const EnthalpyForcing& f, const EnthalpyBatch& batch, Lanes& skin, Memory& memory) {
+    alignas(64) Lanes onward;
+    bool gentle = false;
+    for (std::size_t l = 0; l < W; ++l) {
+        onward[l] = f.gentle[l] ? 0.0 : stage_onward;
+        gentle = gentle || f.gentle[l];
+    }
     for (std::size_t i = 0; i < batch.column->node.size(); ++i) {
-        alignas(64) double slope[W];
-        for (std::size_t l = 0; l < W; ++l) {
-            slope[l] = heat_slope_of(batch.column->node[i], u[i * W + l]);
-        }
-        double* const given = memory.given.data() + i * row;
-        const double* const start = memory.start.data() + i * row;
-        for (std::size_t j = 0; j < row; j += W) {
+        const NodeHeat heat(batch.column->node[i]);
+        const double *const u = batch.u.data() + i * W, *const by = memory.by.data() + i * W;
+        double* const target = memory.target.data() + i * W;
 #pragma omp simd
-            for (std::size_t l = 0; l < W; ++l) {
-                given[j + l] =
-                    start[j + l] + stage_onward * (slope[l] * given[j + l] - start[j + l]);
-            }
+        for (std::size_t l = 0; l < W; ++l) target[l] = onward[l] * heat.gain(u[l], by[l]);
+    }
+    for (std::size_t l = 0; gentle && l < W; ++l) {
+        if (!f.gentle[l]) continue;
+        skin[l] = batch.skin[l];
+        for (std::size_t i = 0; i < batch.column->node.size(); ++i) {
+            memory.by[i * W + l] = memory.target[i * W + l] = 0.0;
         }
     }
 }
 
 /// Both stages under what lies on the surfaces; `flows` [lane] get what they do to it.
-bool run_stages(const EnthalpyForcing& f, const Covered& covered, EnthalpyBatch& batch,
-                Memory& memory, std::array<StageEnd, 2>& end, std::array<StoreFlows, W>& flows) {
-    const EnthalpyColumn& column = *batch.column;
-    const std::size_t n = column.node.size();
+LaneMask run_stages(const EnthalpyForcing& f, const Covered& covered, EnthalpyBatch& batch,
+                    Memory& memory, std::array<StageEnd, 2>& end,
+                    std::array<StoreFlows, W>& flows) {
     const EnthalpyKernel& kernel = enthalpy_kernel();
-    memory.fit(n, batch.columns);
-    if (batch.columns > 0) begin_map(batch, memory);
+    memory.fit(batch.column->node.size());
+    set_stages(f, end);
     for (std::size_t l = 0; l < W; ++l) {
         flows[l] = {.rain = covered.lying[l].rain, .snow = covered.lying[l].snow};
     }
-    Lanes skin = batch.skin;
-    std::vector<double>& now = memory.begin;
-    for (std::size_t k = f.gentle ? 1 : 0; k < 2; ++k) {
+    alignas(64) Lanes skin = batch.skin;
+    LaneMask solved;
+    solved.fill(true);
+    for (std::size_t k = 0; k < 2; ++k) {
         StageEnd& at = end[k];
         const EnthalpySurface surface = surface_of(batch, f, k, covered, at);
-        const EnthalpyStage stage{column,
-                                  f.gentle ? f.duration : sdirk_gamma * f.duration,
-                                  batch.u.data(),
-                                  memory.target.data(),
-                                  memory.by.data(),
-                                  memory.work.data(),
-                                  skin.data(),
-                                  at.flux.data(),
-                                  at.slope.data(),
-                                  at.below.data(),
-                                  at.below_slope.data(),
-                                  at.taken.data()};
-        const EnthalpyCount count = kernel.solve(surface, stage);
-        batch.passes += count.passes;
-        ++batch.stages;
-        if (!count.solved) return false;
+        kernel.solve(surface, stage_of(batch, skin, memory, at));
         at.skin = skin;
-        if (batch.columns > 0) {
-            now.resize(n * W);
-            for (std::size_t i = 0; i < n * W; ++i) now[i] = batch.u[i] + memory.by[i];
-            kernel.carry(stage, now.data(), batch.columns, memory.given.data());
-            if (k == 0) go_on_map(batch, now, memory);
+        for (std::size_t l = 0; l < W; ++l) {
+            solved[l] = solved[l] && (at.solved[l] > 0.0 || (k == 0 && f.gentle[l]));
         }
         if (batch.stores()) {
-            Lanes wet, melt;
-            kernel.store(surface, skin.data(), wet.data(), melt.data());
+            alignas(64) Lanes wet;
+            kernel.store(surface, skin.data(), wet.data(), at.melt.data());
             for (std::size_t l = 0; l < W; ++l) {
-                add_stage({.weight = f.duration * (f.gentle ? 1.0 : stage_weight[k]),
-                           .air_temperature = f.air[k].air_temperature,
+                if (!solved[l] || at.weight[l] == 0.0) continue;
+                add_stage({.weight = f.duration[l] * at.weight[l],
+                           .air_temperature = f.air[k].temperature[l],
                            .surface = skin[l],
                            .wet_share = covered.met.wet_share[l],
                            .wet_latent = wet[l],
-                           .frost_melt = melt[l]},
+                           .frost_melt = at.melt[l]},
                           flows[l]);
             }
         }
-        for (std::size_t i = 0; k == 0 && i < n; ++i) {
-            for (std::size_t l = 0; l < W; ++l) {
-                const std::size_t at_node = i * W + l;
-                memory.target[at_node] =
-                    stage_onward * gain_of(column.node[i], batch.u[at_node], memory.by[at_node]);
-            }
-        }
+        if (k == 0) go_on(f, batch, skin, memory);
     }
-    return true;
+    return solved;
 }
 
-/// Counts what is not closed, and lets the column take over where the step has led.
-void arrive(const EnthalpyForcing& f, const std::array<StageEnd, 2>& end, EnthalpyBatch& batch,
-            Memory& memory) {
+/// Counts what is not closed.
+void count_closure(const EnthalpyForcing& f, const std::array<StageEnd, 2>& end,
+                   const Lanes& arrives, const Memory& memory, EnthalpyBatch& batch) {
     const EnthalpyColumn& column = *batch.column;
-    for (std::size_t l = 0; l < batch.count; ++l) {
-        double gained = 0.0, moved = 0.0, in = 0.0, through = 1e-3;
-        for (std::size_t i = 0; i < column.node.size(); ++i) {
-            const double gain = gain_of(column.node[i], batch.u[i * W + l], memory.by[i * W + l]);
-            gained += gain;
-            moved += std::abs(gain);
+    alignas(64) Lanes gained{}, moved{};
+    for (std::size_t i = 0; i < column.node.size(); ++i) {
+        const NodeHeat heat(column.node[i]);
+        const double *const u = batch.u.data() + i * W, *const by = memory.by.data() + i * W;
+#pragma omp simd
+        for (std::size_t l = 0; l < W; ++l) {
+            const double gain = heat.gain(u[l], by[l]);
+            gained[l] += gain;
+            moved[l] += std::abs(gain);
         }
-        for (std::size_t k = f.gentle ? 1 : 0; k < 2; ++k) {
-            const double weight = f.gentle ? 1.0 : stage_weight[k];
-            in += weight * (end[k].flux[l] + end[k].below[l]);
-            through += weight * (std::abs(end[k].flux[l]) + std::abs(end[k].below[l]) +
-                                 2.0 * std::abs(end[k].heat[l]));
-        }
-        const double scale = f.duration * through + moved;
-        batch.worst_closure =
-            std::max(batch.worst_closure, std::abs(gained - f.duration * in) / scale);
     }
+    for (std::size_t l = 0; l < W; ++l) {
+        double in = 0.0, through = 1e-3;
+        for (const StageEnd& at : end) {
+            in += at.weight[l] * (at.flux[l] + at.below[l]);
+            through += at.weight[l] *
+                       (std::abs(at.flux[l]) + std::abs(at.below[l]) + 2.0 * std::abs(at.heat[l]));
+        }
+        const double scale = f.duration[l] * through + moved[l];
+        const double open = std::abs(gained[l] - f.duration[l] * in) / scale;
+        if (arrives[l] > 0.0) batch.worst_closure[l] = std::max(batch.worst_closure[l], open);
+    }
+}
+
+/// Lets the columns take over where the step has led.
+void arrive(const EnthalpyForcing& f, std::array<StageEnd, 2>& end, const LaneMask& solved,
+            EnthalpyBatch& batch, Memory& memory) {
+    const EnthalpyColumn& column = *batch.column;
+    alignas(64) Lanes arrives;
+    for (std::size_t l = 0; l < W; ++l) arrives[l] = solved[l] ? 1.0 : 0.0;
+    count_closure(f, end, arrives, memory, batch);
     for (std::size_t i = 0; i < column.node.size(); ++i) {
         const EnthalpyNode& node = column.node[i];
+        const double most = node.drains ? node.held / node.latent : 1e300;
+        const double *const u = batch.u.data() + i * W, *const by = memory.by.data() + i * W;
+        double* const to = memory.end.data() + i * W;
+#pragma omp simd
         for (std::size_t l = 0; l < W; ++l) {
-            double& u = batch.u[i * W + l];
-            u += memory.by[i * W + l];
-            if (node.drains) u = std::min(u, node.held / node.latent);
+            to[l] = arrives[l] > 0.0 ? std::min(u[l] + by[l], most) : u[l];
         }
     }
-    batch.skin = end[1].skin;
-    batch.taken = end[1].taken;
-    if (batch.columns > 0) std::swap(batch.map, memory.given);
+    if (batch.columns > 0) {
+        // One implicit step in place of the two stages: what it misses of them Newton makes up.
+        const EnthalpyStage stage = stage_of(batch, end[1].skin, memory, end[1]);
+        enthalpy_kernel().carry(stage, f.duration.data(), memory.end.data(), arrives.data(),
+                                batch.columns, batch.map.data());
+    }
+    std::swap(batch.u, memory.end);
+    for (std::size_t l = 0; l < W; ++l) {
+        if (!solved[l]) continue;
+        batch.skin[l] = end[1].skin[l];
+        batch.taken[l] = end[1].taken[l];
+    }
 }
 
-/// The snow of the surfaces after a step: older, or new where none lies.
-void age_snow(double step, const StageEnd& end, const std::array<StoreFlows, W>& flows,
-              EnthalpyBatch& batch) {
-    const ThermalSurface& surface = *batch.surface;
-    const bool own = surface.snow_albedo.has_value();
-    if (!own && !batch.stores()) return;
-    const AgeingAlbedo law = surface.snow_albedo.value_or(AgeingAlbedo{});
+void take_met(const Covered& covered, const LaneMask& solved, EnthalpyBatch& batch) {
+    EnthalpyBatch::Met& met = batch.met;
     for (std::size_t l = 0; l < W; ++l) {
-        double& albedo = batch.snow_albedo[l];
-        if (!own && batch.standing[l].frost <= 0.0) {
-            albedo = law.fresh;
-            continue;
-        }
-        const bool melting = own ? end.skin[l] >= zero_celsius : flows[l].melt > 0.0;
-        albedo = aged_albedo(law, albedo, melting, flows[l].snow, step);
+        if (!solved[l]) continue;
+        met.wet_share[l] = covered.met.wet_share[l];
+        met.phase_film[l] = covered.met.phase_film[l];
+        met.frost_heat[l] = covered.met.frost_heat[l];
+        met.water_heat[l] = covered.met.water_heat[l];
+        met.albedo[l] = covered.met.albedo[l];
+        met.cover[l] = covered.met.cover[l];
     }
 }
 
 }  // namespace
 
-bool advance(const EnthalpyForcing& f, EnthalpyBatch& batch) {
+LaneMask advance(const EnthalpyForcing& f, EnthalpyBatch& batch) {
     constexpr int most_attempts = 6;
     static thread_local Memory memory;
-    Covered covered;
-    covered.rates = batch.rates;
-    const double snowing = snow_share(f.air_temperature);
-    for (std::size_t l = 0; l < W; ++l) {
-        const double fallen =
-            batch.rain_share[l] * std::max(0.0, f.rain_mm_h) * f.duration / 3600.0;
-        covered.lying[l].middle = batch.standing[l];
-        covered.lying[l].snow = snowing * fallen;
-        covered.lying[l].rain = fallen - covered.lying[l].snow;
-    }
+    Covered covered = begin_lying(f, batch);
     std::array<StageEnd, 2> end;
     std::array<StoreFlows, W> flows;
+    LaneMask solved;
     for (int attempt = 0;; ++attempt) {
-        lie(batch, f.duration, covered);
-        if (!run_stages(f, covered, batch, memory, end, flows)) return false;
+        lie(batch, f, covered);
+        solved = run_stages(f, covered, batch, memory, end, flows);
         if (!batch.stores() || attempt == most_attempts) break;
-        bool settled = true;
-        for (std::size_t l = 0; l < W; ++l) {
-            const StoreRates found = flows[l].rates(f.duration);
-            const Lying& lying = covered.lying[l];
-            settled = settled && alike(lying_over(batch.standing[l], batch.capacity[l], found,
-                                                  lying.rain, lying.snow, f.duration),
-                                       lying, batch.capacity[l]);
-            covered.rates[l] = attempt < 3 ? found : middle_of(covered.rates[l], found);
+        if (settle_rates(f, batch, flows, solved, attempt, covered)) break;
+    }
+    arrive(f, end, solved, batch, memory);
+    for (std::size_t l = 0; l < W; ++l) {
+        if (!solved[l]) continue;
+        if (batch.stores()) {
+            batch.standing[l] =
+                stored_after(batch.standing[l], flows[l], batch.capacity[l], batch.water[l]);
+            batch.rates[l] = flows[l].rates(f.duration[l]);
         }
-        if (settled) break;
+        age_snow(f.duration[l], end[1].skin[l], flows[l], l, batch);
     }
-    arrive(f, end, batch, memory);
-    for (std::size_t l = 0; batch.stores() && l < W; ++l) {
-        batch.standing[l] =
-            stored_after(batch.standing[l], flows[l], batch.capacity[l], batch.water[l]);
-        batch.rates[l] = flows[l].rates(f.duration);
-    }
-    age_snow(f.duration, end[1], flows, batch);
-    batch.met = covered.met;
-    ++batch.steps;
-    return true;
+    take_met(covered, solved, batch);
+    return solved;
 }
 
 SurfaceConditions conditions_of(const EnthalpyBatch& batch, const EnthalpyForcing& f, std::size_t l,
                                 bool now) {
     const ThermalSurface& surface = *batch.surface;
+    const EnthalpyBatch::Met& met = batch.met;
     const Standing& at = batch.standing[l];
-    EnthalpyBatch::Met met = batch.met;
+    const double measured = f.measured_albedo[1][l];
+    SurfaceConditions c;
+    double albedo = met.albedo[l];
     if (now) {
         const StoreCapacity& capacity = batch.capacity[l];
         const SnowCover snow = batch.stores() && snow_lies(surface)
                                    ? snow_cover(at.frost, surface.roughness_length)
                                    : SnowCover{};
         const double wet = capacity.any() ? std::min(1.0, at.water / capacity.water_mm) : 0.0;
-        met.wet_share[l] = mean_wet_share(at.water + at.frost, 0.0, 0.0, capacity.water_mm);
-        met.cover[l] = snow.conductance;
-        met.covered = snow.conductance > 0.0;
-        met.phase_film[l] = snow.phase_film;
-        met.frost_heat[l] = met.covered ? melts_at_once : 0.0;
-        met.water_heat[l] = 0.0;
-        met.albedo[l] = albedo_of(batch, l, wet, snow.share, batch.snow_albedo[l]);
+        c.wet_share = mean_wet_share(at.water + at.frost, 0.0, 0.0, capacity.water_mm);
+        c.snow_conductance = snow.conductance;
+        c.phase_film = snow.phase_film;
+        c.frost_heat = snow.conductance > 0.0 ? melts_at_once : 0.0;
+        albedo = albedo_of(batch, l, wet, snow.share, batch.snow_albedo[l]);
+    } else {
+        c.wet_share = met.wet_share[l];
+        c.snow_conductance = met.cover[l] < no_snow ? met.cover[l] : 0.0;
+        c.phase_film = met.phase_film[l];
+        c.frost_heat = met.frost_heat[l];
+        c.water_heat = met.water_heat[l];
     }
-    const double measured = f.measured_albedo[1];
-    const double albedo = std::isnan(measured) ? met.albedo[l] : measured;
-    SurfaceConditions c;
-    c.air = f.air[1];
+    if (!std::isnan(measured)) albedo = measured;
+    c.air = f.air[1](l);
     c.natural = batch.natural[l];
     c.absorbed_solar = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * f.sunlight[1][l];
     c.longwave_in = f.longwave[1][l];
     c.emissivity = surface.emissivity;
     c.internal = surface.internal_heat;
-    c.wet_share = met.wet_share[l];
     c.stores = batch.stores();
-    c.frost_heat = met.frost_heat[l];
-    c.water_heat = met.water_heat[l];
-    c.phase_film = met.phase_film[l];
-    c.snow_conductance = met.covered && met.cover[l] < no_snow ? met.cover[l] : 0.0;
     return c;
 }
 

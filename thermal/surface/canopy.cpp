@@ -48,10 +48,15 @@ double leaves_film(const SurfaceConditions& c, double leaf_area) {
 
 double fullest_film(const AirFilm& air) {
     if (air.instability <= 0.0 || air.s <= 0.0) return 0.0;
+    return air.neutral * fullest_share(air) + air.least;
+}
+
+double fullest_share(const AirFilm& air) {
+    if (air.s <= 0.0) return 0.0;
     double y = 0.1;
     for (int i = 0; i < 8; ++i) y = std::sqrt(std::sqrt(1.0 + 30.0 * y) / (15.0 * air.s));
     y = std::min(y, stable_limit);
-    return air.neutral / (1.0 + air.s * y * std::sqrt(1.0 + 30.0 * y)) + air.least;
+    return 1.0 / (1.0 + air.s * y * std::sqrt(1.0 + 30.0 * y));
 }
 
 SurfaceTerms skin_terms(const SurfaceConditions& c, double joined, double ground) {

@@ -8,6 +8,8 @@ namespace diurna {
 /// than the difference grows. Ground has its own heat to hold it; leaves and a snow's skin have
 /// none and would jump between two temperatures, so their film falls no further.
 double fullest_film(const AirFilm& air);
+/// Of that at neutrality, over ground as rough: AirFilm's `neutral` times this and `least`.
+double fullest_share(const AirFilm& air);
 
 /// Leaves, or snow, that hide the ground, joined to it by a skin's conductance [W m⁻² K⁻¹]: the
 /// balance is the skin's, and the ground gets what the skin conducts.

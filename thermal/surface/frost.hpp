@@ -13,6 +13,9 @@ LatentHeat latent_heat_or_frost(const AirFilm& air, const Film& film, double wet
 /// Heat of sublimation of ice [J kg⁻¹], Rogers & Yau 1989: 2834.1 − 0.29 t − 0.004 t² kJ/kg.
 double latent_heat_of_sublimation(double temperature);
 
+/// Heat of sublimation over that of vaporisation, in air as warm.
+double ice_over_water(double air_temperature);
+
 /// Heat that vapour takes from a surface [J kg⁻¹]: of vaporisation, blended into that of
 /// sublimation over the 2 K below melting.
 double heat_of_vapour(double air_temperature, double surface_temperature);

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace diurna {
+
+/// How one facet goes through a span of even steps: from its start and from each jump of its
+/// sunlight with a step of 5 s that grows, in halves where a step's equations are not solved.
+class LaneClock {
+ public:
+    struct Jump {
+        std::size_t step;
+        double share;  // of the step
+    };
+    /// step, longest  [s]; jumps ascending
+    LaneClock(std::size_t steps, double step, double longest, std::vector<Jump> jumps);
+
+    void begin();  // the span (again)
+    std::size_t step() const { return i_; }
+    double from() const { return now_; }
+    double to() const { return end_[depth_]; }  // shares of the step
+    double duration() const { return (to() - from()) * length_; }
+    /// Halves are no cure any more.
+    bool gentle() const { return depth_ == deepest; }
+
+    /// What was tried from `from` to `to` has failed.
+    void halve();
+    /// It is done; true where a step ends.
+    bool go_on();
+    bool at_end() const { return i_ == steps_; }
+
+ private:
+    static constexpr std::size_t deepest = 10;
+    void plan_stretch(bool restart);
+    void plan_step();
+
+    std::size_t steps_;
+    double length_, longest_;
+    std::vector<Jump> jump_;
+    std::size_t i_ = 0, next_jump_ = 0, depth_ = 0;
+    double now_ = 0.0, set_out_ = 0.0, until_ = 1.0;  // until: the next jump, or the step's end
+    double wanted_ = 0.0;                             // [s]
+    std::array<double, deepest + 1> end_{};
+};
+
+}  // namespace diurna

@@ -1,10 +1,12 @@
 #include "thermal/solve/dew_need.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "materials/air/saturation.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/surface/frost.hpp"
+#include "thermal/surface/stored_flux.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
 namespace diurna {
@@ -20,16 +22,35 @@ std::size_t time_of(const SolveState& solve, const Kind& kind, std::size_t i) {
 
 }  // namespace
 
-Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::size_t lane) {
+std::vector<double> warmest_dew(const SolveState& solve, const Kind& kind, const Block& block) {
+    std::vector<double> warmest;
+    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+        const double e = kind.low(block, time_of(solve, kind, i)).air.vapour_pressure;
+        // Of p₃ exp(a (T − T₃) / (T − b)) = e.
+        const double x = std::log(std::max(e, 1e-3) / triple_point_pressure);
+        const double dew_point =
+            (over_water.a * triple_point - over_water.b * x) / (over_water.a - x);
+        warmest.push_back(dew_point + 1.5);
+    }
+    return warmest;
+}
+
+Dew dew_on(const SolveState& solve, const Kind& kind, const Block& block, std::size_t lane,
+           const std::vector<double>& warmest) {
     Dew dew;
     const double radiation = kind.column.surface.emissivity * stefan_boltzmann;
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const double t = solve.kelvin[i * solve.facets + block.facet[lane]];
+        // Far from it, as most are, nothing need be known exactly.
+        if (t > warmest[i]) continue;
         const std::size_t time = time_of(solve, kind, i);
         const AirFilm& low = kind.low(block, time).air;
-        double slope;
-        // Far from it, as most are, nothing need be known exactly.
-        if (saturation_over_water(t - 1.5, slope) > low.vapour_pressure) continue;
+        double slope, vapour = low.vapour_pressure;
+        if (!block.up.empty()) {
+            const double high = kind.high(block, time).air.vapour_pressure;
+            vapour = high + (1.0 - block.up[lane]) * (vapour - high);
+        }
+        if (saturation_over_frost(t, slope) > vapour) continue;
         const AirFilm air =
             block.up.empty() ? low : air_between(low, kind.high(block, time).air, block.up[lane]);
         const Film film = film_of(air, block.natural[lane], t);

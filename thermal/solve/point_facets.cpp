@@ -82,8 +82,10 @@ PointNeed point_need(const ThermalSurface& surface) {
 }
 
 /// Whether a block's facet needs more, as warm as it is now.
-PointFacets::Need PointFacets::need_of(const Level& level, const Block& block,
-                                       std::size_t l) const {
+///
+/// warmest  that gathers dew in the block; found where it is still empty
+PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, std::size_t l,
+                                       std::vector<double>& warmest) const {
     constexpr double dew_matters = 0.3;  // [K]
     const Kind& kind = level.kind[block.material];
     const ThermalSurface& surface = kind.column.surface;
@@ -104,7 +106,8 @@ PointFacets::Need PointFacets::need_of(const Level& level, const Block& block,
     if (rains_ && rain_share(solve_.input.facets.normal[f].z(), open) > 0.0) {
         return {.taken = true};
     }
-    const Dew dew = dew_on(solve_, kind, block, l);
+    if (warmest.empty()) warmest = warmest_dew(solve_, kind, block);
+    const Dew dew = dew_on(solve_, kind, block, l, warmest);
     const bool dry = surface.evaporation.wetness == 0.0;
     return {.taken = dry && dew.most_warming >= dew_matters,
             .unfollowed = true,
@@ -127,10 +130,12 @@ void PointFacets::take_in(const Level& level) {
         need.size(),
         [&](std::size_t b) {
             const Block& block = solve_.block[b];
+            std::vector<double> warmest;
             for (std::size_t l = 0; l < block.facet.size(); ++l) {
                 const std::size_t f = block.facet[l];
                 const bool target = !solve_.in_network.empty() && solve_.in_network[f];
-                need[b].push_back(taken_[f] || target ? Need{} : need_of(level, block, l));
+                const bool known = taken_[f] || target;
+                need[b].push_back(known ? Need{} : need_of(level, block, l, warmest));
             }
         },
         4);

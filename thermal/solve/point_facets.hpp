@@ -68,7 +68,8 @@ class PointFacets {
         bool taken = false, unfollowed = false;
         double dew = 0.0, warming = 0.0;
     };
-    Need need_of(const Level& level, const Block& block, std::size_t lane) const;
+    Need need_of(const Level& level, const Block& block, std::size_t lane,
+                 std::vector<double>& warmest) const;
     bool by_itself(const Level& level, const FacetPoint& point) const;
     double mean_kelvin(std::size_t facet) const;  // over the span, as it is in the solve
     void run(const Level& level, FacetPoint& point) const;

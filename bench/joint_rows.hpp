@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench/thermal_rows.hpp"
+#include "tests/support/black_plates.hpp"
 #include "tests/support/box_shadow.hpp"
 #include "tests/support/canyon.hpp"
 #include "tests/support/hall.hpp"
@@ -15,6 +16,7 @@
 #include "tests/support/level_squares.hpp"
 #include "tests/support/redone.hpp"
 #include "tests/support/sheets.hpp"
+#include "tests/support/triangle_sheet.hpp"
 #include "thermal/solve/facet_exchange.hpp"
 
 /// Rows of the validation table where parts meet: weather and walls, surface and surface, buildings
@@ -118,6 +120,32 @@ inline std::string redone_pixels() {
     return worst + " % worst";
 }
 
+/// 200 pixels each that see a pond or a glass front, from 15 m.
+inline std::string redone_mirrors() {
+    const redone::Job job(redone::waterside("15.0"));
+    std::string worst;
+    for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {
+        worst += fmt::format("{}{:.3f}", worst.empty() ? "" : ", ",
+                             100.0 * redone::redo_mirrors(job, "east", band, "120000").worst);
+    }
+    return worst + " % worst";
+}
+
+/// Black plates at 0, 45, 90, 135 degrees, in the open and in a street.
+inline std::string plates_under_sky() {
+    double worst = 0.0;
+    for (const bool street : {false, true}) {
+        for (const PlateKelvin& plate : black_plates(street)) {
+            worst = std::max(worst, std::abs(plate.solved - plate.exact));
+        }
+    }
+    return fmt::format("{:.3f} K worst", worst);
+}
+
+inline std::string conducting_sheets() {
+    return fmt::format("{:.3f}, {:.3f} K worst", heated_fin().worst, fading_plate().worst);
+}
+
 inline std::vector<thermal_rows::Case> cases() {
     return {
         {"direct light on walls from hourly global sunlight, a clear day at 36°",
@@ -133,7 +161,14 @@ inline std::vector<thermal_rows::Case> cases() {
         {"a box's shadow on facets of 1.5 m, intersection over union, suns of 12 to 65°",
          "the sun's ray through each pixel", "0.73 by facets", shadow_outline},
         {"radiance of 200 pixels in 3–5, 8–12, 0.62–0.66 µm", "added up from planes and library",
-         "", redone_pixels}};
+         "", redone_pixels},
+        {"the same, 200 that see a pond or a glass front", "with Fresnel of n and k", "",
+         redone_mirrors},
+        {"black plates at 0, 45, 90, 135° in the open and in a street",
+         "sky summed over directions", "4 K view times horizontal mean", plates_under_sky},
+        {"a target's sheets: fin of 65 K, pattern fading on uneven triangles",
+         "Incropera 3.6; Carslaw & Jaeger 3.3", "12 % of the flow, links of centroids",
+         conducting_sheets}};
 }
 
 }  // namespace joint_rows

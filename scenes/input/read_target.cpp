@@ -215,7 +215,8 @@ void match_parts(const Section& section, const MeshFile& mesh, TargetInput& targ
     std::vector<std::string> names;
     for (const MeshFile::Part& part : mesh.part) {
         for (const std::string& name : {part.node, part.material}) {
-            if (!name.empty()) names.push_back(name);
+            const bool known = std::find(names.begin(), names.end(), name) != names.end();
+            if (!name.empty() && !known) names.push_back(name);
         }
     }
     for (const bool others : {false, true}) {
@@ -232,14 +233,14 @@ void match_parts(const Section& section, const MeshFile& mesh, TargetInput& targ
             }
             if (!any && !mesh.part.empty()) {
                 section.mistake("part",
-                                fmt::format("no part \"{}\" in the mesh, which has {}", part.name,
-                                            fmt::join(names, ", ")),
+                                fmt::format("{}: no part \"{}\" in the mesh, which has {}",
+                                            part.where, part.name, fmt::join(names, ", ")),
                                 did_you_mean(part.name, names));
             }
             if (!part.inside.empty() && !target.has_enclosure(part.inside)) {
-                section.mistake("part", fmt::format("\"{}\" is inside of '{}', which is no "
+                section.mistake("part", fmt::format("{}: \"{}\" is inside of '{}', which is no "
                                                     "enclosure of this object",
-                                                    part.name, part.inside));
+                                                    part.where, part.name, part.inside));
             }
         }
     }

@@ -126,7 +126,6 @@ class Builder {
             const auto [place, is_new] = column_of.try_emplace(
                 {part->second, facets_.material[f]}, std::uint32_t(network().column.size()));
             if (is_new) {
-                refuse_beyond_network(input_, part->second, surface);
                 const bool closed = alone && inner == Inner::nothing;
                 network().column.push_back(network_column(
                     surface.layers, closed ? surface.bottom : FixedFlux{0.0}, {.deepest = 1e9}));
@@ -304,6 +303,7 @@ TargetFacets target_facets(const ObjectInput& input, std::size_t object, ObjectI
         for (const std::string& name : {own, own + " (sheet)"}) {
             if (std::find(names.begin(), names.end(), name) == names.end()) continue;
             target.part[materials.find(name)] = part;
+            refuse_beyond_network(input, part, materials[materials.find(name)].thermal);
         }
     }
     return target;

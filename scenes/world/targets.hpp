@@ -9,15 +9,15 @@
 /// Objects as bodies of heat.
 namespace diurna {
 
-/// Which materials of an object's facets are which of its mesh's parts.
+/// Which materials of an object's facets are which of its mesh's parts. Throws InputError where
+/// one is beyond a network: leaves, water that freezes or melts, snow.
 ///
 /// object  index into the scene's
 TargetFacets target_facets(const ObjectInput& input, std::size_t object, ObjectId id,
                            const MaterialLibrary& materials);
 
 /// The networks of all targets over world.surfaces(): their facets joined over common edges, their
-/// enclosures, lumps and sources. Throws InputError where a part's material is beyond a network:
-/// leaves, water that freezes or melts, snow.
+/// enclosures, lumps and sources.
 std::vector<NetworkObject> targets(const World& world, const Scene& scene);
 
 }  // namespace diurna

@@ -187,3 +187,39 @@ name = "*"
     CHECK(4.0 * lid + 4.0 * sides + 4.0 * floor == Approx(80.0).epsilon(1e-4));
     CHECK(sides + floor == Approx(4.0).epsilon(0.1));
 }
+
+TEST_CASE("mistakes in a target are told with their place", "[scenes][target][input]") {
+    const ScratchFolder folder("mistakes");
+    over_plain::write_scene(folder.path, {.mesh = box(2, 0.5)});
+    const std::string plain = read_text(folder.path / "scene.toml");
+    const auto told = [&](const std::string& tables) {
+        std::string text = plain;
+        const std::string end = "material = \"sheet\"\n";
+        text.insert(text.rfind(end) + end.size(), tables);
+        write_text(folder.path / "scene.toml", text);
+        std::string all;
+        try {
+            read_scene(folder.path / "scene.toml");
+        } catch (const InputError& error) {
+            for (const Mistake& mistake : error.mistakes()) all += mistake.line() + "\n";
+        }
+        return all;
+    };
+    using Catch::Matchers::Contains;
+    CHECK(told("[[object.part]]\nname = \"lid\"\n").empty());
+    CHECK_THAT(
+        told("[[object.part]]\nname = \"lit\"\n"),
+        Contains("no part \"lit\" in the mesh, which has lid") && Contains("did you mean 'lid'?"));
+    CHECK_THAT(told("[[object.part]]\nname = \"lid\"\ninside = \"hall\"\n"),
+               Contains("'hall', which is no enclosure"));
+    CHECK_THAT(told("[[object.part]]\nname = \"lid\"\nhours = [\"5 till 7\"]\n"),
+               Contains("hours: found '5 till 7', expected hours and a share as 05:30-06:10 0.3"));
+    CHECK_THAT(told("[[object.part]]\nname = \"lid\"\n[[object.link]]\nbetween = [\"lid\", "
+                    "\"engin\"]\nconductance_W_K = 1\n[[object.lump]]\nname = \"engine\"\n"),
+               Contains("no 'engin' in this object") && Contains("did you mean 'engine'?"));
+    CHECK_THAT(told("[[object.lump]]\nname = \"engine\"\n"),
+               Contains("object[0].part: missing, expected at least one"));
+    CHECK_THAT(told("part_file = \"none.toml\"\n"), Contains("part_file: no such file"));
+    write_text(folder.path / "mesh.parts.toml", "[[part]]\nname = \"lid\"\nheat = 5\n");
+    CHECK_THAT(told(""), Contains("mesh.parts.toml:3:1: part[0].heat: unknown key"));
+}

@@ -271,4 +271,14 @@ inline std::string airfield() {
            "[[texture]]\nname = \"worn\"\nstd = 0.03\ncorrelation_length_m = 4.0\nlevels = 3\n";
 }
 
+/// A pond before it and the hangar's glass front, from a height [m].
+inline std::string waterside(const std::string& height) {
+    std::string text = airfield() +
+                       "[[ground]]\nname = \"pond\"\nmaterial = \"water\"\nrectangle_m = [110.0, "
+                       "-40.0, 60.0, 40.0, 0.0]\nlargest_edge_m = 15.0\n";
+    text = with(text, "height_above_ground_m = 40.0", "height_above_ground_m = " + height);
+    text = with(text, "look_at_m = [60.0, 0.0]", "look_at_m = [75.0, -60.0]");
+    return with(text, "surfaces = 8", "surfaces = 24");
+}
+
 }  // namespace redone

@@ -4,94 +4,16 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <random>
 
 #include "materials/base/units.hpp"
+#include "tests/support/triangle_sheet.hpp"
 #include "thermal/network/network_step.hpp"
 
 using namespace diurna;
+using namespace diurna::testing;
 
-namespace {
-
-constexpr double pi = std::numbers::pi;
-
-/// A sheet in its plane, cut into triangles.
-struct Sheet {
-    HeatNetwork network;
-    std::vector<Eigen::Vector2d> centre;
-    std::vector<std::array<Eigen::Vector2d, 3>> middle;  // of the sides
-
-    /// The mean over a facet of what is given at points, exact to second order.
-    template <class Of>
-    double mean(std::size_t f, const Of& of) const {
-        return (of(middle[f][0]) + of(middle[f][1]) + of(middle[f][2])) / 3.0;
-    }
-};
-
-/// across × up rectangles of two triangles each; inner corners moved by up to `uneven` of a cell.
-Sheet sheet(double width, double height, int across, int up, const NetworkColumn& column,
-            double uneven = 0.0) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> any(-uneven, uneven);
-    std::vector<Eigen::Vector2d> corner;
-    for (int j = 0; j <= up; ++j) {
-        for (int i = 0; i <= across; ++i) {
-            const double x = i > 0 && i < across ? i + any(random) : i;
-            const double y = j > 0 && j < up ? j + any(random) : j;
-            corner.emplace_back(x * width / across, y * height / up);
-        }
-    }
-    Sheet made;
-    made.network.column = {column};
-    std::map<std::pair<int, int>, std::uint32_t> edge;
-    const auto add = [&](std::array<int, 3> v) {
-        NetworkFacet facet;
-        std::array<double, 3> side{};
-        std::array<Eigen::Vector2d, 3> middle;
-        for (int s = 0; s < 3; ++s) {
-            const int a = v[(s + 1) % 3], b = v[(s + 2) % 3];
-            middle[s] = 0.5 * (corner[a] + corner[b]);
-            side[s] = (corner[a] - corner[b]).norm();
-            facet.edge[0][s] =
-                edge.try_emplace(std::minmax(a, b), std::uint32_t(edge.size())).first->second;
-        }
-        const Eigen::Vector2d p = corner[v[1]] - corner[v[0]], q = corner[v[2]] - corner[v[0]];
-        facet.area = 0.5 * std::abs(p.x() * q.y() - p.y() * q.x());
-        facet.sideways = sideways_flow(side, facet.area);
-        made.network.facet.push_back(facet);
-        made.middle.push_back(middle);
-        made.centre.push_back((corner[v[0]] + corner[v[1]] + corner[v[2]]) / 3.0);
-    };
-    for (int j = 0; j < up; ++j) {
-        for (int i = 0; i < across; ++i) {
-            const int a = j * (across + 1) + i, c = a + across + 1;
-            add({a, a + 1, c + 1});
-            add({a, c + 1, c});
-        }
-    }
-    made.network.edges = std::uint32_t(edge.size());
-    return made;
-}
-
-/// Films to air on the outer ends, and on the inner ones.
-NetworkForcing in_air(double air, double outer_film, double inner_film) {
-    return {.loads = {},
-            .faces = [=](double, const std::vector<double>& outer, const std::vector<double>& inner,
-                         FaceFluxes& out) {
-                for (std::size_t f = 0; f < outer.size(); ++f) {
-                    out.outer[f] = outer_film * (air - outer[f]);
-                    out.outer_slope[f] = -outer_film;
-                    out.inner[f] = inner_film * (air - inner[f]);
-                    out.inner_slope[f] = -inner_film;
-                }
-            }};
-}
-
-const Layer aluminium{0.002, 200.0, 2700.0, 900.0};
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a sheet of one metal is one node, a wall is many", "[thermal][network]") {
     const NetworkColumn metal = network_column({aluminium}, FixedFlux{0.0});
@@ -127,62 +49,18 @@ TEST_CASE("a linear temperature conducts as it should through any triangle", "[t
 }
 
 TEST_CASE("a fin heated at its foot", "[thermal][network]") {
-    // theta'' = m2 theta - q / (k t), m2 = 2 h / (k t), heated over 0 < x < a, insulated ends
-    // (Incropera 3.6): q / (k t m2) (1 - sinh(m (L - a)) cosh(m x) / sinh(m L)) and beyond
-    // q / (k t m2) sinh(m a) cosh(m (L - x)) / sinh(m L).
-    constexpr double length = 0.4, foot = 0.04, film = 12.5, heat = 6000.0, air = 290.0;
-    constexpr int cells = 60;  // second order: 0.09 K with 40
-    const Sheet fin = sheet(length, 0.05, cells, 8, network_column({aluminium}, FixedFlux{0.0}));
-    NetworkForcing forcing = in_air(air, film, film);
-    forcing.loads = [&](double, NetworkLoads& loads) {
-        for (std::size_t f = 0; f < fin.centre.size(); ++f) {
-            loads.outer[f] = fin.centre[f].x() < foot ? heat : 0.0;
-        }
-    };
-    NetworkStepper stepper(fin.network);
-    stepper.settle(air);
-    for (int i = 0; i < 30; ++i) stepper.advance(3600.0, forcing);
-    const double kt = 0.4, m = std::sqrt(2.0 * film / kt), most = heat / (kt * m * m);
-    double worst = 0.0, warmest = 0.0;
-    for (std::size_t f = 0; f < fin.centre.size(); ++f) {
-        const double exact = fin.mean(f, [&](const Eigen::Vector2d& p) {
-            const double x = p.x(), all = std::sinh(m * length);
-            return most * (x < foot ? 1.0 - std::sinh(m * (length - foot)) * std::cosh(m * x) / all
-                                    : std::sinh(m * foot) * std::cosh(m * (length - x)) / all);
-        });
-        warmest = std::max(warmest, exact);
-        worst = std::max(worst, std::abs(stepper.state.node[f] - air - exact));
-    }
-    CAPTURE(warmest, worst);
-    CHECK(warmest > 60.0);
-    CHECK(worst < 0.05);
-    CHECK(stepper.count.worst_closure < 1e-8);
-    CHECK(stepper.count.limited == 0);
+    const SheetError fin = heated_fin();
+    CAPTURE(fin.largest, fin.worst);
+    CHECK(fin.largest > 60.0);
+    CHECK(fin.worst < 0.05);
+    CHECK(fin.count.worst_closure < 1e-8);
+    CHECK(fin.count.limited == 0);
 }
 
 TEST_CASE("a warm pattern fades on a plate of uneven triangles", "[thermal][network]") {
-    // cos(pi x / a) cos(2 pi y / b), insulated sides: exp(-(alpha (pi2 / a2 + 4 pi2 / b2) + 2 h /
-    // C) t) (Carslaw & Jaeger 3.3).
-    constexpr double a = 0.5, b = 0.8, film = 10.0, air = 300.0;
-    const Sheet plate = sheet(a, b, 24, 40, network_column({aluminium}, FixedFlux{0.0}), 0.25);
-    NetworkStepper stepper(plate.network);
-    stepper.settle(air);
-    const auto pattern = [&](const Eigen::Vector2d& p) {
-        return 20.0 * std::cos(pi * p.x() / a) * std::cos(2.0 * pi * p.y() / b);
-    };
-    for (std::size_t f = 0; f < plate.centre.size(); ++f) {
-        stepper.state.node[f] += plate.mean(f, pattern);
-    }
-    for (int i = 0; i < 20; ++i) stepper.advance(5.0, in_air(air, film, film));
-    const double rate = 200.0 / (2700.0 * 900.0) * (pi * pi / (a * a) + 4.0 * pi * pi / (b * b)) +
-                        2.0 * film / (0.002 * 2700.0 * 900.0);
-    double worst = 0.0;
-    for (std::size_t f = 0; f < plate.centre.size(); ++f) {
-        const double exact = air + plate.mean(f, pattern) * std::exp(-rate * 100.0);
-        worst = std::max(worst, std::abs(stepper.state.node[f] - exact));
-    }
-    CHECK(std::exp(-rate * 100.0) < 0.6);
-    CHECK(worst < 0.05);
+    const SheetError plate = fading_plate();
+    CHECK(plate.largest < 12.0);
+    CHECK(plate.worst < 0.05);
 }
 
 TEST_CASE("a thick rod cools through its end", "[thermal][network]") {

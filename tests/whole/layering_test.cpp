@@ -46,9 +46,8 @@ const std::map<std::string, std::vector<std::string>> rooms = {
 const std::set<std::string> circles_to_be_mended = {};
 
 // Physics that takes numbers and spans, and is tested without a mesh.
-const std::set<std::string> without_terrain = {"thermal/column", "thermal/kernels",
-                                               "thermal/network", "thermal/steppers",
-                                               "thermal/surface"};
+const std::set<std::string> without_terrain = {
+    "thermal/column", "thermal/kernels", "thermal/network", "thermal/steppers", "thermal/surface"};
 
 // Start of an include -> the sources it may stand in.
 const std::map<std::string, std::set<std::string>> homes = {

@@ -83,14 +83,7 @@ TEST_CASE("a net, a pane, a mirror and smoke are redone from planes and library"
 // A pond and a hangar's glass front, seen from low: what they mirror is listed with what is met
 // there, and the reflectances are those of the library's n and k.
 TEST_CASE("water and window glass are redone from planes and library", "[whole][redone]") {
-    std::string text = airfield() +
-                       "[[ground]]\nname = \"pond\"\nmaterial = \"water\"\nrectangle_m = [110.0, "
-                       "-40.0, 60.0, 40.0, 0.0]\nlargest_edge_m = 15.0\n";
-    text = with(text, "height_above_ground_m = 40.0",
-                "height_above_ground_m = " + std::string(GENERATE("15.0", "70.0")));
-    text = with(text, "look_at_m = [60.0, 0.0]", "look_at_m = [75.0, -60.0]");
-    text = with(text, "surfaces = 8", "surfaces = 24");
-    const Job job(text);
+    const Job job(waterside(GENERATE("15.0", "70.0")));
     for (const char* time : {"040000", "120000", "200000"}) {
         for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {
             if (std::string(band) == "0.62-0.66" && std::string(time) == "040000") continue;

@@ -8,10 +8,20 @@
 
 namespace diurna {
 
-double solar_mean(const Spectrum& s) {
+namespace {
+
+const Spectrum& sun_at_ground() {
     static const Spectrum sun =
         read_spectrum(data_folder() / "atmosphere" / "sun_at_ground.csv", 0.0);
-    return weighted_mean(s, sun);
+    return sun;
+}
+
+}  // namespace
+
+double solar_mean(const Spectrum& s) { return weighted_mean(s, sun_at_ground()); }
+
+double solar_share(double from_um, double to_um) {
+    return integral(sun_at_ground(), from_um, to_um) / integral(sun_at_ground());
 }
 
 double planck_mean(const Spectrum& s, double temperature) {

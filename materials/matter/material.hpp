@@ -173,7 +173,14 @@ struct Material {
     ThermalSurface thermal;
     Finish finish{};           // the law of angle
     bool see_through = false;  // rays go on behind it: panes, nets; else it has a room behind
-    std::string varies = {};   // of a texture's level: the name of the material it varies
+    /// Of a net: the share that is strips. Its spectra are the whole net's, `thermal` its strips'
+    /// (materials/matter/net.hpp).
+    double cover = 1.0;
+    /// What its spectra were given over [µm], their ends held beyond; whether that makes its albedo
+    /// or emissivity a guess (materials/matter/spectrum_notes.hpp).
+    double given_from_um = 0.0, given_to_um = 1e9;
+    bool guessed_albedo = false, guessed_emissivity = false;
+    std::string varies = {};  // of a texture's level: the name of the material it varies
 
     /// What a reader calls it: a texture's levels by the name of what they vary.
     const std::string& kind() const { return varies.empty() ? name : varies; }

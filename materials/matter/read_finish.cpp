@@ -13,6 +13,7 @@
 #include "materials/matter/library.hpp"
 #include "materials/matter/measured_brdf.hpp"
 #include "materials/matter/read_brdf.hpp"
+#include "materials/matter/read_optics.hpp"
 #include "materials/matter/waves.hpp"
 
 namespace diurna {
@@ -43,6 +44,7 @@ void read_index(const std::filesystem::path& path, Glossy& finish) {
     if (finish.index.value.size() < 2) {
         throw InputError(path.string(), "expected 2 or more rows of wavelength_um, n and k");
     }
+    check_micrometres(finish.index, path);
     auto& um = finish.index.wavelength_um;
     for (auto* value : {&finish.index.value, &finish.extinction.value}) {
         if (um.front() > 0.2) value->insert(value->begin(), value->front());
@@ -175,17 +177,6 @@ Finish read_law(const Section& section, const std::filesystem::path& folder,
     return finish;
 }
 
-/// The share that is not covered lets everything through. The heat balance stays that of the
-/// strips: a net is less of them, and mass, air, sun and longwave go by their area alike.
-void open_up(double cover, Material& material) {
-    if (material.transmittance.empty()) {
-        material.transmittance = flat_spectrum(1.0 - cover);
-    } else {
-        for (double& value : material.transmittance.value) value = 1.0 - cover + cover * value;
-    }
-    for (double& value : material.reflectance.value) value *= cover;
-}
-
 /// The heat balance takes what a law of angle comes to over the hemisphere: the emissivity, and of
 /// water, which is bright at grazing angles only, the albedo.
 void average_over_hemisphere(const Section& section, Material& material) {
@@ -205,32 +196,13 @@ void average_over_hemisphere(const Section& section, Material& material) {
 
 }  // namespace
 
-void read_finish(const Section& section, const std::filesystem::path& folder, Material& material) {
+void read_finish(const Section& section, const std::filesystem::path& folder, bool anew,
+                 Material& material) {
     if (section.has("finish")) {
         material.finish =
             read_law(section.section("finish", finish_says), folder, material.reflectance);
-        average_over_hemisphere(section, material);
     }
-    material.see_through = section.flag_or(
-        "see_through", "rays go on behind it, where its transmittance lets them: panes",
-        material.see_through);
-    if (section.has("cover")) {
-        const double cover = section.number(
-            "cover", "a net, of which this share is strips of the material; the rest is open",
-            {0.0, 1.0});
-        const auto* glossy = std::get_if<Glossy>(&material.finish);
-        if (glossy && glossy->waves) {
-            section.mistake("cover",
-                            "stands beside finish.kind = \"waves\", but water has no open share",
-                            "leave one of the two out");
-        }
-        open_up(cover, material);
-        material.see_through = true;
-    }
-    if (material.see_through && material.transmittance.empty()) {
-        section.mistake("see_through",
-                        "expected a transmittance or a cover: nothing lets light through");
-    }
+    if (anew) average_over_hemisphere(section, material);
 }
 
 std::optional<IndexReach> index_reach(const Section& section, const std::filesystem::path& folder,

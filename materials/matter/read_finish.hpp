@@ -8,7 +8,7 @@
 
 namespace diurna {
 
-/// The keys of a material that say how light is sent back and let through; mistakes are noted.
+/// The key of a material that says how light is sent back over the angle; mistakes are noted.
 ///
 /// - finish: one of
 ///     - { kind = "lambert" }
@@ -18,12 +18,15 @@ namespace diurna {
 ///     - either with effective_index = true: the index that sends back the reflectance upright
 ///     - { kind = "by_angle", factors = [[angle_deg, factor], ...] }
 ///     - { kind = "measured", file }: a BRDF (materials/matter/read_brdf.hpp)
-/// - see_through: true where rays go on behind it, as far as its transmittance lets them
-/// - cover: 0 to 1, of a net: this share is the material and the rest is open
 ///
-/// To be read after reflectance, transmittance and the means that follow from them. With a finish
-/// that is not Lambert's the broadband emissivity becomes the hemisphere's, unless it was given.
-void read_finish(const Section& section, const std::filesystem::path& folder, Material& material);
+/// To be read after reflectance, transmittance and the means that follow from them, all of a net's
+/// strips. With a finish that is not Lambert's the broadband emissivity becomes the hemisphere's,
+/// unless it was given.
+///
+/// anew  whether those means are of spectra or of a finish that are new; else they are what the
+///       hemisphere's were
+void read_finish(const Section& section, const std::filesystem::path& folder, bool anew,
+                 Material& material);
 
 /// What a material's `finish` says.
 inline constexpr const char* finish_says = "how light is sent back over the angle";

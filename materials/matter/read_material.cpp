@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "materials/matter/read_finish.hpp"
 #include "materials/matter/read_layers.hpp"
+#include "materials/matter/read_light.hpp"
 #include "materials/matter/read_optics.hpp"
 
 namespace diurna {
@@ -257,8 +257,7 @@ Material read_material(const Section& section, const MaterialLibrary& base,
     Start start = read_start(section, base, name);
     Material& material = start.material;
     if (start.lost) return material;
-    read_optics(section, folder, start.fresh, material);
-    read_finish(section, folder, material);
+    read_light(section, folder, start.fresh, material);
     ThermalSurface& thermal = material.thermal;
     if (start.fresh || section.has("roughness_length_m")) {
         thermal.roughness_length = section.number(

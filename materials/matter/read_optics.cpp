@@ -62,11 +62,14 @@ Spectrum absorptance(const Spectrum& reflectance, const Spectrum& transmittance)
     return result;
 }
 
+/// A spectrum of a file, as far as it goes.
 Spectrum read_file(const Section& section, const char* key, const char* says,
                    const std::filesystem::path& folder) {
     const std::string name = section.text(key, says);
     try {
-        return extended(read_spectrum(folder / name, 0.0, 1.0));
+        const Spectrum s = read_spectrum(folder / name, 0.0, 1.0);
+        check_micrometres(s, folder / name);
+        return s;
     } catch (const InputError& error) {
         section.mistake(key, error.what());
         return two_step_reflectance(0.0, 1.0);
@@ -106,6 +109,16 @@ void check_absorbed(const Section& section, const Spectrum& absorbed) {
                     1.0 - *least, um));
 }
 
+/// Takes a spectrum of a file into what the material's were given over, and whether its means then
+/// are guesses.
+void note_range(const Spectrum& given, Material& material) {
+    constexpr double least_sun = 0.9, heat_um = 12.0;
+    material.given_from_um = std::max(material.given_from_um, given.wavelength_um.front());
+    material.given_to_um = std::min(material.given_to_um, given.wavelength_um.back());
+    material.guessed_albedo = solar_share(material.given_from_um, material.given_to_um) < least_sun;
+    material.guessed_emissivity = material.given_to_um < heat_um;
+}
+
 /// Scales the material's spectrum to the given means.
 void fit_means(const Section& section, const Means& means, Material& material) {
     ThermalSurface& thermal = material.thermal;
@@ -139,24 +152,45 @@ Spectrum two_step_reflectance(double albedo, double emissivity) {
             .value = {albedo, albedo, 1.0 - emissivity, 1.0 - emissivity}};
 }
 
+void check_micrometres(const Spectrum& s, const std::filesystem::path& file) {
+    constexpr double longest = 20.0;  // of the wavelengths that pictures may be of
+    if (s.wavelength_um.front() < longest) return;
+    throw InputError(file.string(),
+                     fmt::format("found wavelengths of {:g} to {:g} µm, expected some below {:g}: "
+                                 "they look like nm",
+                                 s.wavelength_um.front(), s.wavelength_um.back(), longest),
+                     "divide them by 1000");
+}
+
 void read_optics(const Section& section, const std::filesystem::path& folder, bool fresh,
                  Material& material) {
     ThermalSurface& thermal = material.thermal;
+    const double albedo_before = thermal.albedo, emissivity_before = thermal.emissivity;
     // Without a file a material of its own needs both numbers; otherwise each may change a mean.
     const bool needed = fresh && !section.has("reflectance");
+    const bool anew = fresh || section.has("reflectance") || section.has("transmittance") ||
+                      section.has("finish");
     const Means means = read_means(section, needed);
     if (section.has("reflectance")) {
-        material.reflectance =
+        const Spectrum given =
             read_file(section, "reflectance",
                       "CSV of wavelength_um and value: hemispherical, 0 to 1", folder);
+        material.given_from_um = Material{}.given_from_um;
+        material.given_to_um = Material{}.given_to_um;
+        note_range(given, material);
+        material.reflectance = extended(given);
     } else if (fresh) {
         material.reflectance = two_step_reflectance(*means.albedo, *means.emissivity);
     }
     if (section.has("transmittance")) {
-        material.transmittance =
+        const Spectrum given =
             read_file(section, "transmittance",
                       "CSV of wavelength_um and value, 0 to 1; else opaque", folder);
+        note_range(given, material);
+        material.transmittance = extended(given);
     }
+    if (means.albedo) material.guessed_albedo = false;
+    if (means.emissivity) material.guessed_emissivity = false;
     const Spectrum absorbed = absorptance(material.reflectance, material.transmittance);
     check_absorbed(section, absorbed);
     thermal.solar_transmittance = solar_mean(material.transmittance);
@@ -168,6 +202,10 @@ void read_optics(const Section& section, const std::filesystem::path& folder, bo
     } else if (means.albedo || means.emissivity) {
         fit_means(section, means, material);
     }
+    if (anew) return;
+    // Of the same spectra and law of angle: only what was given is another.
+    if (!means.albedo) thermal.albedo = albedo_before;
+    if (!means.emissivity) thermal.emissivity = emissivity_before;
 }
 
 }  // namespace diurna

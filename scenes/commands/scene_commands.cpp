@@ -118,8 +118,11 @@ void add_check_verb(CLI::App& app) {
 
 void add_plan_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("plan", "what would be computed and what is skipped");
-    verb->callback(
-        [a = scene_arguments(*verb)] { fmt::print("{}", describe(prepare(a->read()).plan)); });
+    verb->callback([a = scene_arguments(*verb)] {
+        const Prepared prepared = prepare(a->read());
+        fmt::print("{}", describe(prepared.plan));
+        for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
+    });
 }
 
 void add_run_verb(CLI::App& app) {

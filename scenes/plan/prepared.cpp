@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+
+#include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/passed_light.hpp"
+#include "materials/matter/spectrum_notes.hpp"
+#include "scenes/input/bands.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/ground.hpp"
@@ -41,6 +47,31 @@ Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
     return observer;
 }
 
+/// Of materials whose spectra end short of what heat or the pictures need of them.
+std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world) {
+    std::vector<Band> bands;
+    const auto add = [&](const Band& band) {
+        const bool there = std::any_of(bands.begin(), bands.end(),
+                                       [&](const Band& b) { return b.name == band.name; });
+        if (!there) bands.push_back(band);
+    };
+    for (const ObserverInput& observer : scene.observers) {
+        for (const std::string& name : observer.bands) {
+            add(named_band(scene.bands, name, bin_edges_um()));
+        }
+    }
+    for (const CubeInput& cube : scene.cubes) add(flat_band(cube.name, cube.from_um, cube.to_um));
+    const FacetSet& surfaces = world.surfaces();
+    std::vector<std::string> notes;
+    for (const MaterialId id : std::set(surfaces.material.begin(), surfaces.material.end())) {
+        for (std::string& note : spectrum_notes(scene.materials[id], bands)) {
+            const bool told = std::find(notes.begin(), notes.end(), note) != notes.end();
+            if (!told) notes.push_back(std::move(note));
+        }
+    }
+    return notes;
+}
+
 }  // namespace
 
 Prepared prepare(Scene scene) {
@@ -73,6 +104,7 @@ Prepared prepare(Scene scene) {
     if (std::string note = height_note(scene, world, weather); !note.empty()) {
         notes.push_back(std::move(note));
     }
+    for (std::string& note : notes_on_spectra(scene, world)) notes.push_back(std::move(note));
     if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
         notes.push_back(std::move(note));

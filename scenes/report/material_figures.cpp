@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/matter/net.hpp"
 #include "materials/radiation/band.hpp"
 #include "materials/radiation/planck.hpp"
 
@@ -30,7 +31,9 @@ double reflectance_in(const Material& material, double from_um, double to_um) {
 
 }  // namespace
 
-MaterialFigures material_figures(const Material& material) {
+MaterialFigures material_figures(const Material& given) {
+    Material material = given;
+    take_strips(material);  // a net's, as its albedo and emissivity are
     const Layer& top = material.thermal.layers.front();
     const double capacity = top.density * top.heat_capacity;
     const double diffusivity = top.conductivity / capacity;

@@ -32,6 +32,10 @@ std::string figures_of(const Material& material) {
         out += fmt::format("{:<22}{:<11}{}\n", what, value, how);
     };
     const auto share = [](double x) { return fmt::format("{:.3f}", x); };
+    if (material.cover < 1.0) {
+        add("cover", share(material.cover),
+            "of this net are strips, the rest is open; below: of strips");
+    }
     add("albedo", share(f.albedo), "weighted by the sun at the ground, ASTM G173");
     if (f.transmittance > 0.0) {
         add("solar transmittance", share(f.transmittance), "weighted likewise");
@@ -116,7 +120,7 @@ std::string materials_page(const MaterialLibrary& library, const LibraryNotes& n
         "at "
         "300 K, and 10° from the\nnormal in 3 to 5, 8 to 12 and 8 to 14 µm. Of the top layer: "
         "diffusivity k / ρ c, inertia √(k ρ c), and the depth at\nwhich the wave of a day is 1/e. "
-        "Soil: thawed.\n\n"
+        "Soil: thawed. Nets: all of their strips, whatever they cover.\n\n"
         "| material | what it is | albedo | ε | ε 3-5 | ε 8-12 | ε 8-14 | diffusivity mm²/s | "
         "inertia "
         "J/m²K√s | a day's depth m |\n|---|---|---|---|---|---|---|---|---|---|\n";

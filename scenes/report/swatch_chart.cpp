@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "materials/matter/net.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/material_figures.hpp"
 
@@ -59,7 +60,9 @@ std::string bar(int column, double foot, double share, const char* colour,
         left + bar_width + 5.0, foot - 10.0, figure);
 }
 
-std::string row(const Material& material, double foot) {
+std::string row(const Material& given, double foot) {
+    Material material = given;
+    take_strips(material);  // of a net
     const MaterialFigures f = material_figures(material);
     std::string out = fmt::format(
         "<rect x=\"{}\" y=\"{:.1f}\" width=\"26\" height=\"26\" fill=\"{}\" stroke=\"#999999\"/>"

@@ -12,6 +12,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
+#include "materials/matter/spectrum_notes.hpp"
 #include "thermal/weather/sky_section.hpp"
 #include "thermal/weather_file/weather_section.hpp"
 
@@ -77,6 +78,10 @@ std::vector<SoilPoint> read_profile(const Section& time) {
     return profile;
 }
 
+void add_note(const std::string& note, Weather& weather) {
+    weather.note += (weather.note.empty() ? "" : "; ") + note;
+}
+
 /// Reflected light tells nothing of a facet of another material.
 void forget_albedo(const std::string& measured_over, const std::string& material,
                    Weather& weather) {
@@ -86,8 +91,9 @@ void forget_albedo(const std::string& measured_over, const std::string& material
         f.shortwave_up = not_measured;
     }
     if (!measured) return;
-    weather.note += fmt::format("{}shortwave_up was measured over {}: albedo of {} its own",
-                                weather.note.empty() ? "" : "; ", measured_over, material);
+    add_note(fmt::format("shortwave_up was measured over {}: albedo of {} its own", measured_over,
+                         material),
+             weather);
 }
 
 void read_time(const Section& time, PointJob& job) {
@@ -150,6 +156,7 @@ PointJob read_column_job(const Document& document) {
     if (!measured_over.empty() && measured_over != read.name) {
         forget_albedo(measured_over, read.name, job.weather);
     }
+    for (const std::string& note : spectrum_notes(read, {})) add_note(note, job.weather);
     return job;
 }
 

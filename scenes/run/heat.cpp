@@ -16,6 +16,7 @@
 #include "scenes/run/sun_exposure.hpp"
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
+#include "scenes/world/rain_cover.hpp"
 #include "scenes/world/stepping.hpp"
 #include "scenes/world/targets.hpp"
 #include "scenes/world/wind.hpp"
@@ -156,6 +157,8 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
     const AirByHeight by_height = air_by_height(prepared.scene, prepared.weather);
     const std::vector<FilmPart> parts =
         parts_in_wind(prepared.world, prepared.scene.materials, prepared.weather.wind_height);
+    const std::vector<float> open =
+        open_above(prepared.world, prepared.scene.materials, prepared.weather);
     const SolveInput input{.facets = prepared.world.surfaces(),
                            .views = views,
                            .sun = none,
@@ -167,6 +170,7 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                            .height = facet_heights(prepared.world),
                            .part = parts,
                            .network = targets(prepared.world, prepared.scene),
+                           .open_above = open,
                            .clear_sky = prepared.scene.sky,
                            .measured_share = albedo.share,
                            .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
@@ -180,6 +184,11 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
             "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
             "them",
             result.report.target_facets));
+    }
+    if (std::string rain =
+            rain_note(prepared.world, prepared.scene.materials, prepared.weather, open);
+        !rain.empty()) {
+        result.notes.push_back(std::move(rain));
     }
     if (std::string told = water_told(result.report); !told.empty()) {
         result.notes.push_back(std::move(told));

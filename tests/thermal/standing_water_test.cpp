@@ -322,9 +322,10 @@ TEST_CASE("slopes hold less water and let snow slide", "[thermal][store]") {
     CHECK(caught(45.0) == Approx(0.5));
     CHECK(caught(60.0) == Approx(0.0).margin(1e-9));
     CHECK(rain_share(1.0, 1.0) == 1.0);
-    CHECK(rain_share(0.5, 0.75) == Approx(0.5));  // straight down on a slope of 60°
-    CHECK(rain_share(0.0, 0.5) == 0.0);
-    CHECK(rain_share(1.0, 0.25) == 0.25);  // three quarters of its sky are roofed
+    CHECK(rain_share(0.5, 1.0) == Approx(0.5));  // straight down on a slope of 60°
+    CHECK(rain_share(0.0, 1.0) == 0.0);
+    CHECK(rain_share(-0.5, 1.0) == 0.0);
+    CHECK(rain_share(1.0, 0.25) == 0.25);  // three quarters of it are roofed
 }
 
 TEST_CASE("the wet share over a step is that of its equation", "[thermal][store]") {

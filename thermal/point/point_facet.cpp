@@ -84,7 +84,9 @@ SurfaceConditions PointFacet::conditions(Instant when, const Standing& lying,
     }
     c.wind_speed = forcing.wind_speed * setup_.part.wind;
     c.wind_height = setup_.wind_height;
-    c.absorbed_solar = std::max(0.0, 1.0 - albedo - surface.solar_transmittance) * sunlight;
+    // Snow on a pane takes what would have passed.
+    const double passed = (1.0 - cover.share) * surface.solar_transmittance;
+    c.absorbed_solar = std::max(0.0, 1.0 - albedo - passed) * sunlight;
     c.longwave_in = forcing.longwave_in;
     c.own_view = forcing.own_view;
     c.emissivity = surface.emissivity;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <variant>
@@ -96,6 +97,11 @@ void forget_albedo(const std::string& measured_over, const std::string& material
              weather);
 }
 
+bool rains(const Weather& weather) {
+    return std::any_of(weather.sample.begin(), weather.sample.end(),
+                       [](const Forcing& f) { return f.rain_mm_h > 0.0; });
+}
+
 void read_time(const Section& time, PointJob& job) {
     const std::string start = time.moment("start", "with its offset from UTC");
     const std::string end = time.moment("end", "with its offset from UTC");
@@ -157,6 +163,9 @@ PointJob read_column_job(const Document& document) {
         forget_albedo(measured_over, read.name, job.weather);
     }
     for (const std::string& note : spectrum_notes(read, {})) add_note(note, job.weather);
+    if (job.surface.flight && rains(job.weather)) {
+        add_note("in flight: it gathers no rain or snow", job.weather);
+    }
     return job;
 }
 

@@ -25,6 +25,7 @@ class PointWeather {
     SkySeries series_;
     SunPath sun_;
     Eigen::Vector3d normal_;
+    double rain_share_;  // of rain on level ground, what falls on it
     OpenSky open_{};
     double tilted_ = 0.0;  // tilted_sky_excess
 };

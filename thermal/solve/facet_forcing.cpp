@@ -8,13 +8,20 @@
 
 namespace diurna {
 
+double rain_on(const SolveState& solve, std::size_t facet) {
+    const MaterialId material = solve.input.facets.material[facet];
+    if (solve.input.materials[material].thermal.flight) return 0.0;
+    const std::vector<float>& open = solve.input.open_above;
+    return rain_share(solve.input.facets.normal[facet].z(),
+                      open.empty() ? 1.0 : double(open[facet]));
+}
+
 FacetForcing::FacetForcing(const SolveState& solve, std::vector<Forcing> weather,
                            const Block& block, std::size_t lane)
     : solve_(solve), weather_(std::move(weather)) {
     const std::size_t facet = block.facet[lane];
     measured_share_ = measured_share(solve.input, solve.input.facets.material[facet]);
-    rain_share_ =
-        rain_share(solve.input.facets.normal[facet].z(), double(solve.input.views.sky[facet]));
+    rain_share_ = rain_on(solve, facet);
     for (std::size_t i = 0; i < solve.instant.size(); ++i) {
         const std::size_t at = i * solve.facets + facet;
         double longwave = solve.at_facet(&SkyState::longwave_down, i, facet);

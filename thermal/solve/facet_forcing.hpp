@@ -8,6 +8,10 @@
 
 namespace diurna {
 
+/// Of rain and snow on level open ground, what falls on a facet: straight down, past what stands
+/// above; on what is in flight nothing.
+double rain_on(const SolveState& solve, std::size_t facet);
+
 /// What one facet of a solve meets at any instant: sun, sky and neighbours straight between the
 /// instants of the steps, but for the jumps of sunlight at shadows' edges.
 class FacetForcing {

@@ -102,10 +102,7 @@ PointFacets::Need PointFacets::need_of(const Level& level, const Block& block, s
         if (cold) return {.taken = true};
     }
     if (need != PointNeed::if_wet) return {};
-    const double open = double(solve_.input.views.sky[f]);
-    if (rains_ && rain_share(solve_.input.facets.normal[f].z(), open) > 0.0) {
-        return {.taken = true};
-    }
+    if (rains_ && rain_on(solve_, f) > 0.0) return {.taken = true};
     if (warmest.empty()) warmest = warmest_dew(solve_, kind, block);
     const Dew dew = dew_on(solve_, kind, block, l, warmest);
     const bool dry = surface.evaporation.wetness == 0.0;

@@ -43,6 +43,9 @@ void check(const SolveInput& input, const SolveOptions& options) {
     if (!input.part.empty() && input.part.size() != n) {
         throw InputError("thermal solve", "parts in the wind belong to another set of facets");
     }
+    if (!input.open_above.empty() && input.open_above.size() != n) {
+        throw InputError("thermal solve", "what lies above belongs to another set of facets");
+    }
     if (!input.measured_share.empty() && input.measured_share.size() != input.materials.size()) {
         throw InputError("thermal solve", "shares of measured albedo belong to other materials");
     }

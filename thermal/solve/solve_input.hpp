@@ -81,6 +81,8 @@ struct SolveInput {
     std::vector<float> height{};   // (facet) [m] above the sea; empty: all at the weather's
     std::vector<FilmPart> part{};  // (facet) to the wind; empty: of unknown size, in the open
     std::vector<NetworkObject> network{};  // targets whose facets conduct from one to the next
+    /// (facet) share of what falls straight down that nothing above keeps off it; empty: all.
+    std::vector<float> open_above{};
     ClearSky clear_sky{};
     /// (material) what measured light up over light down is to be multiplied by to be its albedo: 1
     /// for the material it was measured over; 0 leaves a material its own. Empty: all 0.

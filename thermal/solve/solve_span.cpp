@@ -144,6 +144,7 @@ void solve_piece(const Piece& piece, Walk& walk) {
                                 .height = given.height,
                                 .part = given.part,
                                 .network = given.network,
+                                .open_above = given.open_above,
                                 .clear_sky = given.clear_sky,
                                 .measured_share = given.measured_share,
                                 .sunlight_views = given.sunlight_views,

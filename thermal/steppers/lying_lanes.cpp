@@ -17,7 +17,7 @@ double albedo_of(const EnthalpyBatch& batch, std::size_t l, double wet, double c
     if (surface.snow_albedo) return batch.snow_albedo[l];
     double albedo = surface.albedo;
     if (surface.store.wet_albedo >= 0.0) albedo += wet * (surface.store.wet_albedo - albedo);
-    return albedo + cover * (snow - albedo);
+    return albedo + cover * (snow - albedo - surface.solar_transmittance);
 }
 
 Covered begin_lying(const EnthalpyForcing& f, const EnthalpyBatch& batch) {

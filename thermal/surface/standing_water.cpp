@@ -46,9 +46,8 @@ StoreCapacity store_capacity(const WaterStore& store, double up_cosine) {
     return capacity;
 }
 
-double rain_share(double up_cosine, double sky_view) {
-    const double open = 0.5 * (1.0 + up_cosine);
-    return open > 0.0 ? std::max(0.0, up_cosine) * std::min(1.0, sky_view / open) : 0.0;
+double rain_share(double up_cosine, double open_above) {
+    return std::max(0.0, up_cosine) * open_above;
 }
 
 SnowCover snow_cover(double frost, double roughness_length) {

@@ -28,10 +28,10 @@ struct StoreCapacity {
 };
 StoreCapacity store_capacity(const WaterStore& store, double up_cosine);
 
-/// Rain on a surface over that on level open ground: it falls straight down, where the sky is open.
+/// Rain on a surface over that on level open ground: it falls straight down, whatever the wind.
 ///
-/// sky_view  of the surface, 0 to 1
-double rain_share(double up_cosine, double sky_view);
+/// open_above  share of it that nothing above keeps off, 0 to 1
+double rain_share(double up_cosine, double open_above);
 
 /// Share of precipitation that falls as snow: all below 0 °C of the air, none above 2 °C, straight
 /// between (after US Army Corps of Engineers 1956, Snow Hydrology).

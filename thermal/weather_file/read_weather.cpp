@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <utility>
 
+#include "materials/air/moist_air.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather_file/bsrn.hpp"
@@ -156,6 +158,36 @@ void tell_place(WeatherTable& table, const WeatherOptions& options) {
     }
 }
 
+/// Refuses pressures that no place on the ground has, unless they are the standard atmosphere's at
+/// that height: most are of another unit.
+///
+/// height  [m] above the sea, of the instruments
+void check_pressure(const WeatherTable& table, double height) {
+    constexpr double least = 30000.0, most = 110000.0, near = 0.1;  // [Pa]; a share
+    const double usual = standard_pressure(height);
+    const auto fits = [&](double pressure) {
+        return (pressure >= least && pressure <= most) ||
+               std::abs(pressure - usual) <= near * usual;
+    };
+    const std::vector<double>& all = table.of(Quantity::pressure);
+    for (std::size_t row = 0; row < all.size(); ++row) {
+        if (std::isnan(all[row]) || fits(all[row])) continue;
+        std::string hint;
+        for (const auto& [unit, pascal] : {std::pair{"hPa", 100.0}, {"kPa", 1000.0}}) {
+            if (std::abs(all[row] * pascal - usual) > 2.0 * near * usual) continue;
+            hint = fmt::format(
+                "looks like {}: pressure_Pa is in Pa; [weather.columns] takes a "
+                "column as \"pressure {}\"",
+                unit, unit);
+        }
+        throw InputError(table.where[row] + ": pressure_Pa",
+                         fmt::format("found {:g} Pa, expected {:g} to {:g} at the station (the "
+                                     "standard atmosphere has {:.0f} at its {:g} m)",
+                                     all[row], least, most, usual, height),
+                         hint);
+    }
+}
+
 }  // namespace
 
 WeatherFormat weather_format(const std::filesystem::path& file) {
@@ -187,6 +219,7 @@ Weather read_weather(const std::filesystem::path& file, const WeatherOptions& op
     const bool carried = options.at_station && table.place && std::isfinite(table.place->height);
     const double height =
         options.height.value_or(carried ? table.place->height : options.elevation);
+    check_pressure(table, height);
     Weather weather = weather_series(table, stamps, height);
     weather.height = height;
     return weather;

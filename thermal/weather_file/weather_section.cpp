@@ -43,7 +43,8 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
     if (stated == "start") options.interval = Stamp::start;
     if (stated == "end") options.interval = Stamp::end;
     if (stated == "instant") options.interval = Stamp::instant;
-    options.wind_height = height_or(section, "wind_height_m", "at which wind was measured",
+    options.wind_height = height_or(section, "wind_height_m",
+                                    "at which wind was measured; less than 0.3 m/s counts as 0.3",
                                     "the format's; of CSV 10", {lowest_wind, 200.0});
     options.air_height = height_or(section, "air_height_m",
                                    "at which the air's temperature and humidity were measured",

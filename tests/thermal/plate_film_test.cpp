@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <utility>
 
 #include "materials/air/transport.hpp"
 #include "materials/base/units.hpp"
@@ -247,6 +248,16 @@ TEST_CASE("walls' films are those of TARP and MoWiTT in air of 1.204 kg/m3",
     // 2.537 · 0.75 · 1.67 √(0.4 · 3), and of smooth plaster on a wall of 4 m.
     CHECK(tarp_forced({}, 3.0) == Approx(3.4808).epsilon(1e-4));
     CHECK(tarp_forced({.length = 4.0, .roughness = 1.11}, 3.0) == Approx(3.6583).epsilon(1e-4));
+    // Level surfaces have no lee (EnergyPlus, TARP: windward where |cos tilt| is 0.98 or more):
+    // 2.537 · 1 · 1.67 √(0.4 · 3) beside the natural part; a wall, and a roof of 20°, 0.75 of it.
+    const AirFilm windy = film_over(Tarp{}, 293.15, 3.0);
+    for (const auto& [up, exposed] :
+         {std::pair{1.0, 1.0}, {-1.0, 1.0}, {0.99, 1.0}, {0.94, 0.75}, {0.0, 0.75}}) {
+        CAPTURE(up);
+        CHECK(film_at(windy, facet_film(Tarp{}, up, {}), 303.15) -
+                  film_at(still, natural_film(up), 303.15) ==
+              Approx(exposed * 4.641).epsilon(1e-3));
+    }
     // MoWiTT at 5 m/s, 10 K; natural part 0.84 in the reference, 1.31 of a wall here: 13.93.
     const AirFilm windy = film_over(Mowitt{}, 293.15, 5.0);
     CHECK(windy.plate.laminar ==

@@ -18,6 +18,8 @@ constexpr double cylinder_transition = 282000;  // Re of Churchill & Bernstein
 // (1 + z^⅝)^⅘ ≈ 1 + 0.74 z^0.565, 1.5 % from nought to z = 35, z = Re / 282000
 constexpr double cylinder_share = 0.74, cylinder_power = 0.565;
 constexpr double box_power = 0.675;
+constexpr double tarp_exposure = 0.75;  // W_f of a wall: mean of windward 1 and leeward 0.5
+constexpr double tarp_level = 0.98;     // |up cosine| from which a surface counts as level
 
 /// Of Churchill & Chu's Ra^⅙: 0.387 [1 + (p/Pr)^(9/16)]^(−8/27).
 double sixth_root_factor(double p) {
@@ -84,7 +86,9 @@ NaturalFilm facet_film(const Convection& convection, double up_cosine, const Fil
     }
     NaturalFilm film = natural_film(up_cosine);
     if (std::holds_alternative<Tarp>(convection)) {
-        film.laminar = std::sqrt(double{part.wind});
+        // A level surface has no lee: it is all windward (EnergyPlus, Engineering Reference).
+        const double exposed = std::abs(up_cosine) >= tarp_level ? 1.0 / tarp_exposure : 1.0;
+        film.laminar = exposed * std::sqrt(double{part.wind});
     } else if (std::holds_alternative<Mowitt>(convection)) {
         film.laminar = std::pow(double{part.wind}, 0.89);
     } else {
@@ -151,8 +155,7 @@ PlateAir plate_air(const BodyFilm& body, const AirState& reference, double wind)
 }
 
 double tarp_forced(const Tarp& tarp, double wind_speed) {
-    constexpr double exposure = 0.75;
-    return 2.537 * exposure * tarp.roughness * std::sqrt(4.0 / tarp.length * wind_speed);
+    return 2.537 * tarp_exposure * tarp.roughness * std::sqrt(4.0 / tarp.length * wind_speed);
 }
 
 double mowitt_forced(double wind_speed) { return 3.26 * std::pow(wind_speed, 0.89); }

@@ -85,7 +85,8 @@ PlateAir plate_air(const Mowitt& mowitt, const AirState& reference, double wind)
 PlateAir plate_air(const BodyFilm& body, const AirState& reference, double wind);
 
 /// Forced part of TARP's film [W m⁻² K⁻¹]: 2.537 W_f R_f √(P U / A), mean of windward and leeward
-/// (W_f 0.75), P/A = 4 / length.
+/// (W_f 0.75), P/A = 4 / length; of a level surface (|up cosine| 0.98 or more) facet_film() makes
+/// that W_f 1, as Walton 1983 and EnergyPlus have it for roofs.
 double tarp_forced(const Tarp& tarp, double wind_speed);
 /// Forced part of DOE-2's MoWiTT film, windward: 3.26 U^0.89.
 double mowitt_forced(double wind_speed);

@@ -8,6 +8,7 @@
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "materials/matter/spectrum_notes.hpp"
+#include "materials/radiation/band.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"

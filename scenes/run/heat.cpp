@@ -90,6 +90,14 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
     return notes;
 }
 
+std::string targets_told(const SolveReport& report) {
+    if (report.target_facets == 0) return "";
+    return fmt::format(
+        "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
+        "them",
+        report.target_facets);
+}
+
 /// What was followed of the water on surfaces, and what was not.
 std::string water_told(const SolveReport& report) {
     std::vector<std::string> parts;
@@ -176,22 +184,11 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
                            .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
     SpanResult result = solve_span(input, exposure, span);
     result.start += ": " + start_told(input, span, result.report);
-    if (std::string lee = lee_note(prepared.world, parts); !lee.empty()) {
-        result.notes.push_back(std::move(lee));
-    }
-    if (result.report.target_facets > 0) {
-        result.notes.push_back(fmt::format(
-            "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
-            "them",
-            result.report.target_facets));
-    }
-    if (std::string rain =
-            rain_note(prepared.world, prepared.scene.materials, prepared.weather, open);
-        !rain.empty()) {
-        result.notes.push_back(std::move(rain));
-    }
-    if (std::string told = water_told(result.report); !told.empty()) {
-        result.notes.push_back(std::move(told));
+    for (std::string note :
+         {lee_note(prepared.world, parts), targets_told(result.report),
+          rain_note(prepared.world, prepared.scene.materials, prepared.weather, open),
+          water_told(result.report)}) {
+        if (!note.empty()) result.notes.push_back(std::move(note));
     }
     if (const double share = daily.share_taken_over(); share > 0.0) {
         result.notes.push_back(

@@ -99,6 +99,7 @@ struct Sample {
             view.below.push_back(view.below[k % n]);
             view.shares.push_back(view.shares[k % n]);
         }
+        facets.object.assign(n * times, ObjectId{0});
         view.others.row.assign(n * times + 1, 0);
         for (std::size_t i = 0; i < once.instant.size(); ++i) {
             const auto row = once.fraction.begin() + std::ptrdiff_t(i * n);

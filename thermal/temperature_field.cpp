@@ -7,6 +7,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <numeric>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,12 +24,29 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// The rows on either side of an instant, and its way from one to the other; twice the same beyond
+/// the ends.
+struct Between {
+    std::size_t low, high;
+    double share = 0.0;
+};
+Between rows_around(const std::vector<Instant>& instant, Instant when) {
+    assert(!instant.empty());
+    const auto after = std::upper_bound(instant.begin(), instant.end(), when);
+    const auto i = static_cast<std::size_t>(after - instant.begin());
+    if (i == 0) return {0, 0};
+    if (i == instant.size()) return {i - 1, i - 1};
+    return {i - 1, i,
+            seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i])};
+}
+
 /// What a temperature field's file holds.
 struct Variables {
     int corner, time, kelvin, clock, solar;
     int material = -1, object = -1;      // (facet)
     std::array<int, 3> axis;             // east, north, up
     std::array<int, heat_terms> term{};  // (time, facet), if there are fluxes
+    std::array<int, 3> cover{};          // likewise, if water lies on any facet
 };
 
 /// What is written of a term. CF names fluxes away from the ground "upward"; here that is away from
@@ -53,6 +72,20 @@ constexpr const char* heat_equation =
     "absorbed_sunlight + absorbed_longwave + internal_heat = emitted_longwave + sensible_heat + "
     "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "
     "of the facet's front; between the solver's steps both sides are on the straight line";
+
+/// What is written of a SurfaceCover.
+struct CoverName {
+    const char *name, *standard_name, *long_name;
+    float SurfaceCover::*value;
+};
+constexpr std::array<CoverName, 3> cover_names{{
+    {"wet_share", "", "share of the facet that is wet, content over capacity of what it holds",
+     &SurfaceCover::wet},
+    {"snow_cover", "surface_snow_area_fraction", "share of the facet that snow or hoar hides",
+     &SurfaceCover::snow},
+    {"snow_albedo", "", "broadband albedo of that snow; 0 where none lies",
+     &SurfaceCover::snow_albedo},
+}};
 
 /// A word of CF's flag_meanings: letters, digits and _ - . + @.
 std::string flag_word(std::string name) {
@@ -119,6 +152,14 @@ void declare_fluxes(const NetcdfFile& file, const std::array<int, 2>& dims, Vari
     }
 }
 
+void declare_cover(const NetcdfFile& file, const std::array<int, 2>& dims, Variables& variables) {
+    for (std::size_t k = 0; k < cover_names.size(); ++k) {
+        const CoverName& of = cover_names[k];
+        variables.cover[k] = declare_field(file, of.name, of.standard_name, "1", dims);
+        file.text(variables.cover[k], "long_name", of.long_name);
+    }
+}
+
 /// Dimensions, variables and their attributes: what a reader learns before any number.
 Variables declare(const NetcdfFile& file, const TemperatureField& field, const FacetSet& facets,
                   const Site& site, const FieldNotes& notes) {
@@ -164,6 +205,7 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
     const std::array<int, 2> dims{time_dim, facet_dim};
     variables.kelvin = declare_field(file, "surface_temperature", "surface_temperature", "K", dims);
     if (notes.fluxes) declare_fluxes(file, dims, variables);
+    if (!field.water.empty()) declare_cover(file, dims, variables);
     file.must(nc_enddef(file.id()));
     return variables;
 }
@@ -219,22 +261,77 @@ void write_fluxes(const NetcdfFile& file, const Variables& variables, const Heat
     }
 }
 
+/// Instant by instant, all facets: those whose water is not followed are dry.
+void write_cover(const NetcdfFile& file, const Variables& variables,
+                 const TemperatureField& field) {
+    std::vector<float> row(field.facets, 0.0f);
+    for (std::size_t i = 0; i < field.instant.size(); ++i) {
+        const std::size_t from[] = {i, 0}, count[] = {1, field.facets};
+        const std::span<const SurfaceCover> cover = field.water.at(i);
+        for (std::size_t k = 0; k < cover_names.size(); ++k) {
+            for (std::size_t n = 0; n < cover.size(); ++n) {
+                row[field.water.facet[n]] = cover[n].*cover_names[k].value;
+            }
+            file.must(nc_put_vara_float(file.id(), variables.cover[k], from, count, row.data()));
+        }
+    }
+}
+
+/// What lies on facets, if the file tells it: all three variables, each 0 to 1.
+CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size_t facets,
+                         const std::array<int, 2>& dims, const fs::path& path) {
+    const auto fail = [&](const char* name, const char* problem) {
+        return InputError(path.string(), fmt::format("{} {}", name, problem));
+    };
+    std::array<int, cover_names.size()> variable{};
+    for (std::size_t k = 0; k < cover_names.size(); ++k) {
+        const char* const name = cover_names[k].name;
+        if (nc_inq_varid(file.id(), name, &variable[k]) != NC_NOERR) {
+            if (k == 0) return {};
+            throw fail(name, "is missing beside wet_share");
+        }
+        int rank = 0;
+        std::array<int, NC_MAX_VAR_DIMS> of{};
+        if (nc_inq_varndims(file.id(), variable[k], &rank) != NC_NOERR || rank != 2 ||
+            nc_inq_vardimid(file.id(), variable[k], of.data()) != NC_NOERR || of[0] != dims[0] ||
+            of[1] != dims[1]) {
+            throw fail(name, "is not (time, facet)");
+        }
+    }
+    CoveredFacets all{.facet = std::vector<std::uint32_t>(facets), .cover = {}};
+    std::iota(all.facet.begin(), all.facet.end(), 0u);
+    all.cover.resize(instants * facets);
+    std::vector<float> values(instants * facets);
+    for (std::size_t k = 0; k < cover_names.size(); ++k) {
+        const CoverName& of = cover_names[k];
+        if (nc_get_var_float(file.id(), variable[k], values.data()) != NC_NOERR) {
+            throw fail(of.name, "is not readable");
+        }
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            if (!(values[n] >= 0.0f && values[n] <= 1.0f)) {
+                throw fail(of.name, "holds values that are not 0 to 1");
+            }
+            all.cover[n].*of.value = values[n];
+        }
+    }
+    return all.kept();
+}
+
 }  // namespace
 
 std::vector<float> TemperatureField::interpolate(Instant when) const {
-    assert(!instant.empty());
-    const auto after = std::upper_bound(instant.begin(), instant.end(), when);
-    const auto i = static_cast<std::size_t>(after - instant.begin());
-    if (i == 0 || i == instant.size()) {
-        const auto row = at(i == 0 ? 0 : i - 1);
-        return {row.begin(), row.end()};
-    }
-    const float share =
-        float(seconds_between(instant[i - 1], when) / seconds_between(instant[i - 1], instant[i]));
-    const auto a = at(i - 1), b = at(i);
+    const Between rows = rows_around(instant, when);
+    const auto a = at(rows.low), b = at(rows.high);
+    if (rows.low == rows.high) return {a.begin(), a.end()};
+    const auto share = float(rows.share);
     std::vector<float> result(facets);
     for (std::size_t f = 0; f < facets; ++f) result[f] = a[f] + share * (b[f] - a[f]);
     return result;
+}
+
+std::vector<SurfaceCover> TemperatureField::cover_at(Instant when) const {
+    const Between rows = rows_around(instant, when);
+    return water.between(rows.low, rows.high, rows.share);
 }
 
 void save_temperature_field(const fs::path& path, const TemperatureField& field,
@@ -257,6 +354,7 @@ void save_temperature_field(const fs::path& path, const TemperatureField& field,
         assert(notes.fluxes->instant == field.instant);
         write_fluxes(file, variables, *notes.fluxes);
     }
+    if (!field.water.empty()) write_cover(file, variables, field);
     file.finish();
 }
 
@@ -314,6 +412,7 @@ TemperatureField load_temperature_field(const fs::path& path) {
                     [](float t) { return !(std::isfinite(t) && t > 0.0f); })) {
         throw fail("holds temperatures that are not finite and positive");
     }
+    field.water = read_cover(file, instants, facets, {dims[0], dims[1]}, path);
     return field;
 }
 

@@ -9,6 +9,7 @@
 #include "terrain/facets.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
+#include "thermal/covered_facets.hpp"
 #include "thermal/heat_flux_field.hpp"
 
 namespace diurna {
@@ -18,6 +19,7 @@ struct TemperatureField {
     std::vector<Instant> instant;  // ascending
     std::size_t facets = 0;
     std::vector<float> kelvin;  // (instant, facet) [K]
+    CoveredFacets water{};      // what lies on facets whose water was followed; none where all dry
 
     std::span<const float> at(std::size_t index) const {
         return {kelvin.data() + index * facets, facets};
@@ -25,6 +27,8 @@ struct TemperatureField {
     std::span<float> at(std::size_t index) { return {kelvin.data() + index * facets, facets}; }
     /// Linear between the kept instants, constant beyond them. (facet) [K]
     std::vector<float> interpolate(Instant when) const;
+    /// The same of what lies on facets: (place in water.facet).
+    std::vector<SurfaceCover> cover_at(Instant when) const;
 };
 
 /// What stands in a file beside temperatures.

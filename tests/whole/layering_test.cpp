@@ -37,7 +37,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
      {"place", "raster", "ground", "objects", "facets", "relief", "visibility", "texture"}},
     {"thermal",
      {"weather", "weather_file", "column", "surface", "kernels", "steppers", "network", "point",
-      "heat_flux_field", "netcdf_output", "temperature_field", "solve"}},
+      "covered_facets", "heat_flux_field", "netcdf_output", "temperature_field", "solve"}},
     {"render", {"picture", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes", {"input", "keys", "world", "plan", "report", "run", "commands"}},
 };

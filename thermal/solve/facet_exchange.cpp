@@ -20,6 +20,7 @@ class SunlightAtOnce {
                    std::span<const std::size_t> instants)
         : scene_(scene), sun_(sun), instants_(instants) {
         incident_.resize(scene.facets.size() * instants.size());
+        spread_albedo();
         for (const std::size_t i : instants) {
             for (std::size_t tier = 0; tier < sun.sky.tiers; ++tier) {
                 const SkyState& sky = sun.sky.sky[i * sun.sky.tiers + tier];
@@ -51,8 +52,7 @@ class SunlightAtOnce {
                                                .horizon = at(k, &Light::horizon)},
                                               seen, open);
                 if (scene_.exchange) {
-                    light += double(scene_.views.below[f]) * scene_.optics.albedo[f] *
-                             at(k, &Light::global);
+                    light += double(scene_.views.below[f]) * albedo(f, k) * at(k, &Light::global);
                 }
                 incident_[f * n + k] = float(light);
             }
@@ -69,7 +69,7 @@ class SunlightAtOnce {
         const auto reflect = [&](std::size_t f, const float* light, float* out) {
             float most = 0.0f;
             for (std::size_t k = 0; k < n; ++k) {
-                out[k] += scene_.optics.albedo[f] * light[k];
+                out[k] += albedo(f, k) * light[k];
                 most = std::max(most, out[k] * scale[k]);
             }
             return most;
@@ -97,6 +97,26 @@ class SunlightAtOnce {
     }
 
  private:
+    /// Of all facets at these instants, if it changes.
+    void spread_albedo() {
+        if (!scene_.changing) return;
+        const std::size_t n = instants_.size();
+        const ChangingAlbedo& changing = *scene_.changing;
+        changed_.resize(scene_.facets.size() * n);
+        for (std::size_t f = 0; f < scene_.facets.size(); ++f) {
+            std::fill_n(changed_.begin() + std::ptrdiff_t(f * n), n, scene_.optics.albedo[f]);
+        }
+        for (std::size_t k = 0; k < n; ++k) {
+            const float* const row = &changing.albedo[instants_[k] * changing.facet.size()];
+            for (std::size_t place = 0; place < changing.facet.size(); ++place) {
+                changed_[changing.facet[place] * n + k] = row[place];
+            }
+        }
+    }
+    float albedo(std::size_t f, std::size_t k) const {
+        return changed_.empty() ? scene_.optics.albedo[f] : changed_[f * instants_.size() + k];
+    }
+
     const ExchangingFacets& scene_;
     const SunlitInstants& sun_;
     std::span<const std::size_t> instants_;
@@ -105,7 +125,20 @@ class SunlightAtOnce {
     };
     std::vector<Light> light_;  // (instant, tier)
     std::vector<float> incident_;
+    std::vector<float> changed_;  // (facet, instant) albedo; empty: FacetOptics'
 };
+
+/// (facet) The greatest albedo at any instant.
+std::vector<float> greatest_albedo(const ExchangingFacets& scene) {
+    std::vector<float> greatest = scene.optics.albedo;
+    if (!scene.changing) return greatest;
+    const std::vector<std::uint32_t>& facet = scene.changing->facet;
+    for (std::size_t n = 0; n < scene.changing->albedo.size(); ++n) {
+        float& most = greatest[facet[n % facet.size()]];
+        most = std::max(most, scene.changing->albedo[n]);
+    }
+    return greatest;
+}
 
 }  // namespace
 
@@ -136,7 +169,7 @@ void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
     const std::size_t facets = scene.facets.size();
     const bool bounces = scene.exchange && !scene.views.others.facet.empty();
     const double bound =
-        sunlight_bound * (1.0 - double(greatest_sent_on(scene.views, scene.optics.albedo)));
+        sunlight_bound * (1.0 - double(greatest_sent_on(scene.views, greatest_albedo(scene))));
     std::vector<std::size_t> lit;
     for (std::size_t i = 0; i < sun.sky.instants(); ++i) {
         if (sun.sky.sky[i * sun.sky.tiers].global_horizontal() > 0.0) {

@@ -18,12 +18,19 @@ struct FacetOptics {
 };
 FacetOptics facet_optics(const FacetSet& facets, const MaterialLibrary& materials);
 
+/// The albedo of facets on which it changes, as snow falls and melts: in place of FacetOptics'.
+struct ChangingAlbedo {
+    std::vector<std::uint32_t> facet;  // ascending
+    std::vector<float> albedo;         // (instant, place in `facet`)
+};
+
 /// Who exchanges light with whom.
 struct ExchangingFacets {
     const FacetSet& facets;
     const FacetViews& views;
     const FacetOptics& optics;
-    bool exchange = true;  // else each sees sun and sky alone
+    bool exchange = true;                      // else each sees sun and sky alone
+    const ChangingAlbedo* changing = nullptr;  // null: none changes
 };
 
 /// The sky over facets at heights of their own: at a few heights, in between on the straight line.

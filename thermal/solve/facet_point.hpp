@@ -6,6 +6,7 @@
 #include "thermal/point/point_facet.hpp"
 #include "thermal/solve/heat_state.hpp"
 #include "thermal/solve/solve_state.hpp"
+#include "thermal/surface/surface_cover.hpp"
 
 namespace diurna {
 
@@ -16,7 +17,8 @@ struct FacetPoint {
     HeatState::Point start, end;
     std::vector<float> kelvin{}, excess{};  // (instant) of the last run; what it ran under
     std::vector<float> back_kelvin{}, back_excess{};  // the same of its back, if it has one
-    double residual = 0.0, move = 0.0;                // [K]
+    std::vector<SurfaceCover> cover{};  // (instant) of the last run; none: it holds no water
+    double residual = 0.0, move = 0.0;  // [K]
     int passes = 0;
     PointFacet::Count count{};
     double water_closure = 0.0;  // [kg m⁻²] of the last run

@@ -23,7 +23,7 @@ void pass(SolveState& solve, const Level& level, double progress_from, double pr
                 } else {
                     run_layered(solve, level, block);
                 }
-                block.heat_change = block.unfollowed = block.warmed = 0.0;
+                block.heat_change = block.unfollowed = block.warmed = block.relit = 0.0;
             },
             4);
         if (solve.options.progress) {

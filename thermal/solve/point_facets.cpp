@@ -178,6 +178,21 @@ void PointFacets::set_out_from(const std::vector<HeatState::Point>& left) {
     }
 }
 
+CoveredFacets PointFacets::cover() const {
+    std::vector<const FacetPoint*> covered;
+    for (const FacetPoint& p : point_) {
+        if (!p.cover.empty()) covered.push_back(&p);
+    }
+    std::sort(covered.begin(), covered.end(),
+              [](const FacetPoint* a, const FacetPoint* b) { return a->facet < b->facet; });
+    CoveredFacets all;
+    for (const FacetPoint* p : covered) all.facet.push_back(std::uint32_t(p->facet));
+    for (std::size_t i = 0; !covered.empty() && i < solve_.instant.size(); ++i) {
+        for (const FacetPoint* p : covered) all.cover.push_back(p->cover[i]);
+    }
+    return all;
+}
+
 std::vector<HeatState::Point> PointFacets::left() const {
     std::vector<HeatState::Point> left;
     for (const FacetPoint& p : point_) left.push_back(p.end);
@@ -189,8 +204,12 @@ bool PointFacets::rests(const FacetPoint& p) const {
     if (solve_.options.periodic && (p.residual > solve_.options.tolerance || p.move > 0.01)) {
         return false;
     }
-    if (solve_.excess.empty()) return true;
     constexpr double counts = 0.05;  // [W m⁻²], as for blocks
+    const std::vector<float>& relit = solve_.relit;
+    if (!relit.empty() && std::max(relit[p.facet], relit[back_of_point(solve_, p)]) > counts) {
+        return false;
+    }
+    if (solve_.excess.empty()) return true;
     for (std::size_t i = 0; i < p.excess.size(); ++i) {
         if (std::abs(solve_.excess[i * solve_.facets + p.facet] - p.excess[i]) > counts)
             return false;
@@ -230,6 +249,16 @@ void PointFacets::march_span(const Level& level, const FacetForcing& forcing, Po
     facet.count = {};
     const SurfaceTerms first = facet.terms(instant[0]);
     p.kelvin[0] = float(first.radiometric);
+    const ThermalSurface& surface =
+        solve_.input.materials[solve_.input.facets.material[p.facet]].thermal;
+    const StoreCapacity capacity =
+        store_capacity(surface.store, solve_.input.facets.normal[p.facet].z());
+    p.cover.resize(holds_water(surface) ? instant.size() : 0);
+    const auto put_cover = [&](std::size_t i) {
+        if (p.cover.empty()) return;
+        p.cover[i] = surface_cover(surface, capacity, facet.standing, facet.snow_albedo());
+    };
+    put_cover(0);
     const std::size_t last = facet.column.size() - 1;
     const auto put_back = [&](std::size_t i) {
         if (p.back_kelvin.empty()) return;
@@ -250,6 +279,7 @@ void PointFacets::march_span(const Level& level, const FacetForcing& forcing, Po
         restart = false;
         p.kelvin[i + 1] = float(facet.terms(instant[i + 1]).radiometric);
         put_back(i + 1);
+        put_cover(i + 1);
         record(i + 1, facet.ending().terms, facet.ending().taken);
     }
 }
@@ -362,6 +392,7 @@ void PointFacets::pass(SolveState& solve, const Level& level) {
     for (FacetPoint& p : point_) {
         if (!solve_.record && rests(p)) continue;
         (by_itself(level, p) ? alone : together).push_back(&p);
+        if (!solve.relit.empty()) solve.relit[p.facet] = solve.relit[back_of_point(solve, p)] = 0;
     }
     for_each_index(
         alone.size(), [&](std::size_t i) { run(level, *alone[i]); }, 1);

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "thermal/covered_facets.hpp"
 #include "thermal/point/point_facet.hpp"
 #include "thermal/solve/facet_forcing.hpp"
 #include "thermal/solve/facet_point.hpp"
@@ -46,6 +47,8 @@ class PointFacets {
 
     /// Begins with facets that another solve has taken in, from what it left.
     void set_out_from(const std::vector<HeatState::Point>& left);
+    /// What lies on them at the solve's instants, of those that hold water, after their last run.
+    CoveredFacets cover() const;
     /// What the span leaves of all points.
     std::vector<HeatState::Point> left() const;
 

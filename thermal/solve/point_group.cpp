@@ -91,6 +91,7 @@ class GroupRun {
         note_excess(solve_, p, other_side);
         if (other_side) p.back_kelvin.resize(solve_.instant.size());
         p.kelvin.resize(solve_.instant.size());
+        if (holds_water(kind_.column.surface)) p.cover.resize(solve_.instant.size());
         const double up = solve_.input.facets.normal[p.facet].z();
         batch_.natural[l] =
             facet_film(kind_.column.surface.convection, up, solve_.part_of(p.facet));
@@ -194,6 +195,10 @@ class GroupRun {
         FacetPoint& p = *lane_[l].point;
         const double ground = column_.column.temperature(0, batch_.u[l]);
         p.kelvin[i] = float(batch_.skin[l]);
+        if (!p.cover.empty()) {
+            p.cover[i] = surface_cover(*batch_.surface, batch_.capacity[l], batch_.standing[l],
+                                       batch_.snow_albedo[l]);
+        }
         if (!p.back_kelvin.empty()) {
             p.back_kelvin[i] = float(column_.column.temperature(last, batch_.u[last * W + l]));
         }

@@ -41,6 +41,7 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.periodic_residual = std::max(all.periodic_residual, one.periodic_residual);
     all.estimated_error = std::max(all.estimated_error, one.estimated_error);
     all.exchange_change = std::max(all.exchange_change, one.exchange_change);
+    all.light_change = std::max(all.light_change, one.light_change);
     all.worst_energy_closure = std::max(all.worst_energy_closure, one.worst_energy_closure);
     all.newton_iterations = std::max(all.newton_iterations, one.newton_iterations);
     all.worst_newton_iterations =
@@ -74,6 +75,9 @@ void keep(const TemperatureField& steps, bool last, Walk& walk) {
         const std::vector<float> row = steps.interpolate(*when);
         kept.instant.push_back(*when);
         kept.facets = steps.facets;
+        if (!steps.water.empty() || !kept.water.empty()) {
+            add_row(steps.water.facet, steps.cover_at(*when), kept.instant.size() - 1, kept.water);
+        }
         kept.kelvin.insert(kept.kelvin.end(), row.begin(), row.end());
     }
 }

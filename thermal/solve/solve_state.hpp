@@ -54,9 +54,10 @@ struct Block {
     double heat_change = 1e9;           // [W m⁻²] of the terrain's longwave since the last run;
     double unfollowed = 0.0;            // of that, what temperatures were not moved by;
     double warmed = 1e9;                // [K] what they were moved by
-    double largest_move = 1e9;          // [K] of `move`
-    double nudge = 0.0;                 // [K] what neighbours moved the start by since
-    bool rests = false;                 // left out of the last pass
+    double relit = 0.0;         // [W m⁻²] that sunlight has changed by since the last run
+    double largest_move = 1e9;  // [K] of `move`
+    double nudge = 0.0;         // [K] what neighbours moved the start by since
+    bool rests = false;         // left out of the last pass
     std::optional<PeriodMap> period{};  // linearised about a run
     double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
     StepRecord record;          // of the last run
@@ -69,6 +70,7 @@ struct Block {
     /// no more than neighbours' heat may be worth in the end (on the default scene's second and
     /// third day 0.0003 K rms from a run again, 0.013 K at the most).
     bool settled(const SolveOptions& options) const {
+        if (relit > 0.05) return false;
         if (!options.periodic) return warmed <= options.settled && unfollowed <= 0.05;
         return residual <= options.tolerance && largest_move <= 0.01 && heat_change <= 0.05;
     }
@@ -147,6 +149,12 @@ struct Level {
 
 class HeatRecord;
 
+/// How SolveState::changing last moved, like ChangingAlbedo::albedo: how far it was from what was
+/// found under it, and what it was moved by.
+struct AlbedoMove {
+    std::vector<float> residual{}, move{};
+};
+
 struct SolveState {
     const SolveInput& input;
     const SolveOptions& options;
@@ -163,6 +171,9 @@ struct SolveState {
     std::vector<float> excess;  // (instant, facet) terrain longwave; empty without exchange
     std::vector<float> tilt;    // (facet) tilted_sky_excess; empty where the sky is even
     std::vector<float> kelvin;  // (instant, facet)
+    ChangingAlbedo changing{};  // of facets under snow or wet, as `sunlight` goes by it
+    AlbedoMove albedo_move{};
+    std::vector<float> relit{};  // (facet) [W m⁻²] likewise Block::relit; empty: none has been
     std::vector<Block> block;
     std::vector<bool> in_network;  // (facet) a target's; empty where there is none
     HeatRecord* record = nullptr;  // of the pass on its way, if it is to be taken down

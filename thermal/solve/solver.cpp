@@ -114,16 +114,20 @@ std::size_t coarse_stride(const SolveState& solve) {
     return stride;
 }
 
-TemperatureField kept(const SolveState& solve) {
+TemperatureField kept(const SolveState& solve, const CoveredFacets& water) {
     const auto every = std::max<std::size_t>(
         1, static_cast<std::size_t>(std::llround(solve.options.keep_every / solve.step)));
     TemperatureField field{.instant = {}, .facets = solve.facets, .kelvin = {}};
+    field.water.facet = water.facet;
     for (std::size_t i = 0; i < solve.instant.size(); i += every) {
         field.instant.push_back(solve.instant[i]);
         const auto row = solve.kelvin.begin() + static_cast<std::ptrdiff_t>(i * solve.facets);
         field.kelvin.insert(field.kelvin.end(), row,
                             row + static_cast<std::ptrdiff_t>(solve.facets));
+        const auto cover = water.at(i);
+        field.water.cover.insert(field.water.cover.end(), cover.begin(), cover.end());
     }
+    field.water = field.water.kept();
     return field;
 }
 
@@ -160,6 +164,7 @@ void light_up(SolveState& solve) {
         }
     }
     solve.tilt = tilts(solve);
+    take_earlier_water(solve);
     shine(solve);
     find_jumps(solve);
 }
@@ -211,6 +216,8 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
         report.estimated_error =
             std::max(report.estimated_error, block.largest_move + change.warmer);
     }
+    constexpr double least_film = 8.0;  // [W m⁻² K⁻¹] radiation and calm air
+    report.estimated_error = std::max(report.estimated_error, report.light_change / least_film);
     const PointFacets::Summary single = points.summary();
     report.periodic_residual = std::max(report.periodic_residual, single.residual);
     report.estimated_error = std::max(report.estimated_error, single.largest_move);
@@ -240,6 +247,10 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
             if (options.periodic) correct(solve, level);
             points.pass(solve, level);
             targets.pass(solve, level);
+        }
+        {
+            const Stopwatch watch(report.exchange_seconds);
+            report.light_change = relight(solve, points.cover());
         }
         // What the neighbours send by now tells how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
@@ -359,7 +370,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     pass_until_settled(state, fine, points, targets, report);
     HeatFluxField heat = record_heat(state, fine, points, targets);
     tell_steps(state, points, targets, report);
-    SolveResult result{.temperature = kept(state),
+    SolveResult result{.temperature = kept(state, points.cover()),
                        .report = report,
                        .end = left_by(state, fine, points, targets),
                        .heat = std::move(heat)};

@@ -22,7 +22,9 @@ struct SolveReport {
     int passes = 0;                  // over the span
     double periodic_residual = 0.0;  // [K] worst |P(T) − T| over facets and nodes, last pass
     double estimated_error = 0.0;  // [K] that residual through (I − M)⁻¹, and what neighbours do
-    double exchange_change = 0.0;       // [W m⁻²] worst change of terrain longwave, last pass
+    double exchange_change = 0.0;  // [W m⁻²] worst change of terrain longwave, last pass
+    double light_change = 0.0;  // [W m⁻²] worst change of what facets take in of the light that
+                                // others reflect, as snow and wetness changed in the last pass
     double worst_energy_closure = 0.0;  // |stored − in| / Σ|terms|, worst facet and step
     double newton_iterations = 0.0;     // mean per stage
     int worst_newton_iterations = 0;

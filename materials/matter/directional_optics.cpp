@@ -46,15 +46,17 @@ double over_hemisphere(const F& f) {
 }
 
 /// A pane's, whatever is reflected more than its faces do being dirt.
-DirectionalOptics optics_of_pane(const Material& material, const Glossy& pane, double wavelength_um,
-                                 double cosine) {
+///
+/// - reflectance, transmittance: as measured, at 10°
+DirectionalOptics optics_of_pane(double reflectance, double transmittance, const Glossy& pane,
+                                 double wavelength_um, double cosine) {
     const std::complex<double> index(pane.index.at(wavelength_um),
                                      pane.extinction.at(wavelength_um));
-    const double inside = inside_of_pane(material.transmittance.at(wavelength_um), index);
+    const double inside = inside_of_pane(transmittance, index);
     const PaneOptics here = pane_optics(cosine, index, inside);
     const PaneOptics upright = pane_optics(laboratory_cosine, index, inside);
     const double left = std::max(0.0, 1.0 - here.reflectance - here.transmittance);
-    const double more = std::max(0.0, material.reflectance.at(wavelength_um) - upright.reflectance);
+    const double more = std::max(0.0, reflectance - upright.reflectance);
     return {.emissivity = std::max(0.0, left - more),
             .mirrored = here.reflectance,
             .diffuse = std::min(left, more),
@@ -85,14 +87,18 @@ double interface_reflectance(const Finish& finish, double wavelength_um, double 
     });
 }
 
-DirectionalOptics directional_optics(const Material& material, double wavelength_um, double cosine,
-                                     double interface_here, double interface_normal) {
-    const double reflectance = material.reflectance.at(wavelength_um);
-    const double transmittance = material.transmittance.at(wavelength_um);
+namespace {
+
+/// Of a finish whose surface has such a reflectance and transmittance at 10°.
+DirectionalOptics optics_of_finish(const Finish& finish, double reflectance, double transmittance,
+                                   double wavelength_um, double cosine, double interface_here,
+                                   double interface_normal) {
     DirectionalOptics optics{
         .emissivity = 0.0, .mirrored = 0.0, .diffuse = reflectance, .transmittance = transmittance};
-    const auto* glossy = std::get_if<Glossy>(&material.finish);
-    if (glossy && glossy->pane) return optics_of_pane(material, *glossy, wavelength_um, cosine);
+    const auto* glossy = std::get_if<Glossy>(&finish);
+    if (glossy && glossy->pane) {
+        return optics_of_pane(reflectance, transmittance, *glossy, wavelength_um, cosine);
+    }
     if (glossy) {
         double normal = interface_normal;
         if (glossy->metal && !glossy->index.empty()) {
@@ -111,11 +117,30 @@ DirectionalOptics directional_optics(const Material& material, double wavelength
         const double entering = normal < 1.0 ? (1.0 - optics.mirrored) / (1.0 - normal) : 0.0;
         optics.diffuse = std::max(0.0, reflectance - normal) * entering;
         optics.transmittance *= entering;
-    } else if (const auto* table = std::get_if<ByAngle>(&material.finish)) {
+    } else if (const auto* table = std::get_if<ByAngle>(&finish)) {
         optics.diffuse = std::min(reflectance * factor_at(*table, cosine), 1.0 - transmittance);
     }
     optics.emissivity = 1.0 - optics.mirrored - optics.diffuse - optics.transmittance;
     return optics;
+}
+
+}  // namespace
+
+DirectionalOptics directional_optics(const Material& material, double wavelength_um, double cosine,
+                                     double interface_here, double interface_normal) {
+    const auto bare = [&](const Spectrum& reflectance, const Spectrum& transmittance) {
+        return optics_of_finish(material.finish, reflectance.at(wavelength_um),
+                                transmittance.at(wavelength_um), wavelength_um, cosine,
+                                interface_here, interface_normal);
+    };
+    const SnowOver* const snow = material.snow_over.get();
+    if (!snow) return bare(material.reflectance, material.transmittance);
+    const DirectionalOptics open = bare(snow->bare_reflectance, snow->bare_transmittance);
+    const double sent = snow->reflectance.at(wavelength_um);
+    return {.emissivity = std::lerp(open.emissivity, 1.0 - sent, snow->share),
+            .mirrored = (1.0 - snow->share) * open.mirrored,
+            .diffuse = std::lerp(open.diffuse, sent, snow->share),
+            .transmittance = (1.0 - snow->share) * open.transmittance};
 }
 
 DirectionalOptics directional_optics(const Material& material, double wavelength_um,

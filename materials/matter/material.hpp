@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -163,6 +164,14 @@ struct ThermalSurface {
     std::optional<ExposedBack> back;  // if set, in place of `bottom`
 };
 
+/// Snow that hides a share of a surface: alike at every angle, opaque. The surface's own spectra,
+/// which its finish goes by, stand beside it.
+struct SnowOver {
+    double share = 0.0;
+    Spectrum reflectance;
+    Spectrum bare_reflectance, bare_transmittance;
+};
+
 /// A kind of matter: its spectra for the picture, its thermal surface for the balance. Opaque or
 /// partly transparent. Kirchhoff holds by construction: ε(λ) = 1 − ρ(λ) − τ(λ), at every angle
 /// (materials/matter/directional_optics.hpp).
@@ -181,6 +190,9 @@ struct Material {
     double given_from_um = 0.0, given_to_um = 1e9;
     bool guessed_albedo = false, guessed_emissivity = false;
     std::string varies = {};  // of a texture's level: the name of the material it varies
+    /// In the picture of an instant, of another finish than Lambert's: `reflectance` and
+    /// `transmittance` are those of both together (materials/matter/covered_material.hpp).
+    std::shared_ptr<const SnowOver> snow_over = nullptr;
 
     /// What a reader calls it: a texture's levels by the name of what they vary.
     const std::string& kind() const { return varies.empty() ? name : varies; }

@@ -25,6 +25,8 @@ struct Plane {
 ///     facet, object, material    1           index at the pixel's centre, exact to 2^24; −1: sky
 ///     void                       1           1: ground filled in for want of elevation; −1: sky;
 ///                                            only where the scene has such ground
+///     wet_share, snow_cover,     1           what lies at the pixel's centre; −1: sky; only of
+///     scenes snow_albedo                            where water lies on any facet at any time
 ///     normal.X, .Y, .Z           1           east, north, up; NaN where it is sky
 struct Frame {
     int width = 0, height = 0;

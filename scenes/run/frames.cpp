@@ -23,6 +23,7 @@
 #include "render/view/pixel_sun.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
+#include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/world/air.hpp"
@@ -190,9 +191,12 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     const std::vector<float> fraction = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples);
     const std::vector<float> temperature = field.interpolate(instant);
     const Atmosphere atmosphere = atmosphere_at(prepared.scene, world, prepared.weather, instant);
-    const RadianceInput now{.facets = world.surfaces(),
+    const std::vector<SurfaceCover> cover = field.cover_at(instant);
+    const std::optional<CoveredSurfaces> covered =
+        covered_surfaces(world.surfaces(), prepared.scene.materials, field.water.facet, cover);
+    const RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
                             .views = views,
-                            .materials = prepared.scene.materials,
+                            .materials = covered ? covered->materials : prepared.scene.materials,
                             .atmosphere = atmosphere,
                             .temperature = temperature,
                             .sun_fraction = fraction,
@@ -213,7 +217,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                          {.truth = true,
                           .terms = s.input.terms,
                           .surfaces = s.input.surfaces,
-                          .lit = &s.lit,
+                          .lit = covered ? nullptr : &s.lit,
                           .hops = &s.hops,
                           .pixel_sun = &pixel_sun,
                           .plumes = prepared.plumes});
@@ -221,6 +225,11 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     frame.notes["local_time"] = format_local(instant, prepared.scene.time.utc_offset);
     frame.notes["solar_time"] = format_solar_time(world.site, instant);
     if (light.moon) frame.notes["moon"] = moon_note(light);
+    if (covered) {
+        name_as_dry(*covered, frame);
+        frame.notes["water"] = covered->note();
+    }
+    if (!field.water.empty()) add_cover_planes(s.view, field.water.facet, cover, frame);
     if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
     add_places(world.texture_levels, s.input.surfaces, frame);
     write_bands(out, frame, s.bands);
@@ -228,7 +237,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
         const Frame channels = render(s.view, s.observer, cube.channels, now,
                                       {.truth = false,
                                        .terms = false,
-                                       .lit = &cube.lit,
+                                       .lit = covered ? nullptr : &cube.lit,
                                        .hops = &s.hops,
                                        .pixel_sun = &pixel_sun,
                                        .plumes = prepared.plumes});
@@ -301,6 +310,9 @@ FramesReport render_frames(const Prepared& prepared, const FacetViews& views,
         report.rendered += wanted.size();
         for (std::string& line : error_lines(input, notes)) {
             report.errors.push_back(std::move(line));
+        }
+        if (const std::string water = worst_note(notes, "water"); !water.empty()) {
+            report.notes.push_back(input.name + ": " + water);
         }
     }
     return report;

@@ -18,6 +18,9 @@ struct FramesReport {
     /// For every observer and band, what the tables of its worst frame say of their error against
     /// the direct sum (Frame::notes).
     std::vector<std::string> errors;
+    /// For every observer who sees surfaces under snow or wet, how finely these are told apart in
+    /// the frame that has most of them.
+    std::vector<std::string> notes{};
 };
 
 /// Renders every frame that is not there yet and writes it as EXR with a PNG quick-look

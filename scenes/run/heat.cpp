@@ -102,8 +102,10 @@ std::string targets_told(const SolveReport& report) {
 std::string water_told(const SolveReport& report) {
     std::vector<std::string> parts;
     if (report.stores > 0) {
-        parts.push_back(
-            fmt::format("rain, dew, frost and snow are followed on {} facets", report.stores));
+        parts.push_back(fmt::format(
+            "rain, dew, frost and snow are followed on {} facets (their light too; in the heat "
+            "balance the longwave emissivity stays that of the dry surface)",
+            report.stores));
     }
     if (report.unfollowed > 0) {
         parts.push_back(fmt::format(

@@ -92,6 +92,9 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const std::string& line : frames.errors) {
         report.notes.push_back("tables against the direct sum, worst frame: " + line);
     }
+    for (const std::string& line : frames.notes) {
+        report.notes.push_back("water in pictures, frame with most of it: " + line);
+    }
     for (std::string& file : frame_files(prepared.scene.observers, prepared.plan.frames)) {
         report.files.push_back(std::move(file));
     }

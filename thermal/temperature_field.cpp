@@ -43,10 +43,10 @@ Between rows_around(const std::vector<Instant>& instant, Instant when) {
 /// What a temperature field's file holds.
 struct Variables {
     int corner, time, kelvin, clock, solar;
-    int material = -1, object = -1;      // (facet)
-    std::array<int, 3> axis;             // east, north, up
-    std::array<int, heat_terms> term{};  // (time, facet), if there are fluxes
-    std::array<int, 3> cover{};          // likewise, if water lies on any facet
+    int material = -1, object = -1;        // (facet)
+    std::array<int, 3> axis;               // east, north, up
+    std::array<int, heat_terms> term{};    // (time, facet), if there are fluxes
+    std::array<int, 3> cover{-1, -1, -1};  // likewise, where water or snow lies on any facet
 };
 
 /// What is written of a term. CF names fluxes away from the ground "upward"; here that is away from
@@ -152,9 +152,15 @@ void declare_fluxes(const NetcdfFile& file, const std::array<int, 2>& dims, Vari
     }
 }
 
-void declare_cover(const NetcdfFile& file, const std::array<int, 2>& dims, Variables& variables) {
+/// Of what lies there, what is anywhere.
+void declare_cover(const NetcdfFile& file, const CoveredFacets& water,
+                   const std::array<int, 2>& dims, Variables& variables) {
     for (std::size_t k = 0; k < cover_names.size(); ++k) {
         const CoverName& of = cover_names[k];
+        if (std::none_of(water.cover.begin(), water.cover.end(),
+                         [&](const SurfaceCover& cover) { return cover.*of.value > 0.0f; })) {
+            continue;
+        }
         variables.cover[k] = declare_field(file, of.name, of.standard_name, "1", dims);
         file.text(variables.cover[k], "long_name", of.long_name);
     }
@@ -205,7 +211,7 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
     const std::array<int, 2> dims{time_dim, facet_dim};
     variables.kelvin = declare_field(file, "surface_temperature", "surface_temperature", "K", dims);
     if (notes.fluxes) declare_fluxes(file, dims, variables);
-    if (!field.water.empty()) declare_cover(file, dims, variables);
+    if (!field.water.empty()) declare_cover(file, field.water, dims, variables);
     file.must(nc_enddef(file.id()));
     return variables;
 }
@@ -261,50 +267,49 @@ void write_fluxes(const NetcdfFile& file, const Variables& variables, const Heat
     }
 }
 
-/// Instant by instant, all facets: those whose water is not followed are dry.
+/// All facets: those whose water is not followed are dry. At once, as the file packs it in pieces
+/// of many instants.
 void write_cover(const NetcdfFile& file, const Variables& variables,
                  const TemperatureField& field) {
-    std::vector<float> row(field.facets, 0.0f);
-    for (std::size_t i = 0; i < field.instant.size(); ++i) {
-        const std::size_t from[] = {i, 0}, count[] = {1, field.facets};
-        const std::span<const SurfaceCover> cover = field.water.at(i);
-        for (std::size_t k = 0; k < cover_names.size(); ++k) {
+    const CoveredFacets& water = field.water;
+    std::vector<float> values;
+    for (std::size_t k = 0; k < cover_names.size(); ++k) {
+        if (variables.cover[k] < 0) continue;
+        values.assign(field.instant.size() * field.facets, 0.0f);
+        for (std::size_t i = 0; i < field.instant.size(); ++i) {
+            const std::span<const SurfaceCover> cover = water.at(i);
             for (std::size_t n = 0; n < cover.size(); ++n) {
-                row[field.water.facet[n]] = cover[n].*cover_names[k].value;
+                values[i * field.facets + water.facet[n]] = cover[n].*cover_names[k].value;
             }
-            file.must(nc_put_vara_float(file.id(), variables.cover[k], from, count, row.data()));
         }
+        file.must(nc_put_var_float(file.id(), variables.cover[k], values.data()));
     }
 }
 
-/// What lies on facets, if the file tells it: all three variables, each 0 to 1.
+/// What lies on facets, as far as the file tells it: each 0 to 1, none where it does not.
 CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size_t facets,
                          const std::array<int, 2>& dims, const fs::path& path) {
     const auto fail = [&](const char* name, const char* problem) {
         return InputError(path.string(), fmt::format("{} {}", name, problem));
     };
-    std::array<int, cover_names.size()> variable{};
-    for (std::size_t k = 0; k < cover_names.size(); ++k) {
-        const char* const name = cover_names[k].name;
-        if (nc_inq_varid(file.id(), name, &variable[k]) != NC_NOERR) {
-            if (k == 0) return {};
-            throw fail(name, "is missing beside wet_share");
+    CoveredFacets all;
+    std::vector<float> values;
+    for (const CoverName& of : cover_names) {
+        int variable = -1, rank = 0;
+        std::array<int, NC_MAX_VAR_DIMS> shape{};
+        if (nc_inq_varid(file.id(), of.name, &variable) != NC_NOERR) continue;
+        if (nc_inq_varndims(file.id(), variable, &rank) != NC_NOERR || rank != 2 ||
+            nc_inq_vardimid(file.id(), variable, shape.data()) != NC_NOERR || shape[0] != dims[0] ||
+            shape[1] != dims[1]) {
+            throw fail(of.name, "is not (time, facet)");
         }
-        int rank = 0;
-        std::array<int, NC_MAX_VAR_DIMS> of{};
-        if (nc_inq_varndims(file.id(), variable[k], &rank) != NC_NOERR || rank != 2 ||
-            nc_inq_vardimid(file.id(), variable[k], of.data()) != NC_NOERR || of[0] != dims[0] ||
-            of[1] != dims[1]) {
-            throw fail(name, "is not (time, facet)");
+        if (all.empty()) {
+            all.facet.resize(facets);
+            std::iota(all.facet.begin(), all.facet.end(), 0u);
+            all.cover.resize(instants * facets);
+            values.resize(instants * facets);
         }
-    }
-    CoveredFacets all{.facet = std::vector<std::uint32_t>(facets), .cover = {}};
-    std::iota(all.facet.begin(), all.facet.end(), 0u);
-    all.cover.resize(instants * facets);
-    std::vector<float> values(instants * facets);
-    for (std::size_t k = 0; k < cover_names.size(); ++k) {
-        const CoverName& of = cover_names[k];
-        if (nc_get_var_float(file.id(), variable[k], values.data()) != NC_NOERR) {
+        if (nc_get_var_float(file.id(), variable, values.data()) != NC_NOERR) {
             throw fail(of.name, "is not readable");
         }
         for (std::size_t n = 0; n < values.size(); ++n) {

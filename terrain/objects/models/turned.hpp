@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "terrain/objects/models/workpiece.hpp"
+
+/// Solids that are turned on a lathe.
+namespace diurna {
+
+/// A point of the profile; the piece from it to the next is of `part`.
+struct ProfilePoint {
+    double radius, along;  // [m]
+    std::string part;
+};
+
+/// A closed solid: the profile, from the axis to the axis, turned about it. Circles have their
+/// first vertex straight below the axis (of an upright axis: at the back).
+///
+/// finest  circles have no more corners than that
+void add_turned(Workpiece& work, const Eigen::Vector3d& origin, const Eigen::Vector3d& axis,
+                const std::vector<ProfilePoint>& profile, int finest = 64);
+
+/// The number of corners of a circle, a multiple of four.
+int circle_corners(const Fineness& fine, double radius, int finest = 64);
+
+/// A round bar with flat ends between two places: four-sided at low detail.
+void add_bar(Workpiece& work, const std::string& part, const Eigen::Vector3d& from,
+             const Eigen::Vector3d& to, double radius);
+
+/// A cylinder with rounded ends.
+void add_drum(Workpiece& work, const std::string& part, const Eigen::Vector3d& from,
+              const Eigen::Vector3d& to, double radius, double rounding);
+
+/// A wheel upright on the ground: a tyre with rounded shoulders on a dished disc.
+///
+/// centre  of its hub; its axle lies along x
+void add_wheel(Workpiece& work, const Eigen::Vector3d& centre, double radius, double width,
+               const std::string& tyre = "wheels", const std::string& disc = "discs");
+
+}  // namespace diurna

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "terrain/objects/models/models.hpp"
+#include "terrain/objects/models/net.hpp"
 #include "terrain/objects/welded_faces.hpp"
 
 namespace diurna {
@@ -11,6 +13,8 @@ namespace diurna {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* paint = "painted_sheet";  // of a model's parts that have none of their own
 
 double metres_per_unit(const Section& section) {
     const double unit = section.choice_or(
@@ -22,7 +26,8 @@ double metres_per_unit(const Section& section) {
 
 MeshFile read_mesh(const Section& section, const fs::path& file) {
     if (!section.has("mesh")) {
-        section.mistake("mesh", "missing, expected a file: .obj, .ply, .stl, .gltf or .glb");
+        section.mistake("mesh",
+                        "missing, expected a file: .obj, .ply, .stl, .gltf or .glb; or `model`");
         return {};
     }
     if (!fs::is_regular_file(file)) {
@@ -35,6 +40,43 @@ MeshFile read_mesh(const Section& section, const fs::path& file) {
         section.mistake("mesh",
                         error.mistakes().front().where + ": " + error.mistakes().front().problem);
         return {};
+    }
+}
+
+/// One of the program's own objects, by name; "": a file's.
+std::string model_of(const Section& section) {
+    const std::string model = section.name_or(
+        "model", "in place of mesh: an object that the program builds (`diurna model` lists them)",
+        "", Names{.what = "model", .known = model_names()});
+    if (model.empty()) return model;
+    for (const char* key : {"mesh", "up", "unit", "scale"}) {
+        if (section.has(key)) {
+            section.mistake(key, "stands beside model, which is in metres and upright");
+        }
+    }
+    return model;
+}
+
+MeshFile read_model(const Section& section, const std::string& model) {
+    const Detail detail = section.choice_or(
+        "detail", "of a model: some 3 000 to 6 000, 7 000 to 11 000, 16 000 to 18 000 triangles",
+        Detail::medium, {{"low", Detail::low}, {"medium", Detail::medium}, {"high", Detail::high}});
+    return model.empty() ? MeshFile{} : model_mesh(model, detail);
+}
+
+/// Spreads the object's net, if it has one.
+void spread_net(const Section& section, ObjectInput& object) {
+    const double clearance = section.number_or(
+        "net_clearance_m",
+        "of a net (camouflage_net) that is spread over it to the ground, as its part "
+        "\"net\"; of models",
+        {0.0, "none"}, {0.05, 5.0});
+    if (!section.has("net_clearance_m")) return;
+    if (!object.file.empty()) {
+        section.mistake("net_clearance_m", "of models alone, expected model in place of mesh");
+    } else if (!object.mesh.part.empty()) {
+        constexpr double squares = 0.35;  // [m]
+        add_net(object.mesh, clearance, squares);
     }
 }
 
@@ -56,10 +98,22 @@ std::vector<std::string> part_names(const MeshFile& mesh) {
 std::vector<std::string> part_materials(const Section& section, const ObjectInput& object,
                                         const Reading& reading) {
     const MeshFile& mesh = object.mesh;
+    const bool model = object.file.empty();
     const std::string own = section.name_or(
-        "material", "of the parts that `parts` does not name; needed where there are any", "",
+        "material",
+        "of the parts that neither `parts` nor a part file names; needed where there "
+        "are any",
+        {model && !section.has("material") ? paint : "", "none; of a model painted_sheet"},
         reading.materials);
     std::vector<std::string> material(mesh.part.size(), own);
+    for (std::size_t p = 0; p < material.size(); ++p) {
+        const int part = object.target.given() ? object.target.part_of[p] : -1;
+        if (part >= 0 && !object.target.part[std::size_t(part)].material.empty()) {
+            material[p] = object.target.part[std::size_t(part)].material;
+        } else if (model && !mesh.part[p].material.empty()) {
+            material[p] = mesh.part[p].material;  // the net's
+        }
+    }
     const std::vector<std::string> names = part_names(mesh);
     const Section table = section.section(
         "parts", "a material for some parts, by the file's names of groups, nodes or materials");
@@ -76,12 +130,6 @@ std::vector<std::string> part_materials(const Section& section, const ObjectInpu
                           did_you_mean(key, names));
         }
     }
-    for (std::size_t p = 0; p < material.size() && object.target.given(); ++p) {
-        const int part = object.target.part_of[p];
-        if (part >= 0 && !object.target.part[std::size_t(part)].material.empty()) {
-            material[p] = object.target.part[std::size_t(part)].material;
-        }
-    }
     for (std::size_t p = 0; p < material.size(); ++p) {
         if (!material[p].empty()) continue;
         section.mistake("material", fmt::format("missing, and no [object.parts] names part \"{}\"",
@@ -92,7 +140,8 @@ std::vector<std::string> part_materials(const Section& section, const ObjectInpu
 }
 
 /// The file that tells of an object's parts: the one named, or the one beside its mesh; "": none.
-fs::path part_file(const Section& section, const ObjectInput& object, const Reading& reading) {
+fs::path part_file(const Section& section, const ObjectInput& object, const std::string& model,
+                   const Reading& reading) {
     fs::path beside = object.file;
     beside.replace_extension(".parts.toml");
     const bool there = !object.mesh.part.empty() && fs::is_regular_file(beside);
@@ -100,8 +149,9 @@ fs::path part_file(const Section& section, const ObjectInput& object, const Read
         "part_file",
         "tables part, enclosure, lump, link, stream in a file of their own, which goes with the "
         "mesh",
-        {there ? beside.string() : std::string(), "NAME.parts.toml beside the mesh NAME.obj"});
-    if (named.empty()) return {};
+        {there ? beside.string() : std::string(),
+         "NAME.parts.toml beside the mesh NAME.obj; of a model its own"});
+    if (named.empty()) return model.empty() ? fs::path() : model_part_file(model);
     const fs::path file = reading.folder / named;
     if (!fs::is_regular_file(file)) {
         section.mistake("part_file", fmt::format("no such file: {}", file.string()));
@@ -151,14 +201,21 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     ObjectInput object;
     object.name = reading.object(section, "of the object");
     reading.texture(section, reading.texture_uses.of_object, object.name);
-    object.file =
-        reading.folder / section.text_or("mesh", "needed: an OBJ, PLY, STL or glTF 2 file", "");
-    object.mesh = read_mesh(section, object.file);
+    const std::string model = model_of(section);
+    const std::string mesh =
+        section.text_or("mesh", "needed, or model: an OBJ, PLY, STL or glTF 2 file", "");
+    object.mesh = read_model(section, model);
+    if (!section.has("model")) {
+        object.file = reading.folder / mesh;
+        object.mesh = read_mesh(section, object.file);
+        if (section.has("detail")) section.mistake("detail", "of models alone");
+    }
+    spread_net(section, object);
     object.place = place(section, "place_m", "[east, north] of the middle of its plan");
     object.height_above_ground =
         section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
     const std::string extension = object.file.extension().string();
-    const bool upright = extension == ".stl" || extension == ".ply";
+    const bool upright = extension == ".stl" || extension == ".ply" || !model.empty();
     const std::string up =
         section.word_or("up", "axis of the file that points up",
                         {upright ? "z" : "y", "z in STL and PLY, else y"}, {"y", "z"});
@@ -170,7 +227,8 @@ ObjectInput read_object(const Section& section, Reading& reading) {
         .up = up == "z" ? UpAxis::z : UpAxis::y,
         .metres = metres_per_unit(section),
         .largest_edge = section.number_or(
-            "largest_edge_m", "of its triangles; longer ones are divided", 0.5, {0.01, 100.0})};
+            "largest_edge_m", "of its triangles; longer ones are divided",
+            {model.empty() ? 0.5 : 100.0, "0.5; of a model as its detail says"}, {0.01, 100.0})};
     object.airspeed = section.number_or(
         "airspeed_m_s",
         "in flight along its heading, at its place: wind of that speed on all its surfaces, and "
@@ -179,8 +237,8 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     if (object.airspeed > 0.0 && section.has("texture")) {
         section.mistake("airspeed_m_s", "not on an object with a texture");
     }
-    object.target =
-        read_target(section, part_file(section, object, reading), object.mesh, reading.materials);
+    object.target = read_target(section, part_file(section, object, model, reading), object.mesh,
+                                reading.materials);
     object.material = part_materials(section, object, reading);
     if (object.target.given() && section.has("texture")) {
         section.mistake("part", "not on an object with a texture");

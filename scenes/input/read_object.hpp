@@ -10,12 +10,13 @@
 #include "terrain/objects/mesh_file.hpp"
 #include "terrain/objects/placed_mesh.hpp"
 
-/// Vehicles, sheds, panels: meshes of files that a scene puts on its ground.
+/// Vehicles, sheds, panels: meshes of files, or of the program's own models, that a scene puts on
+/// its ground.
 namespace diurna {
 
 struct ObjectInput {
     std::string name;
-    std::filesystem::path file;
+    std::filesystem::path file;  // of its mesh; "": a model, built by the program
     MeshFile mesh;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is found on the ground

@@ -47,23 +47,66 @@ std::optional<ClockHours::Window> window_of(const std::string& text) {
     return good ? std::optional(window) : std::nullopt;
 }
 
-std::vector<ClockHours::Window> read_hours(const Section& section) {
+std::vector<ClockHours::Window> windows_of(const Section& section, const char* key,
+                                           const std::vector<std::string>& texts) {
     std::vector<ClockHours::Window> hours;
-    for (const std::string& text : section.texts_or(
-             "hours",
-             "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
-             "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
-             "05:30-06:10\"; a temperature is held then, and is the air's else",
-             {std::vector<std::string>{}, "always"})) {
+    for (const std::string& text : texts) {
         if (const auto window = window_of(text)) {
             hours.push_back(*window);
         } else {
-            section.mistake("hours", fmt::format("found '{}', expected hours and a share as "
-                                                 "05:30-06:10 0.3",
-                                                 text.substr(0, 60)));
+            section.mistake(key, fmt::format("found '{}', expected hours and a share as "
+                                             "05:30-06:10 0.3",
+                                             text.substr(0, 60)));
         }
     }
     return hours;
+}
+
+std::vector<ClockHours::Window> read_hours(const Section& section) {
+    return windows_of(
+        section, "hours",
+        section.texts_or(
+            "hours",
+            "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
+            "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
+            "05:30-06:10\"; a temperature is held then, and is the air's else",
+            {std::vector<std::string>{}, "always"}));
+}
+
+bool read_runs(const Section& section) {
+    const bool runs = section.flag_or(
+        "runs", "its heat is released in the hours of the object's `running` alone", false);
+    if (runs && section.has("hours")) {
+        section.mistake("hours", "stands beside runs = true, expected one of the two");
+    }
+    return runs;
+}
+
+/// Gives what runs the hours of `running`; without them it is off.
+void read_running(const Section& object, TargetInput& target) {
+    const std::vector<ClockHours::Window> hours = windows_of(
+        object, "running",
+        object.texts_or("running",
+                        "when what has `runs` in its parts and lumps (an engine, its exhaust) "
+                        "releases heat, and the share of it, as their `hours`",
+                        {std::vector<std::string>{}, "never"}));
+    bool any = false;
+    const auto set = [&](auto& source) {
+        if (!source.runs) return;
+        any = true;
+        source.hours = hours;
+        if (!hours.empty()) return;
+        source.watts = 0.0;
+        source.kelvin = not_given;
+    };
+    for (PartInput& part : target.part) {
+        set(part);
+        if (part.runs && hours.empty()) part.watts_m2 = 0.0;
+    }
+    for (LumpInput& lump : target.lump) set(lump);
+    if (object.has("running") && !any) {
+        object.mistake("running", "none of its parts and lumps has runs = true");
+    }
 }
 
 /// A name of its own among those an object's links may give.
@@ -94,6 +137,7 @@ PartInput read_part(const Section& section, const Names& materials) {
     part.welded =
         section.flag_or("welded", "heat goes on over the edges it shares with other parts", true);
     part.hours = read_hours(section);
+    part.runs = read_runs(section);
     part.where = section.where();
     if (part.watts != 0.0 && part.watts_m2 != 0.0) {
         section.mistake("heat_W_m2", "stands beside heat_W, expected one of the two");
@@ -120,6 +164,7 @@ LumpInput read_lump(const Section& section, const TargetInput& target) {
     lump.kelvin = section.number_or("temperature_K", "that it is held at",
                                     {not_given, "none: it finds its own"}, {150.0, 2500.0});
     lump.hours = read_hours(section);
+    lump.runs = read_runs(section);
     if (!std::isnan(lump.kelvin) && lump.watts != 0.0) {
         section.mistake("heat_W", "of a lump that is held at temperature_K does nothing");
     }
@@ -288,6 +333,7 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
         object.mistake("part", "missing, expected at least one: lumps and enclosures act on parts",
                        "[[object.part]] with name = \"*\" is all of the mesh");
     }
+    read_running(object, target);
     match_parts(object, mesh, target);
     return target;
 }

@@ -25,6 +25,7 @@ struct PartInput {
     double watts = 0.0, watts_m2 = 0.0;  // released in its inner face
     double kelvin = not_given;           // held at, within its hours
     bool welded = true;                  // heat goes on over the edges it shares with other parts
+    bool runs = false;                   // its heat is released while the object runs
     std::vector<ClockHours::Window> hours{};
     std::string where{};
 };
@@ -39,6 +40,7 @@ struct LumpInput {
     double capacity = 0.0;  // [J K⁻¹]
     double watts = 0.0;
     double kelvin = not_given;  // held at, within its hours
+    bool runs = false;          // its heat is released while the object runs
     std::vector<ClockHours::Window> hours{};
 };
 struct LinkInput {
@@ -69,7 +71,8 @@ struct TargetInput {
     int find_part(const std::string& name) const;
 };
 
-/// The tables part, enclosure, lump, link, stream of an object, or of its part file. Mistakes are
+/// The tables part, enclosure, lump, link, stream of an object, or of its part file; the hours of
+/// `running` are those of all sources with `runs`, which without them release nothing. Mistakes are
 /// noted where they stand.
 ///
 /// file       a part file, or the one beside the mesh: NAME.parts.toml for NAME.obj; "": none

@@ -23,7 +23,7 @@ std::vector<fs::path> input_files(const Scene& scene) {
     if (!scene.air.sounding_file.empty()) files.push_back(scene.air.sounding_file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     for (const ObjectInput& object : scene.terrain.objects) {
-        files.push_back(object.file);
+        if (!object.file.empty()) files.push_back(object.file);
         if (!object.target.file.empty()) files.push_back(object.target.file);
     }
     for (const BandInput& band : scene.bands) {

@@ -246,3 +246,17 @@ TEST_CASE("a column that does not converge keeps its results, says so and fails"
     CHECK(ran.out.find("diurna: the spin-up has not converged in ") != std::string::npos);
     CHECK(lines(contents(folder.path).at("out.csv")) == 49 + 2);  // header and what was modelled
 }
+
+TEST_CASE("a model as a file of its own", "[command_line]") {
+    const ScratchFolder folder("model");
+    const std::string file = (folder.path / "van.obj").string();
+    CHECK(lines(diurna("model").out) == 12);
+    CHECK(diurna("model truck --detail low --out " + file).code == 0);
+    CHECK(fs::is_regular_file(folder.path / "van.parts.toml"));
+    CHECK(diurna("model truck").code == 2);
+    CHECK(diurna("model truck --out van.ply").code == 2);
+    CHECK(diurna("model truck --detail fine --out " + file).code == 2);
+    const Ran unknown = diurna("model trukc --out " + file);
+    CHECK(unknown.code == 2);
+    CHECK(unknown.out.find("did you mean 'truck'") != std::string::npos);
+}

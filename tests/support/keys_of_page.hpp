@@ -42,6 +42,13 @@ class KeysOfPage {
         const auto add = [&](const std::string& path) {
             if (!material) {
                 known_.insert(path);
+                for (const std::string of_part_file :
+                     {"part", "enclosure", "lump", "link", "stream"}) {
+                    const std::string in_scene = "object." + of_part_file;
+                    if (path == in_scene || path.starts_with(in_scene + ".")) {
+                        known_.insert(path.substr(std::string("object.").size()));
+                    }
+                }
             } else {  // the same keys in scenes, columns and libraries
                 for (const char* within : {"material.NAME.", "material.", "NAME."}) {
                     known_.insert(within + path);

@@ -101,6 +101,9 @@ std::size_t values_of(const Imf::Header& header, int& width, int& height) {
     return static_cast<std::size_t>(w * h) * planes;
 }
 
+/// - wanted: null: every plane
+Frame read_planes(const std::filesystem::path& path, const std::span<const std::string>* wanted);
+
 }  // namespace
 
 void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompression compression) {
@@ -139,7 +142,15 @@ void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompres
     write_whole_file(path, memory.bytes());
 }
 
-Frame read_exr(const std::filesystem::path& path) {
+Frame read_exr(const std::filesystem::path& path) { return read_planes(path, nullptr); }
+
+Frame read_exr(const std::filesystem::path& path, std::span<const std::string> wanted) {
+    return read_planes(path, &wanted);
+}
+
+namespace {
+
+Frame read_planes(const std::filesystem::path& path, const std::span<const std::string>* wanted) {
     const std::string bytes = read_text(path, std::size_t{1} << 31);
     try {
         MemoryIn memory(bytes);
@@ -165,6 +176,9 @@ Frame read_exr(const std::filesystem::path& path) {
         }
         Imf::FrameBuffer buffer;
         for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
+            if (wanted && std::find(wanted->begin(), wanted->end(), c.name()) == wanted->end()) {
+                continue;
+            }
             const auto* unit = header.findTypedAttribute<Imf::StringAttribute>(
                 std::string(unit_prefix) + c.name());
             frame.planes.push_back({.name = c.name(),
@@ -187,5 +201,7 @@ Frame read_exr(const std::filesystem::path& path) {
                          fmt::format("is not a readable OpenEXR picture: {}", problem.what()));
     }
 }
+
+}  // namespace
 
 }  // namespace diurna

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "render/picture/frame.hpp"
 
@@ -23,5 +25,8 @@ void write_exr(const std::filesystem::path& path, const Frame& frame,
 /// Reads such a file back; planes in alphabetical order, as OpenEXR keeps them. Throws InputError
 /// for a file that is missing, damaged, truncated, or of more than 2^28 values.
 Frame read_exr(const std::filesystem::path& path);
+
+/// The same, but only the planes of these names, as far as the file has them.
+Frame read_exr(const std::filesystem::path& path, std::span<const std::string> wanted);
 
 }  // namespace diurna

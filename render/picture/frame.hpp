@@ -23,6 +23,8 @@ struct Plane {
 ///     TERM.BAND                  W m-2 sr-1  on request; they add up to radiance.BAND
 ///     temperature, range         K, m        at the pixel's centre; NaN where it is sky
 ///     facet, object, material    1           index at the pixel's centre, exact to 2^24; −1: sky
+///     object_behind.BAND         1           index of what is seen through a net or pane at the
+///                                            pixel's centre, −1: nothing; only where there is any
 ///     void                       1           1: ground filled in for want of elevation; −1: sky;
 ///                                            only where the scene has such ground
 ///     wet_share, snow_cover,     1           what lies at the pixel's centre; −1: sky; only of

@@ -30,6 +30,16 @@ void Reading::texture(const Section& section, std::map<std::string, std::string>
     if (section.has("texture")) uses[on] = texture;
 }
 
+std::string class_of(const Section& section, const Or<std::string>& fallback) {
+    const std::string kind =
+        section.text_or("class", "of the object in annotations.json and other labels", fallback);
+    const bool broken = kind.find_first_of("\n\r\t\"\\") != std::string::npos;
+    if (section.has("class") && (kind.empty() || broken)) {
+        section.mistake("class", "expected a name of one line");
+    }
+    return kind;
+}
+
 Eigen::Vector2d place(const Section& section, const std::string& key, const char* says) {
     const std::vector<double> at = section.numbers(key, says, 2);
     return {at[0], at[1]};

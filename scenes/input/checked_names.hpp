@@ -34,6 +34,9 @@ struct Reading {
                  const std::string& on) const;
 };
 
+/// The key `class`: what kind of thing an object is in labels (scenes/labels).
+std::string class_of(const Section& section, const Or<std::string>& fallback);
+
 /// East and north of the site [m].
 Eigen::Vector2d place(const Section& section, const std::string& key, const char* says);
 

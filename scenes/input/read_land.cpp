@@ -11,6 +11,7 @@ void read_buildings(const Section& section, const Reading& reading, ShapesInput&
     input.wall = section.name("wall", "of the buildings' walls", reading.materials);
     input.roof =
         section.name_or("roof", "of their flat roofs", {input.wall, "wall"}, reading.materials);
+    input.kind = class_of(section, "building");
     input.height_field = section.text_or(
         "height_field", "field of the file that holds a building's height in metres", "");
     input.default_height =

@@ -30,6 +30,7 @@ struct ShapesInput {
     std::string height_field;
     double default_height = std::numeric_limits<double>::quiet_NaN();  // NaN: left out [m]
     std::string wall, roof;
+    std::string kind = "building";  // its class in labels
 };
 
 /// The keys of [terrain.land_cover] and [[shapes]]; mistakes are noted in the sections.

@@ -211,6 +211,8 @@ ObjectInput read_object(const Section& section, Reading& reading) {
         if (section.has("detail")) section.mistake("detail", "of models alone");
     }
     spread_net(section, object);
+    object.kind = class_of(section, {model.empty() ? object.file.stem().string() : model,
+                                     "the model's, or its mesh's name"});
     object.place = place(section, "place_m", "[east, north] of the middle of its plan");
     object.height_above_ground =
         section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});

@@ -16,6 +16,7 @@ namespace diurna {
 
 struct ObjectInput {
     std::string name;
+    std::string kind;            // its class in labels
     std::filesystem::path file;  // of its mesh; "": a model, built by the program
     MeshFile mesh;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <optional>
 
 #include "materials/base/document.hpp"
@@ -139,6 +140,14 @@ PartInput read_part(const Section& section, const Names& materials) {
     part.hours = read_hours(section);
     part.runs = read_runs(section);
     part.where = section.where();
+    if (!std::isnan(part.kelvin) && (part.watts != 0.0 || part.watts_m2 != 0.0)) {
+        section.mistake(part.watts != 0.0 ? "heat_W" : "heat_W_m2",
+                        "of a part that is held at temperature_K does nothing");
+    }
+    if (!part.hours.empty() && std::isnan(part.kelvin) && part.watts == 0.0 &&
+        part.watts_m2 == 0.0) {
+        section.mistake("hours", "of no heat and no temperature");
+    }
     if (part.watts != 0.0 && part.watts_m2 != 0.0) {
         section.mistake("heat_W_m2", "stands beside heat_W, expected one of the two");
     }
@@ -203,6 +212,7 @@ LinkInput read_link(const Section& section, TargetInput& target) {
         section.mistake("between", "joins two parts, expected a lump between them",
                         "parts that share edges conduct over them; others touch by way of a lump");
     }
+    if (link.a == link.b) section.mistake("between", "joins a thing with itself");
     const bool to_part = target.find_part(link.b) >= 0;
     link.conductance = section.number_or("conductance_W_K", "of all of it",
                                          {not_given, "needed, or film_W_m2K"}, {0.0, 1e9});
@@ -220,9 +230,10 @@ LinkInput read_link(const Section& section, TargetInput& target) {
 StreamInput read_stream(const Section& section, const TargetInput& target) {
     StreamInput stream;
     stream.from = section.text("from", "the lump or enclosure that it leaves, or \"outdoors\"");
-    stream.to = section.text("to", "the lump or enclosure that it enters");
+    stream.to = section.text("to", "the lump or enclosure that it enters, or \"outdoors\"");
     check_end(section, "from", stream.from, target, false);
     check_end(section, "to", stream.to, target, false);
+    if (stream.from == stream.to) section.mistake("to", "leads where it comes from");
     const double flow = section.number("flow_kg_s", "of mass", {0.0, 1e6});
     stream.conductance = flow * section.number_or("heat_capacity_J_kgK", "of the fluid",
                                                   {water_heat_capacity, "water's"}, {10.0, 2e4});
@@ -234,7 +245,11 @@ void read_tables(const Section& root, const Names& materials, TargetInput& targe
          root.sections("part",
                        "a part of the mesh as a body of heat: its facets conduct along the "
                        "sheet, and its inner face has surroundings of its own")) {
-        target.part.push_back(read_part(section, materials));
+        PartInput part = read_part(section, materials);
+        if (!part.name.empty() && target.find_part(part.name) >= 0) {
+            section.mistake("name", fmt::format("'{}' stands twice, expected once", part.name));
+        }
+        target.part.push_back(std::move(part));
     }
     for (const Section& section :
          root.sections("enclosure",
@@ -291,6 +306,24 @@ void match_parts(const Section& section, const MeshFile& mesh, TargetInput& targ
     }
 }
 
+/// As much must leave each lump and enclosure as enters it, or heat comes of nothing.
+void check_streams(const Section& section, const TargetInput& target) {
+    std::map<std::string, double> more, all;
+    for (const StreamInput& stream : target.stream) {
+        more[stream.to] += stream.conductance;
+        more[stream.from] -= stream.conductance;
+        all[stream.to] += stream.conductance;
+        all[stream.from] += stream.conductance;
+    }
+    for (const auto& [name, watts] : more) {
+        if (name == outdoors_name || std::abs(watts) <= 1e-3 * all[name]) continue;
+        section.mistake(
+            "stream",
+            fmt::format("'{}' gets {:g} W/K more than leaves it, expected as much", name, watts),
+            "close the loop, or lead it to \"outdoors\"");
+    }
+}
+
 }  // namespace
 
 bool TargetInput::has_enclosure(const std::string& name) const {
@@ -335,6 +368,15 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
     }
     read_running(object, target);
     match_parts(object, mesh, target);
+    check_streams(object, target);
+    for (const EnclosureInput& room : target.enclosure) {
+        const bool used =
+            std::any_of(target.part.begin(), target.part.end(),
+                        [&](const PartInput& part) { return part.inside == room.name; });
+        if (!used) {
+            object.mistake("enclosure", fmt::format("no part is inside of '{}'", room.name));
+        }
+    }
     return target;
 }
 

@@ -27,6 +27,7 @@ std::vector<Eigen::Vector2d> rectangle(const std::vector<double>& spec) {
 GroundPolygon read_polygon(const Section& section, Reading& reading) {
     GroundPolygon polygon;
     polygon.name = reading.object(section, "of the object that this ground is");
+    polygon.kind = class_of(section, {polygon.name, "name"});
     polygon.material = section.name_or(
         "material", "of the ground within; without one it is as the rules say, on a finer mesh", "",
         reading.materials);
@@ -56,6 +57,7 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
 Building read_building(const Section& section, Reading& reading) {
     Building building;
     building.name = reading.object(section, "of the object that it is");
+    building.kind = class_of(section, "building");
     reading.texture(section, reading.texture_uses.of_object, building.name);
     building.place = place(section, "place_m", "[east, north] of the middle of its plan");
     building.width = section.number("width_m", "of its front", {0.5, 1000.0});

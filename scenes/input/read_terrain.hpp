@@ -25,6 +25,7 @@ struct GroundRule {
 
 struct GroundPolygon {
     std::string name;
+    std::string kind;                   // its class in labels
     std::string material;               // "": by the rules, on a finer mesh
     std::vector<Eigen::Vector2d> ring;  // corners, not repeated; east, north [m]
     double largest_edge = 30.0;         // of the triangles within [m]
@@ -33,6 +34,7 @@ struct GroundPolygon {
 
 struct Building {
     std::string name;
+    std::string kind;       // its class in labels
     Eigen::Vector2d place;  // middle of its plan
     double width, depth, height;
     double heading_deg;  // the way its front faces, clockwise from north

@@ -9,6 +9,7 @@
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
+#include "scenes/input/read_labels.hpp"
 #include "scenes/input/read_observer.hpp"
 #include "scenes/input/read_output.hpp"
 #include "scenes/input/read_plumes.hpp"
@@ -43,6 +44,7 @@ struct Scene {
     AirInput air;
     TimeInput time;
     OutputInput output;
+    LabelsInput labels;
     std::vector<BandInput> bands;
     std::vector<CubeInput> cubes;
     std::vector<PlumeInput> plumes;

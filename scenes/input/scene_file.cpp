@@ -122,6 +122,8 @@ Scene read_scene(const Document& document) {
                            reading.folder);
     scene.output =
         read_output(root.section("output", "what a run writes beside temperatures and pictures"));
+    scene.labels = read_labels(
+        root.section("labels", "pictures and labels for programs that learn from them"));
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading);

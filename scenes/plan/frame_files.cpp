@@ -13,12 +13,17 @@ std::string frame_base(const std::string& observer, const std::string& band, Ins
     return "frames/" + frame_name(named, band);
 }
 
+std::string grey_picture(const std::string& observer, const std::string& band, Instant instant) {
+    return "images" + frame_base(observer, band, instant).substr(6) + ".png";
+}
+
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant) {
     std::vector<std::string> files;
     for (const std::string& band : observer.bands) {
         const std::string name = frame_base(observer.name, band, instant);
         files.push_back(name + ".exr");
         files.push_back(name + ".png");
+        files.push_back(grey_picture(observer.name, band, instant));
     }
     for (const std::string& cube : observer.cubes) {
         const std::string name = frame_base(observer.name, cube, instant);

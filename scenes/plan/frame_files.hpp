@@ -13,8 +13,11 @@ namespace diurna {
 /// "frames/east_8-12_20260715T040000Z": a band's or a cube's picture without its extension.
 std::string frame_base(const std::string& observer, const std::string& band, Instant instant);
 
-/// The files of one frame: for every band an EXR and a PNG beside it, for every cube an EXR and
-/// ENVI's two.
+/// "images/east_8-12_20260715T040000Z.png": the same as a plain grey picture.
+std::string grey_picture(const std::string& observer, const std::string& band, Instant instant);
+
+/// The files of one frame: for every band an EXR, a PNG beside it and a grey one; for every cube an
+/// EXR and ENVI's two.
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant);
 /// Of all observers at all instants.
 std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,

@@ -15,6 +15,7 @@
 #include "materials/matter/waves.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
+#include "render/picture/grey_png.hpp"
 #include "render/picture/quicklook.hpp"
 #include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
@@ -23,6 +24,7 @@
 #include "render/view/pixel_sun.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
+#include "scenes/run/behind_planes.hpp"
 #include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
@@ -67,6 +69,7 @@ struct Series {
     Hops hops;
     LitFacets lit;
     std::vector<CubeSeries> cubes;
+    std::vector<Plane> behind;  // of bands in which something is seen through something
 };
 
 /// Wind over water at an instant [m s⁻¹].
@@ -96,7 +99,8 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
              .view = {},
              .hops = {},
              .lit = {},
-             .cubes = {}};
+             .cubes = {},
+             .behind = {}};
     for (const std::string& band : s.input.bands) {
         s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
     }
@@ -105,6 +109,8 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
     s.view = s.input.adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks,
                                                    *s.input.adaptive, s.sampling)
                               : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
+    s.behind =
+        behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
     const PlumeScene plumes(prepared.plumes);
     std::optional<HopSampling> by_need;
     if (s.input.adaptive) by_need = HopSampling{*s.input.adaptive, looks};
@@ -133,13 +139,16 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
     return s;
 }
 
-/// EXR and quick-look of every band.
-void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands) {
+/// EXR, quick-look and plain grey picture of every band.
+void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
+                 int grey_bits) {
     for (const Band& band : bands) {
         const std::string name = frame_base(frame.observer, band.name, frame.instant);
         const Frame one = band_frame(frame, band.name);
         write_exr(out / (name + ".exr"), one);
         write_quicklook(out / (name + ".png"), one, shown_plane(band));
+        write_grey_png(out / grey_picture(frame.observer, band.name, frame.instant), one,
+                       shown_plane(band), grey_bits);
     }
 }
 
@@ -232,7 +241,8 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     if (!field.water.empty()) add_cover_planes(s.view, field.water.facet, cover, frame);
     if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
     add_places(world.texture_levels, s.input.surfaces, frame);
-    write_bands(out, frame, s.bands);
+    for (const Plane& plane : s.behind) frame.planes.push_back(plane);
+    write_bands(out, frame, s.bands, prepared.scene.labels.bits);
     for (const CubeSeries& cube : s.cubes) {
         const Frame channels = render(s.view, s.observer, cube.channels, now,
                                       {.truth = false,

@@ -1,8 +1,8 @@
 #include "scenes/run/job.hpp"
 
+#include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
-#include "scenes/report/annotations.hpp"
 #include "scenes/report/report.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
@@ -17,7 +17,9 @@ namespace {
 /// What an earlier run of the same inputs has left, if it is to be kept; else makes room. Until
 /// here nothing has been written, from here on only whole files are.
 Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, bool& keep) {
-    fs::create_directories(options.out / "frames");
+    for (const char* folder : {"frames", "images", "labels", "kitti"}) {
+        fs::create_directories(options.out / folder);
+    }
     Manifest manifest{.key = job_key(prepared.scene, options.settings),
                       .settings = options.settings,
                       .frames = prepared.plan.frames,
@@ -99,12 +101,13 @@ JobReport run_job(Scene scene, const JobOptions& options) {
         report.files.push_back(std::move(file));
     }
 
+    progress.stage("labels");
+    for (std::string& file : label_frames(prepared, out)) report.files.push_back(std::move(file));
     progress.stage("report");
-    annotate_frames(prepared, out);
     report.stages = progress.stages();
     write_report(out, prepared, report, field);
     progress.finish();
-    report.files.insert(report.files.end(), {"annotations.json", "report.html"});
+    report.files.emplace_back("report.html");
     report.stages = progress.stages();
     manifest.outputs = report.files;
     manifest.stages = report.stages;

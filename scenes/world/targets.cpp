@@ -34,13 +34,16 @@ void refuse_beyond_network(const ObjectInput& input, std::size_t part,
     const bool linear =
         std::all_of(surface.layers.begin(), surface.layers.end(),
                     [](const Layer& layer) { return std::holds_alternative<Constant>(layer.law); });
-    if (linear && !surface.layers.empty() && !surface.snow_albedo &&
+    const auto* room = std::get_if<Interior>(&surface.bottom);
+    const bool scheduled = !surface.internal_schedule.empty() || (room && !room->schedule.empty());
+    if (linear && !scheduled && !surface.layers.empty() && !surface.snow_albedo &&
         std::holds_alternative<std::monostate>(surface.canopy)) {
         return;
     }
     throw InputError(input.where,
-                     fmt::format("object \"{}\": its part \"{}\" is of {}, which has leaves, snow "
-                                 "or water that freezes; a part's heat knows plain layers alone",
+                     fmt::format("object \"{}\": its part \"{}\" is of {}, which has leaves, snow, "
+                                 "water that freezes or a schedule; a part knows plain layers, "
+                                 "and heat by its own `hours`",
                                  input.name, part_input(input, part).name, input.material[part]));
 }
 
@@ -62,6 +65,7 @@ class Builder {
         join_edges();
         furnish_enclosures();
         add_sources();
+        refuse_closed_lumps();
         return std::move(object_);
     }
 
@@ -116,7 +120,8 @@ class Builder {
             if (part == target_.part.end()) continue;  // the other side of one that is there
             const ThermalSurface& surface = materials_[facets_.material[f]].thermal;
             const PartInput& of = part_input(input_, part->second);
-            const bool sided = !other.empty() && other[f] != index(no_facet);
+            // Of a sheet with a room behind, the back is as warm as that, and no part of it.
+            const bool sided = !other.empty() && other[f] != index(no_facet) && surface.back;
             const bool alone = of.inside.empty();
             using Inner = NetworkObject::Inner;
             const Inner inner = !alone         ? Inner::nothing
@@ -138,14 +143,27 @@ class Builder {
         }
     }
 
-    /// Corners of the mesh in one place are one: a tenth of a millimetre.
-    std::array<std::int64_t, 3> place_of(std::uint32_t vertex) const {
-        const Eigen::Vector3d v = facets_.vertex[vertex].cast<double>() * 1e4;
-        return {std::llround(v.x()), std::llround(v.y()), std::llround(v.z())};
+    /// Corners of the mesh within a tenth of a millimetre are one.
+    std::uint32_t corner_at(std::uint32_t vertex) {
+        constexpr double apart = 1e-4;  // [m], and the size of the cells they are sought in
+        const Eigen::Vector3d at = facets_.vertex[vertex].cast<double>();
+        const Eigen::Vector3d cell = (at / apart).array().floor();
+        const auto key = [&](int x, int y, int z) {
+            return std::array<std::int64_t, 3>{
+                std::int64_t(cell.x()) + x, std::int64_t(cell.y()) + y, std::int64_t(cell.z()) + z};
+        };
+        for (int n = 0; n < 27; ++n) {
+            const auto found = corner_.find(key(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1));
+            if (found == corner_.end()) continue;
+            for (const auto& [number, place] : found->second) {
+                if ((place - at).norm() <= apart) return number;
+            }
+        }
+        corner_[key(0, 0, 0)].push_back({corners_, at});
+        return corners_++;
     }
 
     void join_edges() {
-        std::map<std::array<std::int64_t, 3>, std::uint32_t> corner_of;
         using Edge = std::tuple<std::uint32_t, std::uint32_t, int, std::size_t>;
         std::map<Edge, std::uint32_t> edge_of;
         constexpr std::size_t common = ~std::size_t{0};
@@ -156,8 +174,7 @@ class Builder {
             std::array<double, 3> side{};
             for (int s = 0; s < 3; ++s) {
                 const std::uint32_t v = facets_.corner[f][s];
-                corner[s] = corner_of.try_emplace(place_of(v), std::uint32_t(corner_of.size()))
-                                .first->second;
+                corner[s] = corner_at(v);
                 side[s] = double((facets_.vertex[facets_.corner[f][(s + 1) % 3]] -
                                   facets_.vertex[facets_.corner[f][(s + 2) % 3]])
                                      .norm());
@@ -282,6 +299,34 @@ class Builder {
         }
     }
 
+    /// Throws InputError where heat in a lump or an enclosure has no way to a face or outdoors.
+    void refuse_closed_lumps() {
+        std::vector<bool> leads(network().lump.size());
+        for (std::size_t k = 0; k < leads.size(); ++k) leads[k] = network().lump[k].fixed;
+        for (const NetworkFacet& facet : network().facet) {
+            const std::array<double, behinds> by{facet.film, facet.radiant, facet.contact};
+            for (std::size_t b = 0; b < behinds; ++b) {
+                if (facet.lump[b] != no_number && by[b] > 0.0) leads[facet.lump[b]] = true;
+            }
+        }
+        for (std::size_t round = 0; round < leads.size(); ++round) {
+            for (const HeatLink& link : network().link) {
+                if (link.conductance == 0.0) continue;
+                leads[link.a] = leads[link.b] = leads[link.a] || leads[link.b];
+            }
+            for (const HeatStream& stream : network().stream) {
+                if (leads[stream.from] && stream.conductance > 0.0) leads[stream.to] = true;
+            }
+        }
+        for (const auto& [name, lump] : lump_of_) {
+            if (leads[lump]) continue;
+            throw InputError(input_.where,
+                             fmt::format("object \"{}\": '{}' has no way for its heat, expected a "
+                                         "link, a stream or a part that looks into it",
+                                         input_.name, name));
+        }
+    }
+
     const FacetSet& facets_;
     const MaterialLibrary& materials_;
     const TargetFacets& target_;
@@ -290,6 +335,9 @@ class Builder {
     NetworkObject object_;
     std::vector<std::size_t> part_;  // (network's facet) of the mesh
     std::map<std::string, std::uint32_t> lump_of_, star_of_;
+    std::map<std::array<std::int64_t, 3>, std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>>
+        corner_;  // by cell
+    std::uint32_t corners_ = 0;
 };
 
 }  // namespace

@@ -39,7 +39,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
      {"weather", "weather_file", "column", "surface", "kernels", "steppers", "network", "point",
       "covered_facets", "heat_flux_field", "netcdf_output", "temperature_field", "solve"}},
     {"render", {"picture", "view", "light", "path", "eye", "rays", "tracer"}},
-    {"scenes", {"input", "keys", "world", "plan", "report", "run", "commands"}},
+    {"scenes", {"input", "keys", "world", "plan", "labels", "report", "run", "commands"}},
 };
 
 // Units that still include each other, directly or around. To become empty.
@@ -68,7 +68,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"erfa", {"terrain/place/celestial.cpp"}},
     {"OpenEXR/", {"render/picture/exr.cpp"}},
     {"Imf", {"render/picture/exr.cpp"}},
-    {"png.h", {"render/picture/quicklook.cpp"}},
+    {"png.h", {"render/picture/grey_png.cpp", "render/picture/quicklook.cpp"}},
     {"toml++/", {"materials/base/document_state.hpp"}},
     {"netcdf",
      {"thermal/netcdf_output.hpp", "thermal/temperature_field.cpp",
@@ -76,8 +76,8 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"tbb/", {"materials/base/parallel.cpp"}},
     {"openssl/", {"scenes/run/digest.cpp"}},
     {"nlohmann/",
-     {"scenes/report/annotations.cpp", "scenes/keys/keys_schema.cpp", "scenes/run/manifest.cpp",
-      "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp"}},
+     {"scenes/labels/attribute_json.hpp", "scenes/labels/coco.cpp", "scenes/keys/keys_schema.cpp",
+      "scenes/run/manifest.cpp", "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp"}},
     {"CLI/",
      {"scenes/commands/main.cpp", "scenes/commands/column_command.cpp",
       "scenes/commands/doctor_command.cpp", "scenes/commands/keys_command.cpp",

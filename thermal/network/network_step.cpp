@@ -164,7 +164,12 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
         move(state.node, missing_.node);
         move(state.edge, missing_.edge);
         move(state.lump, missing_.lump);
-        if (most < at_rest) return;
+        if (most < at_rest) break;
+    }
+    const auto beyond = [](double kelvin) { return !(kelvin < 0.999 * warmest); };
+    if (std::any_of(state.node.begin(), state.node.end(), beyond) ||
+        std::any_of(state.lump.begin(), state.lump.end(), beyond)) {
+        ++count.limited;
     }
     count.worst_closure = std::max(count.worst_closure, left);
 }

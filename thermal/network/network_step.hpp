@@ -31,7 +31,7 @@ struct NetworkForcing {
 
 struct NetworkCount {
     long stages = 0, newton = 0, linear = 0;
-    int limited = 0;             // stages that Newton left unfinished
+    int limited = 0;             // stages left unfinished, or hotter than 5000 K
     double worst_closure = 0.0;  // Σ |missing| over Σ |terms| of a stage
 };
 

@@ -214,6 +214,11 @@ void send_more(const SolveState& solve, const Level& level, std::span<const std:
     }
 }
 
+/// Of facets that a target solves: what its own pass has made of them stands.
+bool of_target(const SolveState& solve, const Block& block) {
+    return !solve.in_network.empty() && solve.in_network[block.facet.front()];
+}
+
 /// Warms the blocks where more than `least` has arrived, and tells what more they send. Returns the
 /// largest change of temperature.
 double follow(SolveState& solve, const Level& level, float least, Field& field) {
@@ -222,7 +227,7 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
         solve.block.size(),
         [&](std::size_t b) {
             Block& block = solve.block[b];
-            if (!block.has_run()) return;
+            if (!block.has_run() || of_target(solve, block)) return;
             if (const float most = most_of(block, field); most < least) {
                 block.unfollowed += double(most);
                 return;

@@ -198,6 +198,11 @@ void NetworkFacets::put(SolveState& solve) const {
     }
 }
 
+bool NetworkFacets::at_rest() const {
+    return std::all_of(target_.begin(), target_.end(),
+                       [&](const Target& target) { return rests(target); });
+}
+
 NetworkFacets::Summary NetworkFacets::summary() const {
     Summary all;
     for (const Target& target : target_) {

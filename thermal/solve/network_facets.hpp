@@ -34,6 +34,8 @@ class NetworkFacets {
         std::size_t facets = 0;
     };
     Summary summary() const;
+    /// Whether another pass would change nothing that counts.
+    bool at_rest() const;
 
  private:
     struct Target {

@@ -46,7 +46,8 @@ void NetworkSurroundings::add(std::size_t face, std::size_t kind, bool inner,
                .inner = inner,
                .wet = surface.evaporation.wetness > 0.0,
                .emissivity = surface.emissivity,
-               .absorptance = 0.0};
+               .absorptance = 0.0,
+               .internal = inner ? 0.0 : surface.internal_heat};
     std::uint32_t facet = object_.facet[face];
     if (inner) {
         like.in_air = object_.inner[face] == NetworkObject::Inner::air;
@@ -158,7 +159,7 @@ void NetworkSurroundings::light_at(std::size_t i, std::vector<double> absorbed[2
     for (const Group& group : group_) {
         std::vector<double>& of = absorbed[group.inner ? 1 : 0];
         for (std::size_t l = 0; l < group.face.size(); ++l) {
-            of[group.face[l]] = sun_on(group, l, i) + longwave_on(group, l, i);
+            of[group.face[l]] = sun_on(group, l, i) + longwave_on(group, l, i) + group.internal;
         }
     }
 }
@@ -263,8 +264,9 @@ void NetworkSurroundings::record(std::size_t i, const std::vector<double>& outer
         if (group.in_air) continue;
         for (std::size_t l = 0; l < group.face.size(); ++l) {
             const double kelvin = (group.inner ? inner : outer)[group.face[l]];
-            HeatBalance balance = heat_balance(group.air[i], group.natural[l], group.emissivity,
-                                               {.absorbed_solar = sun_on(group, l, i)}, kelvin);
+            HeatBalance balance = heat_balance(
+                group.air[i], group.natural[l], group.emissivity,
+                {.absorbed_solar = sun_on(group, l, i), .internal = group.internal}, kelvin);
             balance.longwave_in = longwave_on(group, l, i);
             balance.conducted = -balance.sum();
             solve_.record->put(i, group.facet[l], balance);

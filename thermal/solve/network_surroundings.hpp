@@ -33,6 +33,7 @@ class NetworkSurroundings {
         bool inner, wet;
         bool in_air = false;  // surroundings as warm as the air
         double emissivity, absorptance;
+        double internal = 0.0;               // [W m⁻²] of the material's own, at outer ends
         std::vector<std::uint32_t> face{};   // the network's facets
         std::vector<std::uint32_t> facet{};  // of the scene
         std::vector<NaturalFilm> natural{};  // [lane], filled up

@@ -229,7 +229,8 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
         single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
     report.converged = report.periodic_residual <= options.tolerance &&
                        report.estimated_error <= settled &&
-                       !(single.fresh && !solve.excess.empty());
+                       !(single.fresh && !solve.excess.empty()) && targets.at_rest() &&
+                       targets.summary().limited == 0;
 }
 
 /// Passes over the span at its own steps until they change nothing that counts.

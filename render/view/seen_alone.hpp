@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+
+#include "render/view/observer.hpp"
+#include "render/view/place_in_picture.hpp"
+#include "terrain/facets.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+namespace diurna {
+
+/// Pixels whose centre an object covers if nothing stands before it.
+struct SeenAlone {
+    double inside = 0.0;   // the picture
+    double outside = 0.0;  // where the picture would be if it went on beyond its edges
+};
+
+/// Counts them within `box`, by a ray through each pixel's centre; of boxes of more than 4 million
+/// pixels by one in each square of them.
+///
+/// - alone: the object's facets and nothing else
+SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const PictureBox& box);
+
+}  // namespace diurna

@@ -1,0 +1,21 @@
+#include "scenes/input/read_labels.hpp"
+
+namespace diurna {
+
+LabelsInput read_labels(const Section& section) {
+    LabelsInput labels;
+    labels.bits = section.integer_or(
+        "bits",
+        "of the grey pictures in images/: 16 of 0.01 K each (radiance below 3 µm: of 1, 2 or 5 "
+        "times a power of ten), or 8 between the ends of the quick-look's colours",
+        16, {8, 16});
+    if (labels.bits != 8 && labels.bits != 16) section.mistake("bits", "expected 8 or 16");
+    labels.validation_share = section.number_or(
+        "validation_share",
+        "of the instants, drawn by scene.seed, whose pictures are for validation; the others are "
+        "for training",
+        labels.validation_share, {0.0, 1.0});
+    return labels;
+}
+
+}  // namespace diurna

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "materials/base/section.hpp"
+
+namespace diurna {
+
+/// What goes with the pictures for programs that learn from them.
+struct LabelsInput {
+    int bits = 16;                  // of the plain grey pictures
+    double validation_share = 0.2;  // of the instants
+};
+
+/// The section [labels].
+LabelsInput read_labels(const Section& section);
+
+}  // namespace diurna

@@ -1,0 +1,110 @@
+#include "scenes/labels/coco.hpp"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace diurna {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Numbers apart by spaces as an array, one number as itself, anything else as text.
+Json value_of(const std::string& text) {
+    Json numbers = Json::array();
+    std::istringstream words(text);
+    for (std::string word; words >> word;) {
+        double number = 0.0;
+        const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), number);
+        if (problem != std::errc() || end != word.data() + word.size()) return text;
+        numbers.push_back(number);
+    }
+    if (numbers.empty()) return text;
+    return numbers.size() == 1 ? numbers.front() : numbers;
+}
+
+Json contrast_json(const Contrast& contrast) {
+    if (!contrast.known) return nullptr;
+    return {{"target", contrast.target},
+            {"spread", contrast.spread},
+            {"background", contrast.background},
+            {"difference", contrast.difference()},
+            {"rss", contrast.rss()},
+            {"background_pixels", contrast.background_pixels}};
+}
+
+Json image_json(const LabelledPicture& picture, std::size_t id) {
+    Json image = {{"id", id},
+                  {"file_name", picture.file},
+                  {"width", picture.width},
+                  {"height", picture.height},
+                  {"date_captured", format_instant(picture.instant)},
+                  {"observer", picture.observer},
+                  {"band", picture.band},
+                  {"split", picture.validation ? "validation" : "train"},
+                  {"planes", picture.planes},
+                  {"scale",
+                   {{"plane", picture.plane},
+                    {"unit", picture.unit},
+                    {"zero", picture.scale.zero},
+                    {"step", picture.scale.step}}}};
+    for (const auto& [name, text] : picture.attributes) {
+        const auto dot = name.find('.');
+        if (dot == std::string::npos) continue;
+        image[name.substr(0, dot)][name.substr(dot + 1)] = value_of(text);
+    }
+    return image;
+}
+
+Json label_json(const LabelBook& book, const LabelledPicture& picture, const Label& label) {
+    const ObjectMask& mask = label.mask;
+    const Labelled& object = book.objects[std::size_t(mask.object)];
+    const WholeObject& whole = label.whole;
+    const PictureBox& box = whole.box;
+    const Json runs = {{"size", {picture.height, picture.width}}, {"counts", mask.runs}};
+    return {{"category_id", class_index(book.classes, object.kind) + 1},
+            {"bbox", {mask.left, mask.top, mask.width, mask.height}},
+            {"area", mask.pixels},
+            {"iscrowd", object.group ? 1 : 0},
+            {"segmentation", runs},
+            {"instance", {{"object_id", mask.object}, {"name", object.name}}},
+            {"amodal_bbox", {box.left, box.top, box.right - box.left, box.bottom - box.top}},
+            {"occlusion", whole.occlusion(double(mask.pixels))},
+            {"truncation", whole.truncation()},
+            {"pixels_on_target", mask.pixels},
+            {"range_m", whole.range},
+            {"aspect",
+             {{"azimuth_deg", whole.aspect_azimuth_deg},
+              {"elevation_deg", whole.aspect_elevation_deg}}},
+            {"contrast",
+             {{"apparent_temperature_K", contrast_json(label.temperature)},
+              {"radiance_W_m2_sr", contrast_json(label.radiance)}}}};
+}
+
+}  // namespace
+
+std::string coco_json(const LabelBook& book, const std::vector<const LabelledPicture*>& pictures) {
+    Json coco;
+    coco["info"] = {{"description", "diurna " DIURNA_VERSION}, {"version", "1.0"}};
+    coco["licenses"] = Json::array();
+    coco["images"] = Json::array();
+    coco["annotations"] = Json::array();
+    coco["categories"] = Json::array();
+    for (std::size_t c = 0; c < book.classes.size(); ++c) {
+        coco["categories"].push_back(
+            {{"id", c + 1}, {"name", book.classes[c]}, {"supercategory", "object"}});
+    }
+    std::size_t id = 0;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        coco["images"].push_back(image_json(*pictures[i], i + 1));
+        for (const Label& label : pictures[i]->labels) {
+            Json entry = {{"id", ++id}, {"image_id", i + 1}};
+            entry.update(label_json(book, *pictures[i], label));
+            coco["annotations"].push_back(std::move(entry));
+        }
+    }
+    return coco.dump() + "\n";
+}
+
+}  // namespace diurna

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+
+#include "render/picture/frame.hpp"
+#include "scenes/labels/object_masks.hpp"
+
+namespace diurna {
+
+/// How an object stands out from what is around it, in the unit of a plane.
+///
+/// Its background is every pixel that is not in its mask of the box of twice its box's width and
+/// height about the same middle (at least 2 pixels more on each side), as far as the picture goes:
+/// whatever is seen there, sky and other objects too. Pixels whose value is not finite are left
+/// out.
+struct Contrast {
+    double target = 0.0;      // mean over the mask
+    double spread = 0.0;      // standard deviation over the mask
+    double background = 0.0;  // mean
+    std::size_t background_pixels = 0;
+    bool known = false;  // both have pixels
+
+    double difference() const { return target - background; }
+    /// √((target − background)² + spread²): the root sum square by which ranges of detection are
+    /// worked out (Ratches 1976; NVThermIP).
+    double rss() const;
+};
+
+Contrast contrast(const Plane& plane, int width, int height, const ObjectMask& mask);
+
+}  // namespace diurna

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "render/picture/grey_png.hpp"
+#include "scenes/labels/contrast.hpp"
+#include "scenes/labels/labelled.hpp"
+#include "scenes/labels/object_masks.hpp"
+#include "scenes/labels/whole_objects.hpp"
+#include "terrain/place/instant.hpp"
+
+namespace diurna {
+
+/// One object in one picture.
+struct Label {
+    ObjectMask mask;
+    WholeObject whole;
+    Contrast temperature, radiance;  // of the apparent temperature [K]; [W m⁻² sr⁻¹]
+};
+
+/// One picture of a run and what is seen in it.
+struct LabelledPicture {
+    std::string file, planes;  // the grey PNG and the EXR, relative to the run's folder
+    Instant instant;
+    std::string observer, band;
+    int width = 0, height = 0;
+    bool validation = false;
+    std::string plane;  // that the grey picture shows, its unit and its scale
+    std::string unit;
+    GreyScale scale{};
+    std::map<std::string, std::string> attributes{};  // of the EXR: camera, sun, air
+    std::vector<Label> labels{};                      // by ObjectId
+};
+
+/// What all the pictures of a run have in common.
+struct LabelBook {
+    std::vector<Labelled> objects;     // (ObjectId)
+    std::vector<std::string> classes;  // class_list()
+};
+
+}  // namespace diurna

@@ -1,0 +1,140 @@
+#include "scenes/labels/label_frames.hpp"
+
+#include <array>
+#include <map>
+
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/parallel.hpp"
+#include "render/picture/exr.hpp"
+#include "render/picture/quicklook.hpp"
+#include "scenes/input/bands.hpp"
+#include "scenes/labels/coco.hpp"
+#include "scenes/labels/split.hpp"
+#include "scenes/labels/text_labels.hpp"
+#include "scenes/plan/frame_files.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// One picture to come, and who takes it.
+struct Task {
+    std::size_t observer, instant;
+    Band band;
+};
+
+/// Those of all observers, instants and bands.
+std::vector<Task> tasks_of(const Prepared& prepared) {
+    std::vector<Task> tasks;
+    for (std::size_t o = 0; o < prepared.observers.size(); ++o) {
+        for (std::size_t i = 0; i < prepared.plan.frames.size(); ++i) {
+            for (const std::string& band : prepared.scene.observers[o].bands) {
+                tasks.push_back({o, i, named_band(prepared.scene.bands, band, bin_edges_um())});
+            }
+        }
+    }
+    return tasks;
+}
+
+/// - whole: of the observer's objects
+LabelledPicture labelled(const Prepared& prepared, const Task& task,
+                         const std::map<int, WholeObject>& whole, const LabelBook& book,
+                         const fs::path& out) {
+    const ObserverInput& input = prepared.scene.observers[task.observer];
+    const Instant instant = prepared.plan.frames[task.instant];
+    const std::string& band = task.band.name;
+    LabelledPicture picture{.file = grey_picture(input.name, band, instant),
+                            .planes = frame_base(input.name, band, instant) + ".exr",
+                            .instant = instant,
+                            .observer = input.name,
+                            .band = band,
+                            .plane = shown_plane(task.band),
+                            .unit = ""};
+    const std::array<std::string, 5> wanted = {"object", "object_behind." + band, "temperature",
+                                               "apparent_temperature." + band, "radiance." + band};
+    const Frame frame = read_exr(out / picture.planes, wanted);
+    picture.width = frame.width;
+    picture.height = frame.height;
+    picture.unit = frame[picture.plane].unit;
+    picture.scale = grey_scale(frame, picture.plane, prepared.scene.labels.bits);
+    picture.attributes = frame.attributes;
+    for (ObjectMask& mask : object_masks(frame, band)) {
+        const auto found = whole.find(mask.object);
+        if (found == whole.end() || book.objects[std::size_t(mask.object)].kind.empty()) continue;
+        Label label{
+            .mask = std::move(mask), .whole = found->second, .temperature = {}, .radiance = {}};
+        label.temperature =
+            contrast(frame["apparent_temperature." + band], frame.width, frame.height, label.mask);
+        label.radiance = contrast(frame["radiance." + band], frame.width, frame.height, label.mask);
+        picture.labels.push_back(std::move(label));
+    }
+    return picture;
+}
+
+std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const LabelBook& book,
+                                               const fs::path& out) {
+    // Nothing moves: what an observer would see of each object alone is the same at every instant.
+    std::vector<std::map<int, WholeObject>> whole;
+    for (const Observer& observer : prepared.observers) {
+        whole.push_back(whole_objects(prepared.world.facets, book.objects, observer));
+    }
+    const std::vector<Task> tasks = tasks_of(prepared);
+    std::vector<LabelledPicture> pictures(tasks.size());
+    const std::vector<bool> validation = validation_instants(
+        prepared.plan.frames.size(), prepared.scene.labels.validation_share, prepared.scene.seed);
+    for_each_index(
+        tasks.size(),
+        [&](std::size_t t) {
+            pictures[t] = labelled(prepared, tasks[t], whole[tasks[t].observer], book, out);
+            pictures[t].validation = validation[tasks[t].instant];
+        },
+        1);
+    return pictures;
+}
+
+/// "images/NAME.png" as a text in another folder.
+std::string text_beside(const std::string& folder, const std::string& picture) {
+    return folder + picture.substr(picture.find('/'), picture.rfind('.') - picture.find('/')) +
+           ".txt";
+}
+
+}  // namespace
+
+std::vector<std::string> label_frames(const Prepared& prepared, const fs::path& out) {
+    LabelBook book{.objects = labelled_objects(prepared.scene, prepared.world), .classes = {}};
+    book.classes = class_list(book.objects);
+    const std::vector<LabelledPicture> pictures = labelled_pictures(prepared, book, out);
+    std::vector<std::string> files;
+    const auto write = [&](const std::string& name, const std::string& text) {
+        write_whole_file(out / name, text);
+        files.push_back(name);
+    };
+    std::vector<const LabelledPicture*> all;
+    std::array<std::vector<const LabelledPicture*>, 2> part;  // training, validation
+    std::array<std::string, 2> list;
+    std::size_t next = 0;
+    for (const Task& task : tasks_of(prepared)) {
+        const LabelledPicture& picture = pictures[next++];
+        all.push_back(&picture);
+        part[picture.validation].push_back(&picture);
+        list[picture.validation] += "./" + picture.file + "\n";
+        write(text_beside("labels", picture.file), yolo_text(book, picture));
+        write(text_beside("kitti", picture.file),
+              kitti_text(book, picture, prepared.observers[task.observer]));
+    }
+    write("annotations.json", coco_json(book, all));
+    write("annotations_train.json", coco_json(book, part[0]));
+    write("annotations_validation.json", coco_json(book, part[1]));
+    write("train.txt", list[0]);
+    write("validation.txt", list[1]);
+    write("data.yaml", yolo_data(book));
+    std::string names;
+    for (const std::string& kind : book.classes) names += kind + "\n";
+    write("classes.txt", names);
+    return files;
+}
+
+}  // namespace diurna

@@ -1,0 +1,86 @@
+#include "scenes/labels/whole_objects.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+#include "terrain/place/site.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Some facets as a set of their own.
+FacetSet alone(const FacetSet& all, const std::vector<std::uint32_t>& facet) {
+    FacetSet part;
+    for (const std::uint32_t f : facet) {
+        const auto first = static_cast<std::uint32_t>(part.vertex.size());
+        for (const std::uint32_t v : all.corner[f]) part.vertex.push_back(all.vertex[v]);
+        part.corner.push_back({first, first + 1, first + 2});
+        part.centroid.push_back(all.centroid[f]);
+        part.normal.push_back(all.normal[f]);
+        part.area.push_back(all.area[f]);
+        part.material.push_back(all.material[f]);
+        part.object.push_back(all.object[f]);
+    }
+    return part;
+}
+
+void stand(const FacetSet& part, const Labelled& object, const Observer& observer,
+           WholeObject& whole) {
+    const Eigen::Vector3d front = direction(object.heading_deg, 0.0);
+    const Eigen::Vector3d right = direction(object.heading_deg + 90.0, 0.0);
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3f& vertex : part.vertex) {
+        const Eigen::Vector3d v = vertex.cast<double>();
+        box.extend(Eigen::Vector3d(v.dot(front), v.dot(right), v.z()));
+    }
+    whole.length = box.sizes().x();
+    whole.width = box.sizes().y();
+    whole.height = box.sizes().z();
+    whole.heading_deg = object.heading_deg;
+    const Eigen::Vector3d centre = box.center();
+    whole.middle = centre.x() * front + centre.y() * right + centre.z() * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d to_eye = observer.position - whole.middle;
+    whole.range = to_eye.norm();
+    const double ahead = to_eye.dot(front), aside = to_eye.dot(right);
+    whole.aspect_azimuth_deg = degrees(std::atan2(aside, ahead));
+    whole.aspect_elevation_deg = degrees(std::atan2(to_eye.z(), std::hypot(ahead, aside)));
+}
+
+}  // namespace
+
+double WholeObject::truncation() const {
+    const double all = alone.inside + alone.outside;
+    return all > 0.0 ? alone.outside / all : 0.0;
+}
+
+double WholeObject::occlusion(double seen) const {
+    return alone.inside > seen ? 1.0 - seen / alone.inside : 0.0;
+}
+
+std::map<int, WholeObject> whole_objects(const FacetSet& facets,
+                                         const std::vector<Labelled>& objects,
+                                         const Observer& observer) {
+    std::vector<std::vector<std::uint32_t>> of_object(objects.size());
+    for (std::uint32_t f = 0; f < facets.size(); ++f) {
+        const auto id = static_cast<std::size_t>(facets.object[f]);
+        if (id < objects.size() && !objects[id].kind.empty()) of_object[id].push_back(f);
+    }
+    std::map<int, WholeObject> all;
+    for (std::size_t id = 0; id < objects.size(); ++id) {
+        const std::optional<PictureBox> box = projected_box(observer, facets, of_object[id]);
+        if (!box) continue;
+        WholeObject& whole = all[static_cast<int>(id)];
+        whole.box = *box;
+        const FacetSet part = alone(facets, of_object[id]);
+        stand(part, objects[id], observer, whole);
+        const bool beside = box->right < 0.0 || box->bottom < 0.0 || box->left > observer.width ||
+                            box->top > observer.height;
+        if (!beside) whole.alone = seen_alone(observer, RayScene(part), *box);
+    }
+    return all;
+}
+
+}  // namespace diurna

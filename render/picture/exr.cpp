@@ -6,6 +6,7 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -80,6 +81,30 @@ Imf::Compression openexr(ExrCompression compression) {
     return Imf::NO_COMPRESSION;
 }
 
+/// OpenEXR's matrices are for rows, p' = p M.
+Imath::M44f for_rows(const Eigen::Matrix4d& m) {
+    Imath::M44f rows;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) rows[i][j] = static_cast<float>(m(j, i));
+    }
+    return rows;
+}
+
+void add_tags(Imf::Header& header, const CameraTags& camera) {
+    Imf::addWorldToCamera(header, for_rows(camera.world_to_camera));
+    if (camera.world_to_ndc) Imf::addWorldToNDC(header, for_rows(*camera.world_to_ndc));
+    Imf::addCapDate(header, camera.cap_date);
+    Imf::addUtcOffset(header, static_cast<float>(camera.utc_offset));
+    Imf::addLongitude(header, static_cast<float>(camera.longitude));
+    Imf::addLatitude(header, static_cast<float>(camera.latitude));
+    Imf::addAltitude(header, static_cast<float>(camera.altitude));
+    Imf::addFocus(header, static_cast<float>(camera.focus));
+    if (camera.exposure > 0.0) Imf::addExpTime(header, static_cast<float>(camera.exposure));
+    if (camera.window_width > 0.0) {
+        header.screenWindowWidth() = static_cast<float>(camera.window_width);
+    }
+}
+
 /// A slice over a plane's pixels; OpenEXR asks for mutable bytes even where it only reads them.
 Imf::Slice slice(const float* pixel, int width) {
     return Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(const_cast<float*>(pixel)), sizeof(float),
@@ -106,7 +131,8 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
 
 }  // namespace
 
-void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompression compression) {
+void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompression compression,
+               const CameraTags* camera) {
     MemoryOut memory;
     try {
         Imf::Header header(frame.width, frame.height);
@@ -123,6 +149,7 @@ void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompres
         for (const auto& [name, text] : frame.attributes) {
             header.insert(name, Imf::StringAttribute(text));
         }
+        if (camera != nullptr) add_tags(header, *camera);
         Imf::FrameBuffer buffer;
         for (const Plane& plane : frame.planes) {
             if (plane.pixel.size() != frame.pixels()) {
@@ -170,7 +197,7 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
             if (name.starts_with(note_prefix)) {
                 frame.notes.emplace(name.substr(note_prefix.size()), text->value());
             } else if (name != instant_key && name != observer_key && name != "software" &&
-                       !name.starts_with(unit_prefix)) {
+                       name != "capDate" && !name.starts_with(unit_prefix)) {
                 frame.attributes.emplace(name, text->value());
             }
         }

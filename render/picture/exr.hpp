@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "render/picture/camera_tags.hpp"
 #include "render/picture/frame.hpp"
 
 namespace diurna {
@@ -14,13 +15,15 @@ enum class ExrCompression { none, zips, zip, piz };
 ///
 /// Attributes: `diurna.instant` (ISO 8601), `diurna.observer`, `unit.PLANE` for every plane, and
 /// `note.NAME` for the frame's notes. Throws std::runtime_error with path and reason if it cannot
-/// be written.
+/// be written. Frame::attributes are text attributes under their own names; `camera`, if it is not
+/// null, becomes OpenEXR's standard attributes.
 ///
 /// Not packed unless asked: noise of 32-bit floats packs badly. The ten planes of a frame of
 /// 640 x 512 take 15 ms and 13.1 MB as they are, 144 ms and 7.6 MB with `zips`, 219 ms and 7.0 MB
 /// with `piz`; all else of that picture takes some 220 ms.
 void write_exr(const std::filesystem::path& path, const Frame& frame,
-               ExrCompression compression = ExrCompression::none);
+               ExrCompression compression = ExrCompression::none,
+               const CameraTags* camera = nullptr);
 
 /// Reads such a file back; planes in alphabetical order, as OpenEXR keeps them. Throws InputError
 /// for a file that is missing, damaged, truncated, or of more than 2^28 values.

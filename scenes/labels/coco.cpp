@@ -1,28 +1,14 @@
 #include "scenes/labels/coco.hpp"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
-#include <sstream>
+
+#include "scenes/labels/attribute_json.hpp"
 
 namespace diurna {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Numbers apart by spaces as an array, one number as itself, anything else as text.
-Json value_of(const std::string& text) {
-    Json numbers = Json::array();
-    std::istringstream words(text);
-    for (std::string word; words >> word;) {
-        double number = 0.0;
-        const auto [end, problem] = std::from_chars(word.data(), word.data() + word.size(), number);
-        if (problem != std::errc() || end != word.data() + word.size()) return text;
-        numbers.push_back(number);
-    }
-    if (numbers.empty()) return text;
-    return numbers.size() == 1 ? numbers.front() : numbers;
-}
 
 Json contrast_json(const Contrast& contrast) {
     if (!contrast.known) return nullptr;
@@ -49,11 +35,7 @@ Json image_json(const LabelledPicture& picture, std::size_t id) {
                     {"unit", picture.unit},
                     {"zero", picture.scale.zero},
                     {"step", picture.scale.step}}}};
-    for (const auto& [name, text] : picture.attributes) {
-        const auto dot = name.find('.');
-        if (dot == std::string::npos) continue;
-        image[name.substr(0, dot)][name.substr(dot + 1)] = value_of(text);
-    }
+    image.update(attribute_json(picture.attributes));
     return image;
 }
 

@@ -25,6 +25,7 @@
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/appearances.hpp"
 #include "scenes/run/behind_planes.hpp"
+#include "scenes/run/camera_truth.hpp"
 #include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
@@ -141,11 +142,11 @@ Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& vi
 
 /// EXR, quick-look and plain grey picture of every band.
 void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
-                 int grey_bits) {
+                 int grey_bits, const CameraTags& camera) {
     for (const Band& band : bands) {
         const std::string name = frame_base(frame.observer, band.name, frame.instant);
         const Frame one = band_frame(frame, band.name);
-        write_exr(out / (name + ".exr"), one);
+        write_exr(out / (name + ".exr"), one, ExrCompression::none, &camera);
         write_quicklook(out / (name + ".png"), one, shown_plane(band));
         write_grey_png(out / grey_picture(frame.observer, band.name, frame.instant), one,
                        shown_plane(band), grey_bits);
@@ -153,8 +154,11 @@ void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band
 }
 
 /// In the spectral OpenEXR layout and for ENVI.
-void write_cube(const fs::path& base, const Cube& cube) {
-    write_exr(base.string() + ".exr", spectral_frame(cube), ExrCompression::piz);
+void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
+                const CameraTags& camera) {
+    Frame frame = spectral_frame(cube);
+    frame.attributes.insert(facts.begin(), facts.end());
+    write_exr(base.string() + ".exr", frame, ExrCompression::piz, &camera);
     write_envi(base.string() + ".img", cube);
 }
 
@@ -241,8 +245,12 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     if (!field.water.empty()) add_cover_planes(s.view, field.water.facet, cover, frame);
     if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
     add_places(world.texture_levels, s.input.surfaces, frame);
+    const CameraTags camera = camera_tags(prepared, s.observer, instant);
+    Facts facts = camera_facts(world, s.observer);
+    facts.merge(instant_facts(prepared, instant));
+    frame.attributes.insert(facts.begin(), facts.end());
     for (const Plane& plane : s.behind) frame.planes.push_back(plane);
-    write_bands(out, frame, s.bands, prepared.scene.labels.bits);
+    write_bands(out, frame, s.bands, prepared.scene.labels.bits, camera);
     for (const CubeSeries& cube : s.cubes) {
         const Frame channels = render(s.view, s.observer, cube.channels, now,
                                       {.truth = false,
@@ -252,7 +260,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
                                        .pixel_sun = &pixel_sun,
                                        .plumes = prepared.plumes});
         write_cube(out / frame_base(s.input.name, cube.name, instant),
-                   cube_of(channels, cube.channels));
+                   cube_of(channels, cube.channels), facts, camera);
     }
     return frame.notes;
 }

@@ -24,7 +24,14 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
                       .settings = options.settings,
                       .frames = prepared.plan.frames,
                       .site = prepared.world.site,
+                      .legend = legend_of(prepared),
                       .weather = prepared.weather.note};
+    for (const Observer& observer : prepared.observers) {
+        manifest.cameras[observer.name] = camera_facts(prepared.world, observer);
+    }
+    for (const Instant instant : prepared.plan.frames) {
+        manifest.facts.push_back(instant_facts(prepared, instant));
+    }
     const Manifest earlier = read_manifest(options.out);
     keep = options.resume && earlier.key == manifest.key;
     if (keep) {

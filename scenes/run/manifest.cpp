@@ -6,6 +6,7 @@
 
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
+#include "scenes/labels/attribute_json.hpp"
 #include "scenes/run/digest.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -48,6 +49,26 @@ std::vector<fs::path> input_files(const Scene& scene) {
     return files;
 }
 
+nlohmann::ordered_json legend_json(const Legend& legend) {
+    nlohmann::ordered_json json{{"objects", nlohmann::json::array()},
+                                {"parts", nlohmann::json::array()},
+                                {"materials", nlohmann::json::array()}};
+    for (const auto& [id, name, kind] : legend.object) {
+        json["objects"].push_back({{"id", id}, {"name", name}, {"class", kind}});
+    }
+    for (const auto& [object, part, name, material, materials] : legend.part) {
+        json["parts"].push_back({{"object", object},
+                                 {"part", part},
+                                 {"name", name},
+                                 {"material", material},
+                                 {"material_ids", materials}});
+    }
+    for (const auto& [id, name] : legend.material) {
+        json["materials"].push_back({{"id", id}, {"name", name}});
+    }
+    return json;
+}
+
 }  // namespace
 
 std::string job_key(const Scene& scene, const std::vector<std::string>& settings) {
@@ -81,11 +102,19 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     if (!manifest.weather.empty()) json["weather"] = manifest.weather;
     const double offset = scene.time.utc_offset;
     json["span"] = {format_local(scene.time.start, offset), format_local(scene.time.end(), offset)};
-    for (const Instant when : manifest.frames) {
+    for (std::size_t i = 0; i < manifest.frames.size(); ++i) {
+        const Instant when = manifest.frames[i];
         json["frames"].push_back({{"utc", format_instant(when)},
                                   {"local_time", format_local(when, offset)},
                                   {"solar_time", format_solar_time(manifest.site, when)}});
+        if (i >= manifest.facts.size()) continue;
+        nlohmann::ordered_json facts = attribute_json(manifest.facts[i]);
+        for (const char* group : {"sun", "air"}) json["frames"].back()[group] = facts[group];
     }
+    for (const auto& [observer, facts] : manifest.cameras) {
+        json["cameras"][observer] = attribute_json(facts)["camera"];
+    }
+    json["legend"] = legend_json(manifest.legend);
     if (!manifest.start.empty()) json["start"] = manifest.start;
     json["threads"] = thread_count();
     for (const fs::path& file : input_files(scene)) {

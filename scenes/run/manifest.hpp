@@ -1,11 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/progress.hpp"
+#include "scenes/run/camera_truth.hpp"
+#include "scenes/run/legend.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 
@@ -13,14 +16,17 @@ namespace diurna {
 
 /// What manifest.json says of a run beside its scene, its inputs and the program's version.
 struct Manifest {
-    std::string key{};                    // job_key()
-    std::vector<std::string> settings{};  // of the command line
-    std::vector<Instant> frames{};        // when pictures are taken
-    Site site{};                          // for their solar time
-    std::string weather{};                // what was modelled and filled in of it
-    std::string start{};                  // how the heat balance's was found, and what it is worth
-    std::string not_converged{};          // by how much the temperatures miss the tolerance
-    std::vector<std::string> outputs{};   // files of the folder; empty: still running
+    std::string key{};                       // job_key()
+    std::vector<std::string> settings{};     // of the command line
+    std::vector<Instant> frames{};           // when pictures are taken
+    Site site{};                             // for their solar time
+    std::vector<Facts> facts{};              // (frame) instant_facts()
+    std::map<std::string, Facts> cameras{};  // by observer: camera_facts()
+    Legend legend{};
+    std::string weather{};               // what was modelled and filled in of it
+    std::string start{};                 // how the heat balance's was found, and what it is worth
+    std::string not_converged{};         // by how much the temperatures miss the tolerance
+    std::vector<std::string> outputs{};  // files of the folder; empty: still running
     std::vector<Progress::Stage> stages{};
 };
 

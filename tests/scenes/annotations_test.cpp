@@ -1,3 +1,7 @@
+#include <ImfInputFile.h>
+#include <ImfStandardAttributes.h>
+
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -94,7 +98,8 @@ namespace {
 
 constexpr int columns = 96, rows = 64;
 constexpr double field_deg = 12.0;
-const Eigen::Vector3d eye(0.0, -60.0, 20.0);
+// The level plain falls away from the site's plane by 0.28 mm there.
+const Eigen::Vector3d eye(0.0, -60.0, 20.0 - 60.0 * 60.0 / (2.0 * 6371e3));
 
 /// A truck in the open, one behind a wall's left half, one behind a net, one partly out of the
 /// picture; over a plain, from 60 m south and 20 m above.
@@ -192,8 +197,9 @@ struct Yard {
 
     Yard() {
         write_yard(folder.path);
-        run_job(read_scene(folder.path / "scene.toml"),
-                {.out = out, .progress = ProgressStyle::silent});
+        JobOptions options;
+        options.out = out;
+        run_job(read_scene(folder.path / "scene.toml"), options);
         coco = Json::parse(read_text(out / "annotations.json"));
     }
     /// (name of the object) its label in an image.
@@ -372,4 +378,87 @@ TEST_CASE("YOLO's and KITTI's text have the boxes of COCO's labels", "[scenes][a
     const Json rest = Json::parse(read_text(yard().out / "annotations_validation.json"));
     CHECK(train["images"].size() + rest["images"].size() == yard().coco["images"].size());
     CHECK(train["categories"] == rest["categories"]);
+}
+
+TEST_CASE("worldToNDC leads from a place to the pixel that shows it", "[scenes][annotations]") {
+    const Json& image = yard().coco["images"][0];
+    const fs::path file = yard().out / image["planes"].get<std::string>();
+    Imf::InputFile exr(file.c_str());
+    const Imf::Header& header = exr.header();
+    REQUIRE(Imf::hasWorldToNDC(header));
+    REQUIRE(Imf::hasWorldToCamera(header));
+    const Frame frame = read_exr(file);
+    // Along the roof's middle line of the truck in the open, north edge to south edge, and on the
+    // wall's face towards the camera.
+    for (const Eigen::Vector3d& place :
+         {Eigen::Vector3d(-4.2, 0.0, 1.5), Eigen::Vector3d(-5.5, 0.4, 1.5),
+          Eigen::Vector3d(-3.0, -0.5, 1.5), Eigen::Vector3d(4.0, -4.1, 1.0)}) {
+        const Imath::V3f world(float(place.x()), float(place.y()), float(place.z()));
+        Imath::V3f ndc, camera;
+        Imf::worldToNDC(header).multVecMatrix(world, ndc);
+        Imf::worldToCamera(header).multVecMatrix(world, camera);
+        const Eigen::Vector2d expected = projected(place);
+        CHECK(ndc.x * columns == Approx(expected.x()).margin(2e-3));
+        CHECK(ndc.y * rows == Approx(expected.y()).margin(2e-3));
+        CHECK(camera.length() == Approx((place - eye).norm()).epsilon(1e-5));
+        const auto p = std::size_t(int(ndc.y * rows) * columns + int(ndc.x * columns));
+        const auto labels = yard().of_image(1);
+        const std::string name = place.x() > 0.0 ? "wall" : "open";
+        CHECK(frame["object"].pixel[p] == labels.at(name)["instance"]["object_id"].get<float>());
+        // As far as the pixel is: on the roof a pixel is 0.45 m deep, on the wall 0.05 m.
+        CHECK(frame["range"].pixel[p] == Approx(camera.length()).margin(0.3));
+    }
+    // 12:00 UTC on the equator's plain, the scene's clock being UTC.
+    CHECK(Imf::capDate(header) == "2026:03:20 00:00:00");
+    CHECK(Imf::utcOffset(header) == 0.0f);
+    CHECK(std::isinf(Imf::focus(header)));
+    CHECK(Imf::latitude(header) == Approx(-60.0 / 110574.0).epsilon(0.01));  // m to a degree there
+    CHECK(std::abs(Imf::longitude(header)) < 1e-4f);
+    CHECK(Imf::altitude(header) == Approx(120.0).margin(0.01));
+    CHECK(header.screenWindowWidth() ==
+          Approx(2.0 * std::tan(0.5 * field_deg * std::numbers::pi / 180.0)).epsilon(1e-6));
+}
+
+TEST_CASE("labels and manifest carry camera, sun, air and what numbers stand for",
+          "[scenes][annotations]") {
+    const Json& image = yard().coco["images"][0];
+    // The quaternion turns the camera's forward to where it looks, 18 degrees down to the north,
+    // and its right to the east: v' = v + 2 q × (q × v + w v).
+    const std::vector<double> q = image["camera"]["quaternion"];
+    const Eigen::Vector3d vector(q[1], q[2], q[3]);
+    const auto turned = [&](const Eigen::Vector3d& v) -> Eigen::Vector3d {
+        return v + 2.0 * vector.cross(vector.cross(v) + q[0] * v);
+    };
+    const double down = 18.0 * std::numbers::pi / 180.0;
+    CHECK((turned({0, 0, 1}) - Eigen::Vector3d(0.0, std::cos(down), -std::sin(down))).norm() <
+          1e-8);
+    CHECK((turned({1, 0, 0}) - Eigen::Vector3d(1.0, 0.0, 0.0)).norm() < 1e-8);
+    const double focal = 0.5 * columns / std::tan(0.5 * field_deg * std::numbers::pi / 180.0);
+    CHECK(image["camera"]["intrinsics_pixels"][0].get<double>() == Approx(focal).epsilon(1e-8));
+    CHECK(image["air"]["temperature_K"] == 290.0);
+    CHECK(image["time"]["utc"] == "2026-03-20T00:00:00Z");
+    const Json manifest = Json::parse(read_text(yard().out / "manifest.json"));
+    CHECK(manifest["cameras"]["o"] == image["camera"]);
+    CHECK(manifest["frames"][0]["sun"] == image["sun"]);
+    CHECK(image["sun"]["elevation_deg"] < -60.0);  // midnight at Greenwich
+    std::map<int, std::string> kind, material;
+    for (const Json& entry : manifest["legend"]["objects"]) kind[entry["id"]] = entry["class"];
+    for (const Json& entry : manifest["legend"]["materials"]) {
+        material[entry["id"]] = entry["name"];
+    }
+    const Frame frame = read_exr(yard().out / image["planes"].get<std::string>());
+    for (std::size_t p = 0; p < frame.pixels(); ++p) {
+        if (frame["object"].pixel[p] < 0.0f) continue;
+        REQUIRE(kind.count(int(frame["object"].pixel[p])) == 1);
+        REQUIRE(material.count(int(frame["material"].pixel[p])) == 1);
+        if (kind[int(frame["object"].pixel[p])] == "camouflage net") {
+            CHECK(material[int(frame["material"].pixel[p])].substr(0, 3) == "net");
+        }
+    }
+    std::size_t trucks = 0;
+    for (const Json& part : manifest["legend"]["parts"]) {
+        trucks += kind[part["object"]] == "truck" && part["material"] == "sheet";
+        CHECK_FALSE(part["material_ids"].empty());
+    }
+    CHECK(trucks == 4);
 }

@@ -1,0 +1,166 @@
+#include "scenes/run/camera_truth.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "materials/base/units.hpp"
+#include "render/view/pixel_rays.hpp"
+#include "scenes/run/sun_on_surfaces.hpp"
+#include "terrain/place/local_time.hpp"
+#include "terrain/place/sun.hpp"
+#include "thermal/weather/sky_state.hpp"
+
+namespace diurna {
+
+namespace {
+
+std::string text_of(const std::vector<double>& numbers) {
+    std::string text;
+    for (const double number : numbers) {
+        text += fmt::format("{}{:.9g}", text.empty() ? "" : " ", number + 0.0);
+    }
+    return text;
+}
+
+std::string vector_text(const Eigen::Vector3d& v) { return text_of({v.x(), v.y(), v.z()}); }
+
+const char* name_of(Projection projection) {
+    switch (projection) {
+        case Projection::pinhole:
+            return "pinhole";
+        case Projection::equidistant:
+            return "equidistant";
+        case Projection::equisolid:
+            return "equisolid";
+        case Projection::panorama:
+            return "panorama";
+        case Projection::orthographic:
+            return "orthographic";
+    }
+    return "";
+}
+
+/// Pixels that a pinhole's picture plane is away.
+double focal_pixels(const Observer& observer) {
+    return 0.5 * observer.width / std::tan(0.5 * radians(observer.horizontal_fov_deg));
+}
+
+/// From the camera's right, up, forward to shares of the picture.
+std::optional<Eigen::Matrix4d> camera_to_ndc(const Observer& observer) {
+    Eigen::Matrix4d m = Eigen::Matrix4d::Zero();
+    if (observer.projection == Projection::pinhole) {
+        const double focal = focal_pixels(observer);
+        m.row(0) << focal / observer.width, 0.0, 0.5, 0.0;
+        m.row(1) << 0.0, -focal / observer.height, 0.5, 0.0;
+        m.row(2) << 0.0, 0.0, 0.0, 1.0;  // of the depth its reciprocal
+        m.row(3) << 0.0, 0.0, 1.0, 0.0;
+        return m;
+    }
+    if (observer.projection != Projection::orthographic) return std::nullopt;
+    const double wide = observer.picture_width;
+    m.row(0) << 1.0 / wide, 0.0, 0.0, 0.5;
+    m.row(1) << 0.0, -double(observer.width) / (wide * observer.height), 0.0, 0.5;
+    m.row(2) << 0.0, 0.0, 1.0, 0.0;
+    m.row(3) << 0.0, 0.0, 0.0, 1.0;
+    return m;
+}
+
+/// The camera's latitude, longitude and height; the last also above the sea.
+Geodetic place_of(const World& world, const Observer& observer, double& altitude) {
+    const Geodetic place = to_geodetic(world.site, observer.position);
+    altitude = place.height - world.site.height + world.sea_level_height;
+    return place;
+}
+
+}  // namespace
+
+CameraTags camera_tags(const Prepared& prepared, const Observer& observer, Instant instant) {
+    const PixelRays eye = pixel_rays(observer);
+    CameraTags tags;
+    Eigen::Matrix3d turn;
+    turn << eye.right.transpose(), -eye.down.transpose(), eye.axis.transpose();
+    tags.world_to_camera.topLeftCorner<3, 3>() = turn;
+    tags.world_to_camera.topRightCorner<3, 1>() = -turn * observer.position;
+    if (const auto to_ndc = camera_to_ndc(observer)) {
+        tags.world_to_ndc = *to_ndc * tags.world_to_camera;
+    }
+    const double offset = prepared.scene.time.utc_offset;
+    tags.cap_date = format_local(instant, offset).substr(0, 19);
+    tags.cap_date[4] = tags.cap_date[7] = ':';
+    tags.cap_date[10] = ' ';
+    tags.utc_offset = 0.0 - offset;
+    const Geodetic place = place_of(prepared.world, observer, tags.altitude);
+    tags.longitude = place.longitude_deg;
+    tags.latitude = place.latitude_deg;
+    tags.exposure = observer.exposure;
+    tags.focus = std::numeric_limits<double>::infinity();
+    if (eye.flat) tags.window_width = observer.width / focal_pixels(observer);
+    return tags;
+}
+
+Facts camera_facts(const World& world, const Observer& observer) {
+    const PixelRays eye = pixel_rays(observer);
+    double altitude = 0.0;
+    const Geodetic place = place_of(world, observer, altitude);
+    Eigen::Matrix3d axes;
+    axes << eye.right, eye.down, eye.axis;
+    Eigen::Quaterniond turn(axes);
+    if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
+    Facts facts{
+        {"camera.position_m", vector_text(observer.position)},
+        {"camera.geodetic", text_of({place.latitude_deg, place.longitude_deg, place.height})},
+        {"camera.quaternion", text_of({turn.w(), turn.x(), turn.y(), turn.z()})},
+        {"camera.pointing_deg",
+         text_of({observer.azimuth_deg, observer.elevation_deg, observer.roll_deg})},
+        {"camera.projection", name_of(observer.projection)}};
+    const double aspect = double(observer.height) / observer.width;
+    const double fov = observer.horizontal_fov_deg;
+    if (observer.projection == Projection::orthographic) {
+        facts["camera.picture_m"] =
+            text_of({observer.picture_width, observer.picture_width * aspect});
+    } else if (eye.flat) {
+        const double focal = focal_pixels(observer);
+        facts["camera.field_of_view_deg"] =
+            text_of({fov, 2.0 * degrees(std::atan(0.5 * observer.height / focal))});
+        facts["camera.intrinsics_pixels"] =
+            text_of({focal, focal, 0.5 * observer.width, 0.5 * observer.height});
+    } else if (observer.projection == Projection::equisolid) {
+        const double half = aspect * std::sin(0.25 * radians(fov));
+        facts["camera.field_of_view_deg"] =
+            text_of({fov, 4.0 * degrees(std::asin(std::min(1.0, half)))});
+    } else {
+        facts["camera.field_of_view_deg"] = text_of({fov, fov * aspect});
+    }
+    return facts;
+}
+
+Facts instant_facts(const Prepared& prepared, Instant instant) {
+    const Scene& scene = prepared.scene;
+    const double offset = scene.time.utc_offset;
+    const SunPosition sun = sun_over(prepared, instant);
+    const Forcing weather = prepared.weather.at(instant);
+    const SkyState sky = sky_state(prepared.world.site, prepared.world.sea_level_height, instant,
+                                   weather, scene.sky);
+    Facts facts{{"time.utc", format_instant(instant)},
+                {"time.local", format_local(instant, offset)},
+                {"time.utc_offset_s", text_of({offset})},
+                {"sun.azimuth_deg", text_of({sun.azimuth_deg})},
+                {"sun.elevation_deg", text_of({sun.elevation_deg})},
+                {"sun.direction", vector_text(sun_direction(sun))},
+                {"sun.direct_normal_W_m2", text_of({sky.direct_normal})},
+                {"sun.diffuse_horizontal_W_m2", text_of({sky.diffuse_horizontal})},
+                {"air.temperature_K", text_of({weather.air.temperature})},
+                {"air.pressure_Pa", text_of({weather.air.pressure})},
+                {"air.vapour_pressure_Pa", text_of({weather.air.vapour_pressure})},
+                {"air.wind_m_s", text_of({weather.wind_speed})}};
+    if (!scene.air.vacuum && !scene.air.table) {
+        facts["air.visibility_m"] = text_of({1000.0 * scene.air.visibility_km});
+    }
+    return facts;
+}
+
+}  // namespace diurna

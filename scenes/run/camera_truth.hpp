@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "render/picture/camera_tags.hpp"
+#include "scenes/plan/prepared.hpp"
+
+/// Where a picture was taken, when, and in what light and air: for EXR, manifest and labels.
+namespace diurna {
+
+CameraTags camera_tags(const Prepared& prepared, const Observer& observer, Instant instant);
+
+/// Facts by name as text, numbers apart by blanks to nine digits.
+using Facts = std::map<std::string, std::string>;
+
+/// Of a camera, the same at every instant:
+///
+///     camera.position_m             east, north, up of the site
+///     camera.geodetic               latitude, longitude [°], height above the ellipsoid [m]
+///     camera.quaternion             w, x, y, z: turns the camera's right, down, forward to east,
+///                                   north, up
+///     camera.pointing_deg           azimuth, elevation, roll
+///     camera.projection             pinhole, equidistant, ... (render/view/observer.hpp)
+///     camera.field_of_view_deg      horizontal, vertical; of an orthographic one its
+///     camera.picture_m              width and height
+///     camera.intrinsics_pixels      pinhole: fx, fy, cx, cy
+Facts camera_facts(const World& world, const Observer& observer);
+
+/// Of an instant:
+///
+///     time.utc, time.local, time.utc_offset_s   ISO 8601; the scene's clock ahead of UTC
+///     sun.azimuth_deg, .elevation_deg, .direction   as seen through the air; east, north, up
+///     sun.direct_normal_W_m2, .diffuse_horizontal_W_m2   sunlight at the ground by the weather
+///                                                       then, or as it is modelled
+///     air.temperature_K, .pressure_Pa, .vapour_pressure_Pa, .wind_m_s   the weather's
+///     air.visibility_m              where the air is modelled
+Facts instant_facts(const Prepared& prepared, Instant instant);
+
+}  // namespace diurna

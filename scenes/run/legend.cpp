@@ -1,5 +1,6 @@
 #include "scenes/run/legend.hpp"
 
+#include <cstdint>
 #include <set>
 
 #include "scenes/labels/labelled.hpp"

@@ -19,6 +19,10 @@ namespace diurna {
 
 namespace {
 
+/// A full scale holds at least this [W m-2 sr-1], about what starlit ground sends back: darker
+/// nights are black.
+constexpr double least_light = 1e-6;
+
 /// The finest of 1, 2, 5 times a power of ten that is at least `step`.
 double even_step(double step) {
     const double decade = std::pow(10.0, std::floor(std::log10(step)));
@@ -108,11 +112,11 @@ GreyScale grey_scale(const Frame& frame, const std::string& name, int bits) {
         return {zero, (ends.high - ends.low) / 255.0};
     }
     if (is_temperature(plane)) return {0.0, 0.01};
-    double greatest = 0.0;
+    double greatest = least_light;
     for (const float value : plane.pixel) {
         if (std::isfinite(value)) greatest = std::max(greatest, double{value});
     }
-    return {0.0, greatest > 0.0 ? even_step(greatest / 65535.0) : 1.0};
+    return {0.0, even_step(greatest / 65535.0)};
 }
 
 GreyScale write_grey_png(const std::filesystem::path& path, const Frame& frame,

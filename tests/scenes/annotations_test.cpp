@@ -1,10 +1,12 @@
 #include <ImfInputFile.h>
 #include <ImfStandardAttributes.h>
 
+#include <png.h>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -461,4 +463,34 @@ TEST_CASE("labels and manifest carry camera, sun, air and what numbers stand for
         CHECK_FALSE(part["material_ids"].empty());
     }
     CHECK(trucks == 4);
+}
+
+TEST_CASE("the grey picture's counts are the plane's values by its scale",
+          "[scenes][annotations]") {
+    const Json& image = yard().coco["images"][0];
+    const fs::path file = yard().out / image["file_name"].get<std::string>();
+    std::FILE* from = std::fopen(file.c_str(), "rb");
+    REQUIRE(from != nullptr);
+    png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_init_io(png, from);
+    png_read_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    REQUIRE(png_get_image_width(png, info) == columns);
+    REQUIRE(png_get_image_height(png, info) == rows);
+    REQUIRE(png_get_bit_depth(png, info) == 16);
+    REQUIRE(png_get_color_type(png, info) == PNG_COLOR_TYPE_GRAY);
+    CHECK(image["scale"]["step"] == 0.01);
+    CHECK(image["scale"]["zero"] == 0.0);
+    const Frame frame = read_exr(yard().out / image["planes"].get<std::string>());
+    const Plane& plane = frame[image["scale"]["plane"].get<std::string>()];
+    png_bytepp row = png_get_rows(png, info);
+    double worst = 0.0;
+    for (int p = 0; p < rows * columns; ++p) {
+        const png_byte* at = row[p / columns] + 2 * (p % columns);
+        worst = std::max(
+            worst, std::abs(0.01 * (256 * at[0] + at[1]) - double(plane.pixel[std::size_t(p)])));
+    }
+    CHECK(worst <= 0.005 + 1e-5);  // rounded
+    png_destroy_read_struct(&png, &info, nullptr);
+    std::fclose(from);
 }

@@ -1,6 +1,7 @@
 #include "terrain/objects/models/models.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -216,6 +217,18 @@ TEST_CASE("a net hangs clear of what it covers and stands open", "[terrain][mode
     double highest = 0.0;
     for (const Vector3d& v : mesh.vertex) highest = std::max(highest, v.z());
     CHECK(highest == Approx(2.95 + 0.4).margin(0.05));
+    std::map<std::array<std::uint32_t, 2>, int> sides;
+    for (std::size_t t = triangles; t < mesh.triangle.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = mesh.triangle[t][k], b = mesh.triangle[t][(k + 1) % 3];
+            ++sides[{std::min(a, b), std::max(a, b)}];
+        }
+    }
+    for (const auto& [edge, count] : sides) {  // it ends at its hem alone
+        if (count == 2) continue;
+        REQUIRE(mesh.vertex[edge[0]].z() == Approx(0.1).margin(1e-9));
+        REQUIRE(mesh.vertex[edge[1]].z() == Approx(0.1).margin(1e-9));
+    }
     // Straight above the truck's every vertex the net is higher by its clearance, but for its own
     // squares' sag over an edge.
     double least = 1e9;

@@ -84,9 +84,9 @@ void add_wings(Workpiece& work) {
     add_box(work, wing("wings", {-8.5, -0.2, 2.73}, {8.5, 1.9, 3.03}, 0.6, 0.15));
     add_box(work, wing("tail", {-3.0, -7.6, 4.95}, {3.0, -6.5, 5.1}, 0.7, 0.0));
     PanelBox fin{
-        .part = "tail", .low = {-0.09, -7.7, 2.95}, .high = {0.09, -5.6, 4.92}, .radius = 0.06};
+        .part = "tail", .low = {-0.09, -7.7, 2.66}, .high = {0.09, -5.6, 4.92}, .radius = 0.06};
     fin.bend = [](const Vector3d& p) {
-        const double up = (p.z() - 2.95) / 1.97, front = (p.y() + 7.7) / 2.1;
+        const double up = (p.z() - 2.66) / 2.26, front = (p.y() + 7.7) / 2.1;
         return Vector3d(p.x(), p.y() - 0.9 * up * front, p.z());
     };
     add_box(work, fin);

@@ -41,8 +41,8 @@ void add_house_body(Workpiece& work) {
     body.side_part[std::size_t(Side::top)] = "roof";
     body.side_part[std::size_t(Side::bottom)] = "floor";
     body.further_lines[0] = {0.0};
-    body.further_lines[2] = {storey, eaves};
-    body.bend = [](const Vector3d& p) {  // above the eaves' height a gable
+    body.further_lines[2] = {storey, eaves, 5.6, 5.8};  // the gable's are stretched
+    body.bend = [](const Vector3d& p) {                 // above the eaves' height a gable
         const double up = std::max(0.0, (p.z() - eaves) / (6.0 - eaves));
         return Vector3d(
             p.x(), p.y(),
@@ -118,7 +118,7 @@ void make_hangar(Workpiece& work) {
         }
     }
     for (int i = 1; i < 16; ++i) hall.further_lines[0].push_back(-half + 2.0 * half * i / 16.0);
-    hall.further_lines[2] = {wall};
+    hall.further_lines[2] = {wall, 3.75, 4.0, 4.25};  // the arch's are stretched
     hall.bend = [=](const Vector3d& p) {  // what is above the walls' height follows an arch
         const double off = p.x() / half, up = std::max(0.0, (p.z() - wall) / (top - wall));
         const double arch = wall + (crown - wall) * std::sqrt(std::max(0.0, 1.0 - 0.9 * off * off));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <utility>
 #include <vector>
@@ -31,6 +32,22 @@ std::vector<Eigen::Vector3d> highest_by_square(const std::vector<Eigen::Vector3d
     return all;
 }
 
+/// Takes out what lies on the ground beyond the hem.
+void drop_level_at(MeshFile& mesh, std::size_t first, double height) {
+    std::size_t kept = first;
+    for (std::size_t t = first; t < mesh.triangle.size(); ++t) {
+        const auto corner = mesh.triangle[t];
+        const bool level = std::all_of(corner.begin(), corner.end(), [&](std::uint32_t v) {
+            return mesh.vertex[v].z() < height + 1e-6;
+        });
+        if (level) continue;
+        mesh.part_of[kept] = std::uint16_t{mesh.part_of[t]};
+        mesh.triangle[kept++] = corner;
+    }
+    mesh.triangle.resize(kept);
+    mesh.part_of.resize(kept);
+}
+
 }  // namespace
 
 void add_net(MeshFile& mesh, double clearance, double edge) {
@@ -47,12 +64,15 @@ void add_net(MeshFile& mesh, double clearance, double edge) {
         }
         return top;
     };
-    const double reach = clearance + edge + 0.5 * (box.max().z() - box.min().z());
+    // One to one down to the hem.
+    const double reach = 2.0 * clearance + 2.0 * edge + box.max().z() - ground;
     Workpiece work{.mesh = std::move(mesh), .fine = {}};
+    const std::size_t first = work.mesh.triangle.size();
     add_sheet(work, "net", box.min().head<2>() - Eigen::Vector2d::Constant(reach),
               box.max().head<2>() + Eigen::Vector2d::Constant(reach), edge, height);
     work.mesh.part.back().material = "camouflage_net";
     mesh = std::move(work.mesh);
+    drop_level_at(mesh, first, ground);
 }
 
 }  // namespace diurna

@@ -144,7 +144,7 @@ fs::path part_file(const Section& section, const ObjectInput& object, const std:
                    const Reading& reading) {
     fs::path beside = object.file;
     beside.replace_extension(".parts.toml");
-    const bool there = !object.mesh.part.empty() && fs::is_regular_file(beside);
+    const bool there = model.empty() && !object.mesh.part.empty() && fs::is_regular_file(beside);
     const std::string named = section.text_or(
         "part_file",
         "tables part, enclosure, lump, link, stream in a file of their own, which goes with the "

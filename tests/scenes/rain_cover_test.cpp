@@ -16,10 +16,10 @@ namespace {
 
 /// A sheet of 10 by 10 m over a plain, an hour of rain or snow (8 mm in all) from noon on.
 struct Sheltered {
-    std::string sheet;    // keys of its material
-    std::string object;   // further keys of the object
-    double air = 285.0;   // [K]
-    double height = 4.0;  // [m]
+    std::string sheet{};   // keys of its material
+    std::string object{};  // further keys of the object
+    double air = 285.0;    // [K]
+    double height = 4.0;   // [m]
 };
 
 Prepared prepared_of(const Sheltered& s, const std::filesystem::path& folder) {

@@ -106,8 +106,9 @@ TEST_CASE("a plate's own size and the wind of its height reach its temperature",
     // 4 by 4 m of sheet 5 m above a plain, 200 W/m2 in it, no radiation. Wind of 3 m/s at 10 m:
     // 3 ln(5/0.03) / ln(10/0.03) = 2.642 m/s over a mean chord of pi 16 m2 / 16 m (Cauchy), air of
     // 295 K (k 0.0256 W/mK, viscosity 1.56e-5 m2/s at 1000 hPa): Re 5.3e5, forced (0.037 Re^0.8 -
-    // 160) 0.892 k / L = 9.1 W/m2K on each side (Incropera 7.2, tripped at 1e5); with free 3.8 above
-    // and 1.2 below (McAdams), cubes added, 9.3 + 9.1: 10.9 K. One metre in 3 m/s would give 9.4 K.
+    // 160) 0.892 k / L = 9.1 W/m2K on each side (Incropera 7.2, tripped at 1e5); with free 3.8
+    // above and 1.2 below (McAdams), cubes added, 9.3 + 9.1: 10.9 K. One metre in 3 m/s would
+    // give 9.4 K.
     const ScratchFolder folder("size");
     over_plain::write_scene(folder.path, {.mesh = over_plain::level_square(4),
                                           .height = 5.0,

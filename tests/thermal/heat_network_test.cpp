@@ -206,3 +206,22 @@ TEST_CASE("heat put in is heat stored, at any step", "[thermal][network]") {
         CHECK(stored == Approx(1000.0 * plate.network.facet[5].area * 10.0 * step).epsilon(1e-8));
     }
 }
+
+TEST_CASE("a part that is held cold or hot goes there at once", "[thermal][network]") {
+    // In contact of 1e5 W/m2K with 160 or 1500 K, from 300: what a film of 20 W/m2K to 300 K
+    // leaves, 20 / 1e5 of the difference.
+    for (const double held : {160.0, 1500.0}) {
+        HeatNetwork plate;
+        plate.column = {network_column({aluminium}, FixedFlux{0.0})};
+        plate.lump = {{.fixed = true}};
+        plate.facet = {
+            NetworkFacet{.area = 1.0, .lump = {no_number, no_number, 0}, .contact = 1e5}};
+        NetworkForcing forcing = in_air(300.0, 20.0, 0.0);
+        forcing.loads = [&](double, NetworkLoads& loads) { loads.fixed[0] = held; };
+        NetworkStepper stepper(plate);
+        stepper.settle(300.0);
+        for (int i = 0; i < 4; ++i) stepper.advance(300.0, forcing);
+        CHECK(stepper.state.node[0] == Approx(held + 2e-4 * (300.0 - held)).margin(0.01));
+        CHECK(stepper.count.limited == 0);
+    }
+}

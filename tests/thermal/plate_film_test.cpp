@@ -259,8 +259,8 @@ TEST_CASE("walls' films are those of TARP and MoWiTT in air of 1.204 kg/m3",
               Approx(exposed * 4.641).epsilon(1e-3));
     }
     // MoWiTT at 5 m/s, 10 K; natural part 0.84 in the reference, 1.31 of a wall here: 13.93.
-    const AirFilm windy = film_over(Mowitt{}, 293.15, 5.0);
-    CHECK(windy.plate.laminar ==
+    const AirFilm breezy = film_over(Mowitt{}, 293.15, 5.0);
+    CHECK(breezy.plate.laminar ==
           Approx(std::sqrt(13.77469 * 13.77469 - std::pow(0.84, 2) * std::pow(10.0, 2.0 / 3.0)))
               .epsilon(1e-3));
     // DOE-2: natural + R_f (√(natural² + forced²) − natural).

@@ -177,7 +177,11 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
 /// Sets out a stage from where the way from `since` leads, for Newton's sake.
 void NetworkStepper::guess(const NetworkState& since, double onward) {
     const auto go_on = [&](std::vector<double>& now, const std::vector<double>& then) {
-        for (std::size_t k = 0; k < now.size(); ++k) now[k] += onward * (now[k] - then[k]);
+        for (std::size_t k = 0; k < now.size(); ++k) {
+            // A jump leads nowhere.
+            const double next = now[k] + onward * (now[k] - then[k]);
+            now[k] = std::clamp(next, 0.9 * now[k], 1.1 * now[k]);
+        }
     };
     go_on(state.node, since.node);
     go_on(state.edge, since.edge);

@@ -148,8 +148,10 @@ void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band
         const Frame one = band_frame(frame, band.name);
         write_exr(out / (name + ".exr"), one, ExrCompression::none, &camera);
         write_quicklook(out / (name + ".png"), one, shown_plane(band));
-        write_grey_png(out / grey_picture(frame.observer, band.name, frame.instant), one,
-                       shown_plane(band), grey_bits);
+        const std::filesystem::path grey =
+            out / grey_picture(frame.observer, band.name, frame.instant);
+        std::filesystem::create_directories(grey.parent_path());
+        write_grey_png(grey, one, shown_plane(band), grey_bits);
     }
 }
 

@@ -319,7 +319,11 @@ class Builder {
             }
         }
         for (const auto& [name, lump] : lump_of_) {
-            if (leads[lump]) continue;
+            const std::uint32_t number = lump;
+            const bool heated = std::any_of(
+                object_.source.begin(), object_.source.end(),
+                [&](const NetworkObject::Source& source) { return source.lump == number; });
+            if (leads[lump] || (!heated && network().lump[lump].capacity > 0.0)) continue;
             throw InputError(input_.where,
                              fmt::format("object \"{}\": '{}' has no way for its heat, expected a "
                                          "link, a stream or a part that looks into it",

@@ -167,8 +167,8 @@ inline std::vector<thermal_rows::Case> cases() {
         {"black plates at 0, 45, 90, 135° in the open and in a street",
          "sky summed over directions", "4 K view times horizontal mean", plates_under_sky},
         {"a target's sheets: fin of 65 K, pattern fading on uneven triangles",
-         "Incropera 3.6; Carslaw & Jaeger 3.3", "12 % of the flow, links of centroids",
-         conducting_sheets}};
+         "Incropera 3.6; Carslaw & Jaeger 3.3",
+         "12 % too much on right triangles, links of centroids (worked out)", conducting_sheets}};
 }
 
 }  // namespace joint_rows

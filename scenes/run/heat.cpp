@@ -90,12 +90,27 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
     return notes;
 }
 
-std::string targets_told(const SolveReport& report) {
+/// What is and is not followed of targets.
+std::string targets_told(const SolveInput& input, const SpanOptions& span,
+                         const SolveReport& report) {
     if (report.target_facets == 0) return "";
-    return fmt::format(
+    std::string told = fmt::format(
         "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
         "them",
         report.target_facets);
+    bool sources = false;
+    for (const NetworkObject& object : input.network) {
+        sources = sources || !object.source.empty();
+        if (object.loose_edges == 0) continue;
+        told += fmt::format(
+            "; {} edges of \"{}\" meet no other whole edge (open ends, T-junctions): no heat goes "
+            "over them",
+            object.loose_edges, object.name);
+    }
+    if (sources && span.begin == SpanStart::steady) {
+        told += "; a steady start knows nothing of their sources";
+    }
+    return told;
 }
 
 /// What was followed of the water on surfaces, and what was not.
@@ -187,7 +202,7 @@ SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progre
     SpanResult result = solve_span(input, exposure, span);
     result.start += ": " + start_told(input, span, result.report);
     for (std::string note :
-         {lee_note(prepared.world, parts), targets_told(result.report),
+         {lee_note(prepared.world, parts), targets_told(input, span, result.report),
           rain_note(prepared.world, prepared.scene.materials, prepared.weather, open),
           water_told(result.report)}) {
         if (!note.empty()) result.notes.push_back(std::move(note));

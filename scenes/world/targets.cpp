@@ -167,6 +167,7 @@ class Builder {
         using Edge = std::tuple<std::uint32_t, std::uint32_t, int, std::size_t>;
         std::map<Edge, std::uint32_t> edge_of;
         constexpr std::size_t common = ~std::size_t{0};
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> shared, of_closed;
         for (std::size_t n = 0; n < object_.size(); ++n) {
             NetworkFacet& facet = network().facet[n];
             const std::uint32_t f = object_.facet[n];
@@ -180,6 +181,12 @@ class Builder {
                                      .norm());
             }
             facet.sideways = sideways_flow(side, facet.area);
+            for (int s = 0; s < 3; ++s) {
+                const std::pair<std::uint32_t, std::uint32_t> ends =
+                    std::minmax(corner[(s + 1) % 3], corner[(s + 2) % 3]);
+                ++shared[ends];
+                if (object_.back[n] == no_number) ++of_closed[ends];
+            }
             const bool welded = part_input(input_, part_[n]).welded;
             for (int end = 0; end < 2; ++end) {
                 // Less than a twentieth of a W/m² for a kelvin is no way for heat.
@@ -195,6 +202,9 @@ class Builder {
             }
         }
         network().edges = std::uint32_t(edge_of.size());
+        for (const auto& [ends, count] : of_closed) {
+            object_.loose_edges += shared[ends] == 1 ? 1 : 0;
+        }
     }
 
     /// The plane that an inner face lies in, by the nearest of 26 directions.

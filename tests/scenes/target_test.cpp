@@ -136,6 +136,47 @@ film_W_m2K = 0
     CHECK(on.result.report.converged);
 }
 
+TEST_CASE("what lies over a very hot lid is as warm as it should be", "[scenes][target]") {
+    // 20 kW/m2 in the lid of a target, two metres under the floor of an ordinary box: aligned
+    // squares at half their size see F = 0.4153 of one another (Howell C-11), else the lid sees a
+    // sky of nothing and the floor ground of some 280 K. Radiosities J = e sigma T^4 + (1 - e) H;
+    // 20000 = 10 (T1 - 290) + J1 - H1, H2 - J2 = 10 (T2 - 290); e 0.9.
+    const over_plain::Given given{
+        .mesh = box(4, 0.02), .height = 2.0, .albedo = 1.0, .black = 0.9, .ground_edge = 5.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "lid"
+heat_W_m2 = 20000.0
+welded = false
+[[object.part]]
+name = "*"
+[[object]]
+name = "over"
+mesh = "mesh.obj"
+up = "z"
+place_m = [0.0, 0.0]
+height_above_ground_m = 4.02
+largest_edge_m = 2.0
+material = "sheet"
+)",
+                             6.0);
+    const double f = 0.4153, e = 0.9, ground = stefan_boltzmann * std::pow(280.0, 4);
+    double t1 = 700.0, t2 = 500.0;
+    for (int i = 0; i < 4000; ++i) {
+        const double b1 = e * stefan_boltzmann * std::pow(t1, 4),
+                     b2 = e * stefan_boltzmann * std::pow(t2, 4), back = 1.0 - e;
+        // J1 = b1 + back f J2, J2 = b2 + back (f J1 + (1 - f) ground)
+        const double j1 =
+            (b1 + back * f * (b2 + back * (1.0 - f) * ground)) / (1.0 - back * back * f * f);
+        const double h2 = f * j1 + (1.0 - f) * ground, j2 = b2 + back * h2;
+        t1 += 1e-3 * (20000.0 - 10.0 * (t1 - 290.0) - j1 + f * j2);
+        t2 += 1e-3 * (h2 - j2 - 10.0 * (t2 - 290.0));
+    }
+    CAPTURE(t1, t2);
+    CHECK(t1 > 700.0);
+    CHECK(on.result.report.converged);
+    CHECK(on.kelvin("05:00", "lid") == Approx(t1).epsilon(0.01));
+}
+
 TEST_CASE("an engine runs by the clock", "[scenes][target]") {
     // Its heat leaves through the lid alone: P = 10 W/m2K 16 m2 (T - 290) once all is steady;
     // before it runs, and hours after, all is as warm as the air.

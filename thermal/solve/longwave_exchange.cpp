@@ -214,6 +214,10 @@ void send_more(const SolveState& solve, const Level& level, std::span<const std:
     }
 }
 
+/// [W m⁻²] that warm by so much that slopes there say nothing of it: left to the block's next run.
+constexpr float beyond_first_order = 2000.0f;
+constexpr double usual_loss = 20.0;  // [W m⁻² K⁻¹] radiation and air together
+
 /// Of facets that a target solves: what its own pass has made of them stands.
 bool of_target(const SolveState& solve, const Block& block) {
     return !solve.in_network.empty() && solve.in_network[block.facet.front()];
@@ -228,8 +232,10 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
         [&](std::size_t b) {
             Block& block = solve.block[b];
             if (!block.has_run() || of_target(solve, block)) return;
-            if (const float most = most_of(block, field); most < least) {
+            const float most = most_of(block, field);
+            if (most < least || most > beyond_first_order) {
                 block.unfollowed += double(most);
+                if (most > beyond_first_order) warmest[b] = double(most) / usual_loss;
                 return;
             }
             const auto count = Eigen::Index(block.facet.size());

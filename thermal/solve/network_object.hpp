@@ -47,6 +47,8 @@ struct NetworkObject {
     };
     std::vector<Sunlit> sunlit;
 
+    std::size_t loose_edges = 0;  // sides of closed bodies' facets that no other facet shares
+
     std::size_t size() const { return facet.size(); }
 };
 

@@ -116,6 +116,19 @@ std::vector<std::size_t> steps_around(std::span<const Instant> wanted,
     return around;
 }
 
+/// The input of a piece: its own sun, weather (null: the span's) and start, all else the span's. A
+/// member that is not named here is no silent loss: the list has to match.
+SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weather* own_weather,
+                    const HeatState* from, const TemperatureField* guess) {
+    const auto& [facets, views, span_sun, materials, weather, site, elevation, by_height, height,
+                 part, network, open_above, clear_sky, measured_share, sunlight_views, span_from,
+                 span_guess] = span;
+    return {facets,  views,      sun,       materials,      own_weather ? *own_weather : weather,
+            site,    elevation,  by_height, height,         part,
+            network, open_above, clear_sky, measured_share, sunlight_views,
+            from,    guess};
+}
+
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.
 void solve_piece(const Piece& piece, Walk& walk) {
     SolveOptions options = walk.options.day;
@@ -131,30 +144,15 @@ void solve_piece(const Piece& piece, Walk& walk) {
     if (walk.options.day.progress) {
         options.progress = [&](double share) { walk.options.day.progress((done + share) / all); };
     }
-    const SolveInput& given = walk.input;
     const std::vector<Instant> steps = step_instants(options);
     const std::span<const Instant> told = told_by(piece, walk);
     options.heat_at = steps_around(told, steps);
     const SunExposure sun = walk.exposure(steps);
     const bool begun = !piece.periodic && !walk.state.block.empty();
-    SolveResult result = solve({.facets = given.facets,
-                                .views = given.views,
-                                .sun = sun,
-                                .materials = given.materials,
-                                .weather = piece.weather ? *piece.weather : given.weather,
-                                .site = given.site,
-                                .elevation = given.elevation,
-                                .by_height = given.by_height,
-                                .height = given.height,
-                                .part = given.part,
-                                .network = given.network,
-                                .open_above = given.open_above,
-                                .clear_sky = given.clear_sky,
-                                .measured_share = given.measured_share,
-                                .sunlight_views = given.sunlight_views,
-                                .from = begun ? &walk.state : nullptr,
-                                .guess = begun && walk.days > 1 ? &walk.day_before : nullptr},
-                               options);
+    SolveResult result =
+        solve(of_piece(walk.input, sun, piece.weather, begun ? &walk.state : nullptr,
+                       begun && walk.days > 1 ? &walk.day_before : nullptr),
+              options);
     add_report(result.report, walk.result.report);
     for (const Instant when : told) walk.result.heat.add_between(result.heat, when);
     if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);

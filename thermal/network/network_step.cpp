@@ -164,7 +164,10 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
         move(state.node, missing_.node);
         move(state.edge, missing_.edge);
         move(state.lump, missing_.lump);
-        if (most < at_rest) break;
+        if (most < at_rest) {
+            left = 0.0;  // a share of next to nothing tells nothing
+            break;
+        }
     }
     const auto beyond = [](double kelvin) { return !(kelvin < 0.999 * warmest); };
     if (std::any_of(state.node.begin(), state.node.end(), beyond) ||

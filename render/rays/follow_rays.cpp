@@ -42,7 +42,7 @@ bool near_plume(std::size_t pixel, const PixelRays& rays, const Observer& observ
         const double diagonal =
             along * (rays.towards(column + 0.5, row + 0.5) - to).norm() +
             (rays.start(column + 0.49, row + 0.49) - rays.start(column, row)).norm() +
-            0.5 * rays.exposure_way.norm();
+            0.5 * (rays.exposure_way.norm() + along * rays.exposure_turn.norm());
         return (from + along * to - sphere.middle).norm() < sphere.radius + 1.1 * diagonal;
     });
 }
@@ -155,7 +155,7 @@ struct PixelWalks {
             sample.clear();
             walk(scene,
                  {.origin = observer.position + eye.start(column, row, when),
-                  .direction = eye.towards(column, row),
+                  .direction = eye.towards(column, row, when),
                   .weight = 1.0f / static_cast<float>(samples),
                   .lobe = {.count = lobe_rays,
                            .first = {fraction(turn[0] + double(s) / (samples * lobe_rays)),

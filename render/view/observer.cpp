@@ -8,6 +8,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/site.hpp"
+#include "terrain/place/trajectory.hpp"
 
 namespace diurna {
 
@@ -35,6 +36,7 @@ void check_observer(const Observer& observer) {
     }
     for (int axis = 0; axis < 3; ++axis) {
         within("velocity [m/s]", observer.velocity[axis], -1e4, 1e4);
+        within("turning [rad/s]", observer.turning[axis], -100.0, 100.0);
     }
     within("row_time [s]", observer.row_time, 0.0, 60.0);
     within("exposure [s]", observer.exposure, 0.0, 60.0);
@@ -43,7 +45,8 @@ void check_observer(const Observer& observer) {
     if (!mistakes.empty()) throw InputError(std::move(mistakes));
 }
 
-void check_observer(const Observer& observer, const FacetSet& facets, const RayScene& scene) {
+void check_observer(const Observer& observer, const FacetSet& facets, const RayScene& scene,
+                    std::size_t ground_facets, std::span<const std::string> names) {
     check_observer(observer);
     // A ray along a mesh edge could be counted to either side: three, nearly vertical, decide by
     // majority.
@@ -66,12 +69,38 @@ void check_observer(const Observer& observer, const FacetSet& facets, const RayS
     }
     if (behind < 2) return;
     const auto object = static_cast<unsigned>(facets.object[index(nearest.facet)]);
-    throw InputError("observer " + observer.name,
-                     object == 0
-                         ? fmt::format("camera is {:.1f} m below the terrain", nearest.range)
-                         : fmt::format("camera is inside object {}, {:.1f} m below its top", object,
-                                       nearest.range),
-                     "raise its position");
+    const bool ground = object == 0 || index(nearest.facet) < ground_facets;
+    const std::string name =
+        object < names.size() ? "\"" + names[object] + "\"" : fmt::format("object {}", object);
+    throw InputError(
+        "observer " + observer.name,
+        ground ? fmt::format("camera is {:.1f} m below the terrain", nearest.range)
+               : fmt::format("camera is inside {}, {:.1f} m below its top", name, nearest.range),
+        "raise its position");
+}
+
+Eigen::Quaterniond attitude_of(const Observer& observer) {
+    return attitude(observer.azimuth_deg, observer.elevation_deg, observer.roll_deg);
+}
+
+Observer turned_to(Observer observer, const Eigen::Quaterniond& attitude) {
+    const Eigen::Matrix3d axes = attitude.normalized().toRotationMatrix();
+    const Eigen::Vector3d right = axes.col(0), forward = axes.col(1), up = axes.col(2);
+    const double level = std::hypot(forward.x(), forward.y());
+    observer.elevation_deg = degrees(std::atan2(forward.z(), level));
+    if (level > 1e-9) {
+        const double azimuth = std::atan2(forward.x(), forward.y());
+        const Eigen::Vector3d level_right(std::cos(azimuth), -std::sin(azimuth), 0.0);
+        observer.azimuth_deg = degrees(azimuth);
+        observer.roll_deg =
+            degrees(std::atan2(right.dot(forward.cross(level_right)), right.dot(level_right)));
+    } else {
+        const Eigen::Vector3d ahead = forward.z() < 0.0 ? up : Eigen::Vector3d(-up);
+        observer.azimuth_deg = degrees(std::atan2(ahead.x(), ahead.y()));
+        observer.roll_deg = 0.0;
+    }
+    if (observer.azimuth_deg < 0.0) observer.azimuth_deg += 360.0;
+    return observer;
 }
 
 Observer looking_at(Observer observer, const Eigen::Vector3d& target) {

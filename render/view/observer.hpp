@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include "terrain/facets.hpp"
@@ -37,12 +39,15 @@ struct Observer {
     Projection projection = Projection::pinhole;
     double picture_width = 0.0;  // [m] orthographic: from the left edge to the right
 
-    // While a picture is taken the scene stands still and the camera goes straight on without
-    // turning. The position is that at the middle of the first row's exposure.
+    // While a picture is taken the scene stands still and the camera goes straight on and turns at
+    // an even rate. Position and angles are those at the middle of the first row's exposure.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // east, north, up [m s⁻¹]
+    Eigen::Vector3d turning = Eigen::Vector3d::Zero();   // about east, north, up [rad s⁻¹]
     double row_time = 0.0;  // [s] from a row's exposure to the next one's; 0: all at once
     double exposure = 0.0;  // [s] of each row
-    bool moves() const { return !velocity.isZero() && (row_time > 0.0 || exposure > 0.0); }
+    bool moves() const { return (!velocity.isZero() || turns()) && takes_time(); }
+    bool turns() const { return !turning.isZero() && takes_time(); }
+    bool takes_time() const { return row_time > 0.0 || exposure > 0.0; }
 };
 
 /// The field of view [deg] of a focal plane: width · pitch behind a lens of a focal length.
@@ -53,7 +58,17 @@ void check_observer(const Observer& observer);
 
 /// The same, and that the camera is not below the ground or inside an object: nothing may be seen
 /// from behind straight above it. "camera is 3.2 m below the terrain"
-void check_observer(const Observer& observer, const FacetSet& facets, const RayScene& scene);
+///
+/// - ground_facets: the first ones, whatever object they are; with none, object 0 is the ground
+/// - names: (ObjectId) for the message
+void check_observer(const Observer& observer, const FacetSet& facets, const RayScene& scene,
+                    std::size_t ground_facets = 0, std::span<const std::string> names = {});
+
+/// Turns the camera's right, forward, up to east, north, up.
+Eigen::Quaterniond attitude_of(const Observer& observer);
+/// The observer turned so. One that looks straight down or up has no roll: its azimuth is the way
+/// that the picture's upper edge looks, or its lower.
+Observer turned_to(Observer observer, const Eigen::Quaterniond& attitude);
 
 /// The observer turned so that its axis goes through `target` (east, north, up [m]).
 Observer looking_at(Observer observer, const Eigen::Vector3d& target);

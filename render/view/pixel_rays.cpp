@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-Eigen::Vector3d PixelRays::towards(double at_column, double at_row) const {
+Eigen::Vector3d PixelRays::still(double at_column, double at_row) const {
     if (flat) return (corner + at_column * column + at_row * row).normalized();
     if (projection == Projection::orthographic) return axis;
     const double x = (at_column - middle_column) * per_pixel;
@@ -22,6 +22,26 @@ Eigen::Vector3d PixelRays::towards(double at_column, double at_row) const {
     const double angle =
         projection == Projection::equidistant ? r : 2.0 * std::asin(std::min(1.0, 0.5 * r));
     return std::cos(angle) * axis + std::sin(angle) / r * (x * right + y * down);
+}
+
+Eigen::Vector3d PixelRays::towards(double at_column, double at_row, double when) const {
+    const Eigen::Vector3d direction = still(at_column, at_row);
+    return turns ? turned(direction, at_row, when) : direction;
+}
+
+Eigen::Vector3d PixelRays::turned_back(const Eigen::Vector3d& direction, double at_row) const {
+    const Eigen::Vector3d turn = std::floor(at_row) * row_turn;
+    const double angle = turn.norm();
+    if (!(angle > 0.0)) return direction;
+    return Eigen::AngleAxisd(-angle, turn / angle) * direction;
+}
+
+Eigen::Vector3d PixelRays::turned(const Eigen::Vector3d& direction, double at_row,
+                                  double when) const {
+    const Eigen::Vector3d turn = std::floor(at_row) * row_turn + (when - 0.5) * exposure_turn;
+    const double angle = turn.norm();
+    if (!(angle > 0.0)) return direction;
+    return Eigen::AngleAxisd(angle, turn / angle) * direction;
 }
 
 Eigen::Vector3d PixelRays::start(double at_column, double at_row, double when) const {
@@ -71,7 +91,10 @@ PixelRays pixel_rays(const Observer& observer) {
                    .middle_column = 0.5 * observer.width,
                    .middle_row = 0.5 * observer.height,
                    .row_way = observer.row_time * observer.velocity,
-                   .exposure_way = observer.exposure * observer.velocity};
+                   .exposure_way = observer.exposure * observer.velocity,
+                   .row_turn = observer.row_time * observer.turning,
+                   .exposure_turn = observer.exposure * observer.turning,
+                   .turns = observer.turns()};
     if (rays.flat) {
         const double pitch =
             2.0 * std::tan(0.5 * radians(observer.horizontal_fov_deg)) / observer.width;

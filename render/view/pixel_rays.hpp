@@ -23,9 +23,19 @@ struct PixelRays {
 
     // Of a camera that moves [m]: its way from a row to the next, and during an exposure.
     Eigen::Vector3d row_way = Eigen::Vector3d::Zero(), exposure_way = Eigen::Vector3d::Zero();
+    // And of one that turns [rad].
+    Eigen::Vector3d row_turn = Eigen::Vector3d::Zero(), exposure_turn = Eigen::Vector3d::Zero();
+    bool turns = false;
 
-    /// Unit vector towards a place in the picture, in pixels from its upper left corner.
-    Eigen::Vector3d towards(double at_column, double at_row) const;
+    /// Unit vector towards a place in the picture, in pixels from its upper left corner, `when` of
+    /// the row's exposure has gone by, 0 to 1.
+    Eigen::Vector3d towards(double at_column, double at_row, double when = 0.5) const;
+    /// The same without the turn.
+    Eigen::Vector3d still(double at_column, double at_row) const;
+    /// A direction as the camera has turned it since the middle of the first row's exposure.
+    Eigen::Vector3d turned(const Eigen::Vector3d& direction, double at_row, double when) const;
+    /// The way back, at the middle of a row's exposure.
+    Eigen::Vector3d turned_back(const Eigen::Vector3d& direction, double at_row) const;
     /// Where the ray through that place begins, seen from the observer's position [m], `when` of
     /// the row's exposure has gone by, 0 to 1: zero but for the orthographic projection and cameras
     /// that move.

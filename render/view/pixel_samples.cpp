@@ -32,6 +32,7 @@ PixelSamples::PixelSamples(const Observer& observer, int samples, std::uint64_t 
       samples_(static_cast<std::size_t>(samples)),
       seed_(seed) {
     const auto [columns, rows] = nearly_square(samples);
+    columns_ = static_cast<std::size_t>(columns);
     const std::size_t whole = (samples_ + lanes - 1) / lanes * lanes;
     for (std::size_t s = 0; s < whole; ++s) {
         const auto cell = static_cast<int>(s < samples_ ? s : s / lanes * lanes);
@@ -51,7 +52,7 @@ inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Plac
     if (!eye_.flat) {
         for (std::size_t s = 0; s < lanes; ++s) {
             const double x = double(column) + double{right[s]}, y = double(row) + double{down[s]};
-            const Eigen::Vector3f to = eye_.towards(x, y).cast<float>();
+            const Eigen::Vector3f to = eye_.still(x, y).cast<float>();
             to_x[s] = to.x(), to_y[s] = to.y(), to_z[s] = to.z();
         }
         return;
@@ -86,6 +87,19 @@ void PixelSamples::start_at(std::size_t column, std::size_t row, const Places& p
     }
 }
 
+void PixelSamples::turn_at(std::size_t row, const Places& places, std::span<const float> when,
+                           std::size_t bundle, RayBundles& rays) const {
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const std::size_t at = bundle * lanes + s;
+        const Eigen::Vector3d to{rays.direction_x[at], rays.direction_y[at], rays.direction_z[at]};
+        const Eigen::Vector3f turned =
+            eye_.turned(to, double(row) + double{places.down[s]}, when[s]).cast<float>();
+        rays.direction_x[at] = turned.x();
+        rays.direction_y[at] = turned.y();
+        rays.direction_z[at] = turned.z();
+    }
+}
+
 void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, std::size_t at,
                        RayBundles& rays) const {
     const std::size_t first = part * lanes;
@@ -107,6 +121,7 @@ void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, st
         when[s] = static_cast<float>(exposed(first + s, double(hash) * 0x1p-32));
     }
     start_at(column, row, places, when, at, rays);
+    if (eye_.turns) turn_at(row, places, when, at, rays);
 }
 
 void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t at,
@@ -121,6 +136,7 @@ void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t 
     std::array<float, lanes> when;
     when.fill(0.5f);
     start_at(column, row, places, when, at, rays);
+    if (eye_.turns) turn_at(row, places, when, at, rays);
 }
 
 }  // namespace diurna

@@ -29,6 +29,9 @@ class PixelSamples {
         return std::min(RayBundles::lanes, samples_ - bundle * RayBundles::lanes);
     }
 
+    /// How many samples stand side by side in a pixel: they are counted row by row.
+    std::size_t columns() const { return columns_; }
+
     /// Aims one bundle of rays, `at`, at a pixel's samples, from the sixteen times `part`-th on.
     void aim(std::size_t column, std::size_t row, std::size_t part, std::size_t at,
              RayBundles& rays) const;
@@ -46,12 +49,15 @@ class PixelSamples {
     /// Where they begin, `when` of the row's exposure has gone by.
     void start_at(std::size_t column, std::size_t row, const Places& places,
                   std::span<const float> when, std::size_t at, RayBundles& rays) const;
+    /// Turns what aim_at() has aimed as the camera has turned by then.
+    void turn_at(std::size_t row, const Places& places, std::span<const float> when, std::size_t at,
+                 RayBundles& rays) const;
 
     PixelRays eye_;
     Eigen::Vector3d position_;
     bool starts_differ_;  // orthographic, or the camera moves
     Eigen::Vector3f origin_;
-    std::size_t width_, height_, samples_;
+    std::size_t width_, height_, samples_, columns_ = 1;
     std::uint64_t seed_;
     std::vector<float> right_, down_;  // (sample) where its cell begins [pixels]
     float cell_right_, cell_down_;     // 2⁻¹⁶ of a cell

@@ -41,11 +41,13 @@ std::optional<Eigen::Vector2d> place_in_picture(const Observer& observer, const 
                                                 const Eigen::Vector3d& point) {
     const Eigen::Vector3d away = point - observer.position;
     std::optional<Eigen::Vector2d> place = place_of(eye, away);
-    if (eye.row_way.isZero()) return place;
+    if (eye.row_way.isZero() && eye.row_turn.isZero()) return place;
     // The row says where the camera was, and that which row it is: 8 times round settles it, as a
     // camera moves by far less than the range from a row to the next.
     for (int i = 0; i < 8 && place; ++i) {
-        place = place_of(eye, away - std::floor(place->y()) * eye.row_way);
+        const double row = std::floor(place->y());
+        const Eigen::Vector3d then = away - row * eye.row_way;
+        place = place_of(eye, eye.row_turn.isZero() ? then : eye.turned_back(then, row));
     }
     return place;
 }

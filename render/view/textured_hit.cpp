@@ -14,10 +14,15 @@ TexturedHit::TexturedHit(const TextureLevels& levels, const Observer& observer, 
 
 Blend TexturedHit::at(FacetId facet, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
                       double range, double walked) const {
+    return over(facet, from + range * towards, towards, walked + range, 1.0);
+}
+
+Blend TexturedHit::over(FacetId facet, const Eigen::Vector3d& place, const Eigen::Vector3d& towards,
+                        double range, double wide) const {
     if (levels_.of_facet[index(facet)].levels < 2) return {facet, facet};
     const double across = std::abs(levels_.facets.normal[index(facet)].cast<double>().dot(towards));
-    const double apart = parallel_ ? apart_ : apart_ * (walked + range);
-    return levels_.at(facet, from + range * towards, apart / std::sqrt(std::max(0.01, across)));
+    const double apart = wide * (parallel_ ? apart_ : apart_ * range);
+    return levels_.at(facet, place, apart / std::sqrt(std::max(0.01, across)));
 }
 
 }  // namespace diurna

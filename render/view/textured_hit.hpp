@@ -23,6 +23,11 @@ class TexturedHit {
     Blend at(FacetId facet, const Eigen::Vector3d& from, const Eigen::Vector3d& towards,
              double range, double walked = 0.0) const;
 
+    /// The same at a place that it meets, for a sample that stands for `wide` times as wide a
+    /// square.
+    Blend over(FacetId facet, const Eigen::Vector3d& place, const Eigen::Vector3d& towards,
+               double range, double wide) const;
+
  private:
     const TextureLevels& levels_;
     bool parallel_;  // rays, as the orthographic projection has them

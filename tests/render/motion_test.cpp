@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "render/view/cast_view.hpp"
+#include "render/view/pixel_rays.hpp"
+#include "render/view/place_in_picture.hpp"
 #include "render/view/view.hpp"
+#include "terrain/place/trajectory.hpp"
 
 // Straight down on a floor whose western and eastern half are two objects: a pixel is a metre, and
 // the border stands in the middle of the picture while the camera stands over it.
@@ -102,6 +106,65 @@ TEST_CASE("an edge blurs to the width a camera moves in its exposure", "[render]
     floor.observer.velocity = {0.0, 0.0, 0.0};
     CHECK(floor.western(16)[5][31] == Approx(1.0));
     CHECK(floor.western(16)[5][32] == Approx(0.0));
+}
+
+TEST_CASE("a turning camera's rows and exposures turn with it", "[render][motion]") {
+    // About the axis to the north by 0.3 degrees a row: the camera looks further west with each,
+    // and the border, 100 m below, goes to tan of the angle of the 100 pixels to a radian.
+    Floor floor;
+    floor.observer.turning = {0.0, radians(3.0), 0.0};
+    floor.observer.row_time = 0.1;
+    const auto rows = floor.western(576);
+    for (std::size_t row = 0; row < 32; ++row) {
+        double columns = 0.0;
+        for (const double s : rows[row]) columns += s;
+        CAPTURE(row);
+        CHECK(columns == Approx(32.0 + 100.0 * std::tan(radians(0.3 * double(row)))).margin(0.02));
+    }
+    // And a point of the ground is where the row that sees it finds it.
+    const PixelRays eye = pixel_rays(floor.observer);
+    const auto place = place_in_picture(floor.observer, eye, {0.0, -3.5, 0.0});
+    REQUIRE(place);
+    const double row = std::floor(place->y());
+    CHECK(row == 19.0);
+    CHECK(place->x() == Approx(32.0 + 100.0 * std::tan(radians(0.3 * row))).margin(1e-6));
+
+    // In an exposure it turns 12 pixels' worth of angle, from 6 before to 6 behind.
+    floor.observer.row_time = 0.0;
+    floor.observer.exposure = 0.5;
+    floor.observer.turning = {0.0, 2.0 * std::atan(0.12), 0.0};
+    const auto blurred = floor.western(256);
+    const double half = 0.5 * std::atan(0.12);
+    double worst = 0.0;
+    for (std::size_t column = 0; column < 64; ++column) {
+        // The border's angle runs evenly from -half to half.
+        const double angle = std::atan((double(column) + 0.5 - 32.0) / 100.0);
+        const double expected = std::clamp((half - angle) / (2.0 * half), 0.0, 1.0);
+        worst = std::max(worst, std::abs(blurred[16][column] - expected));
+    }
+    CAPTURE(worst);
+    CHECK(worst < 0.03);
+}
+
+TEST_CASE("a camera turned to an attitude has its angles", "[render][motion]") {
+    for (const auto& [azimuth, elevation, roll] :
+         {std::array{45.0, -20.0, 0.0}, {300.0, 35.0, -70.0}, {180.0, 0.0, 160.0}}) {
+        const Observer turned = turned_to({}, attitude(azimuth, elevation, roll));
+        CHECK(turned.azimuth_deg == Approx(azimuth));
+        CHECK(turned.elevation_deg == Approx(elevation).margin(1e-9));
+        CHECK(turned.roll_deg == Approx(roll).margin(1e-9));
+        // The picture's right, down and forward are the body's right, down and forward.
+        const PixelRays eye = pixel_rays(turned);
+        const Eigen::Matrix3d axes = attitude(azimuth, elevation, roll).toRotationMatrix();
+        CHECK((eye.right - axes.col(0)).norm() < 1e-9);
+        CHECK((eye.axis - axes.col(1)).norm() < 1e-9);
+        CHECK((eye.down + axes.col(2)).norm() < 1e-9);
+    }
+    // Straight down from a body that heads east: the upper edge looks east.
+    const Observer down = turned_to({}, attitude(90.0, -90.0, 0.0));
+    CHECK(down.azimuth_deg == Approx(90.0));
+    CHECK(down.elevation_deg == Approx(-90.0));
+    CHECK((pixel_rays(down).down - Eigen::Vector3d(-1, 0, 0)).norm() < 1e-9);
 }
 
 TEST_CASE("a camera's motion has its range", "[render][motion][input]") {

@@ -61,7 +61,7 @@ void check_verb(const SceneArguments& a) {
     const Prepared prepared = prepare(a.read());
     check_start(prepared);
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
-               prepared.world.surfaces().size(), prepared.observers.size());
+               prepared.world.surfaces().size(), prepared.sequences.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
 }
 

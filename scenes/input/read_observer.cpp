@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "scenes/input/checked_names.hpp"
+#include "scenes/input/read_frames.hpp"
 
 namespace diurna {
 
@@ -61,16 +63,109 @@ void read_motion(const Section& section, ObserverInput& observer) {
         }
     }
     observer.row_time =
-        section.number_or("row_time_s", "with velocity_m_s: from a row's reading to the next row's",
+        section.number_or("row_time_s", "of one that moves: from a row's reading to the next row's",
                           0.0, {0.0, 60.0});
     observer.exposure = section.number_or(
-        "exposure_s", "with velocity_m_s: that each row is exposed and blurred", 0.0, {0.0, 60.0});
+        "exposure_s", "of one that moves: that each row is exposed and blurred", 0.0, {0.0, 60.0});
+    if (observer.goes()) {
+        if (section.has("velocity_m_s")) {
+            section.mistake("velocity_m_s", "stands beside a trajectory, which has its own");
+        }
+        return;
+    }
     for (const char* key : {"row_time_s", "exposure_s"}) {
         if (section.has(key) && !section.has("velocity_m_s")) {
             section.mistake(key,
                             "tells nothing of a camera that stands still, expected velocity_m_s = "
-                            "[east, north, up] beside it");
+                            "[east, north, up] or a trajectory beside it");
         }
+    }
+}
+
+/// Where its eye is.
+void read_stand(const Section& section, const ObserverReading& reading, ObserverInput& observer) {
+    if (section.has("trajectory")) {
+        Names ways{.what = "trajectory", .known = {}, .where = " in [[trajectory]]"};
+        for (const TrajectoryInput& way : reading.trajectories) ways.known.push_back(way.name);
+        observer.trajectory = section.name(
+            "trajectory", "that its eye goes, in place of place_m and height_above_ground_m", ways);
+        for (const char* key : {"place_m", "height_above_ground_m"}) {
+            if (section.has(key)) section.mistake(key, "stands beside a trajectory, which says it");
+        }
+        return;
+    }
+    observer.place = place(section, "place_m", "[east, north] of its eye");
+    observer.height_above_ground =
+        section.number("height_above_ground_m", "of its eye", {0.1, 50000.0});
+}
+
+/// Which way it looks.
+void read_pointing(const Section& section, const ObserverReading& reading,
+                   ObserverInput& observer) {
+    int ways = 0;
+    for (const char* key : {"look_at_m", "look_at", "mount_deg"}) ways += section.has(key);
+    if (ways > 1 || (ways == 1 && section.has("azimuth_deg"))) {
+        section.mistake("",
+                        "is pointed in more than one way, expected one of look_at_m, look_at, "
+                        "mount_deg, and azimuth_deg with elevation_deg");
+    }
+    if (section.has("look_at_m")) {
+        observer.look_at = place(section, "look_at_m",
+                                 "[east, north] of the point of the ground in the middle of the "
+                                 "picture; or azimuth_deg and elevation_deg");
+    } else if (section.has("look_at")) {
+        observer.look_at_object = section.name(
+            "look_at", "the object whose middle is in the middle of the picture", reading.objects);
+    } else if (section.has("mount_deg")) {
+        const std::vector<double> angles = section.numbers(
+            "mount_deg",
+            "[azimuth, elevation, roll] of a camera on a trajectory, to the right of and above the "
+            "body's front: [0, -90, 0] looks down; its front is the way's, or as its file says",
+            3);
+        observer.mount = {angles[0], angles[1], angles[2]};
+        if (!observer.goes()) {
+            section.mistake("mount_deg", "is for observers on a trajectory");
+        }
+        if (section.has("roll_deg")) {
+            section.mistake("roll_deg", "stands beside mount_deg, whose third number it is");
+        }
+    } else {
+        observer.azimuth_deg =
+            section.number("azimuth_deg", "it looks, clockwise from north", {-360.0, 360.0});
+        observer.elevation_deg =
+            section.number("elevation_deg", "it looks, above the horizon", {-90.0, 90.0});
+    }
+    observer.roll_deg =
+        section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
+}
+
+/// The scene's instants, or its own; of one that goes, those within its way.
+void read_own_frames(const Section& section, const ObserverReading& reading,
+                     ObserverInput& observer) {
+    FrameSpan span{.begin = reading.time.start,
+                   .end = reading.time.end(),
+                   .utc_offset = reading.time.utc_offset,
+                   .every = 3600.0,
+                   .every_said = "the pictures of [time]"};
+    if (const TrajectoryInput* way = find_trajectory(reading.trajectories, observer.trajectory)) {
+        span.begin = std::max(span.begin, way->begin());
+        span.end = std::min(span.end, way->end());
+        if (span.end < span.begin) {
+            section.mistake("trajectory", "lies outside the span of [time]");
+            return;
+        }
+    }
+    if (section.has("frames") || section.has("frame_every_s")) {
+        observer.frames = read_frames(section, span);
+        return;
+    }
+    std::copy_if(reading.time.frames.begin(), reading.time.frames.end(),
+                 std::back_inserter(observer.frames),
+                 [&](Instant when) { return when >= span.begin && when <= span.end; });
+    if (observer.frames.empty()) {
+        section.mistake("trajectory",
+                        "is gone while none of the pictures of [time] is taken, expected "
+                        "frame_every_s or frames beside it");
     }
 }
 
@@ -136,31 +231,18 @@ void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& 
 
 }  // namespace
 
-ObserverInput read_observer(const Section& section, const std::vector<BandInput>& bands,
-                            const std::vector<CubeInput>& cubes) {
+ObserverInput read_observer(const Section& section, const ObserverReading& reading) {
     ObserverInput observer;
     observer.name = section.text("name", "of the observer, in the names of its pictures");
-    observer.place = place(section, "place_m", "[east, north] of its eye");
-    observer.height_above_ground =
-        section.number("height_above_ground_m", "of its eye", {0.1, 50000.0});
-    if (section.has("look_at_m")) {
-        observer.look_at = place(section, "look_at_m",
-                                 "[east, north] of the point of the ground in the middle of the "
-                                 "picture; or azimuth_deg and elevation_deg");
-    } else {
-        observer.azimuth_deg =
-            section.number("azimuth_deg", "it looks, clockwise from north", {-360.0, 360.0});
-        observer.elevation_deg =
-            section.number("elevation_deg", "it looks, above the horizon", {-90.0, 90.0});
-    }
-    observer.roll_deg =
-        section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
+    read_stand(section, reading, observer);
+    read_pointing(section, reading, observer);
     observer.width = section.integer_or("width", "pixels", 640, {1, 16384});
     observer.height = section.integer_or("height", "pixels", 512, {1, 16384});
     read_projection(section, observer);
     read_motion(section, observer);
     read_sampling(section, observer);
-    read_bands_and_cubes(section, bands, cubes, observer);
+    read_bands_and_cubes(section, reading.bands, reading.cubes, observer);
+    read_own_frames(section, reading, observer);
     return observer;
 }
 

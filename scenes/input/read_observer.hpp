@@ -8,6 +8,8 @@
 #include "render/view/adaptive.hpp"
 #include "render/view/observer.hpp"
 #include "scenes/input/bands.hpp"
+#include "scenes/input/read_time.hpp"
+#include "scenes/input/read_trajectory.hpp"
 
 namespace diurna {
 
@@ -15,7 +17,12 @@ struct ObserverInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     double height_above_ground = 2.0;
-    std::optional<Eigen::Vector2d> look_at;  // a point of the ground; else the two angles
+    std::string trajectory;                  // that it goes, in place of place and height
+    std::optional<Eigen::Vector2d> look_at;  // a point of the ground,
+    std::string look_at_object;              // or the middle of an object,
+    /// or, of one on a trajectory, azimuth to the right of the body's front, elevation, roll [deg],
+    std::optional<Eigen::Vector3d> mount;
+    // or the two angles:
     double azimuth_deg = 0.0, elevation_deg = 0.0, roll_deg = 0.0;
     Projection projection = Projection::pinhole;
     double horizontal_fov_deg = 20.0;
@@ -29,10 +36,21 @@ struct ObserverInput {
     std::vector<std::string> cubes;           // names of [[cubes]]
     bool terms = false;                       // planes for the terms of the radiance, one by one
     int surfaces = 0;                         // of each pixel that have planes of their own
+    std::vector<Instant> frames;              // its own, or the scene's
+
+    bool goes() const { return !trajectory.empty(); }
 };
 
-/// One table [[observer]]; the scene's bands and cubes are known already.
-ObserverInput read_observer(const Section& section, const std::vector<BandInput>& bands,
-                            const std::vector<CubeInput>& cubes);
+/// What of a scene its observers may name.
+struct ObserverReading {
+    const std::vector<BandInput>& bands;
+    const std::vector<CubeInput>& cubes;
+    const std::vector<TrajectoryInput>& trajectories;
+    const TimeInput& time;
+    Names objects;
+};
+
+/// One table [[observer]].
+ObserverInput read_observer(const Section& section, const ObserverReading& reading);
 
 }  // namespace diurna

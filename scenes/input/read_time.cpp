@@ -2,20 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
 
 #include "materials/base/error.hpp"
+#include "scenes/input/read_frames.hpp"
 
 namespace diurna {
 
 namespace {
 
 constexpr double day = 86400.0, longest_hours = 8784.0;
-constexpr std::size_t most_frames = 100000;
 
 /// The instant that a key says; none, with a mistake, where it is no instant.
 std::optional<Instant> instant_of(const Section& section, const std::string& key,
@@ -38,91 +36,6 @@ double offset_of(const std::string& instant) {
         return 0.0;
     }
     return (end[0] == '-' ? -1.0 : 1.0) * (3600.0 * hours + 60.0 * minutes);
-}
-
-/// "05:00-09:00 every 10 min": the same hours of every day, on the clock of the span's start.
-struct Window {
-    double from, to, every;  // [s] of the day; [s]
-};
-std::optional<Window> window_of(const std::string& text) {
-    int h1 = 0, m1 = 0, h2 = 0, m2 = 0, used = 0;
-    double every = 0.0;
-    char unit[8] = {};
-    if (std::sscanf(text.c_str(), "%2d:%2d-%2d:%2d every %lf %7[a-z]%n", &h1, &m1, &h2, &m2, &every,
-                    unit, &used) != 6 ||
-        std::size_t(used) != text.size()) {
-        return std::nullopt;
-    }
-    const std::string word = unit;
-    const double scale = word == "s" ? 1.0 : word == "min" ? 60.0 : word == "h" ? 3600.0 : 0.0;
-    Window window{3600.0 * h1 + 60.0 * m1, 3600.0 * h2 + 60.0 * m2, every * scale};
-    const bool within_a_day = window.from < day && window.to <= day && window.from != window.to;
-    if (window.to < window.from) window.to += day;  // over midnight
-    const bool good = m1 < 60 && m2 < 60 && within_a_day && window.every >= 1.0;
-    return good ? std::optional(window) : std::nullopt;
-}
-
-void add_window(const Window& window, double offset, const TimeInput& time,
-                std::vector<Instant>& frames) {
-    const double since = std::chrono::duration<double>(time.start.time_since_epoch()).count();
-    const double midnight = std::floor((since + offset) / day) * day - offset;
-    // From the day before: a window may go over midnight.
-    for (double of_day = midnight - since - day; of_day <= time.duration; of_day += day) {
-        const auto count = static_cast<long>((window.to - window.from) / window.every + 1e-9);
-        for (long i = 0; i <= count && frames.size() <= most_frames; ++i) {
-            const double at = of_day + window.from + double(i) * window.every;
-            if (at >= 0.0 && at <= time.duration) frames.push_back(later(time.start, at));
-        }
-    }
-}
-
-std::vector<Instant> read_frames(const Section& section, double offset, const TimeInput& time) {
-    std::vector<Instant> frames;
-    const std::vector<std::string> texts = section.texts_or(
-        "frames",
-        "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
-        "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the clock of start",
-        {});
-    if (section.has("frames") && texts.empty()) {
-        section.mistake("frames", "found no instant, expected one or more, or windows of a day",
-                        "without the key a picture is taken every frame_every_s");
-    }
-    for (const std::string& text : texts) {
-        if (const auto window = window_of(text)) {
-            add_window(*window, offset, time, frames);
-            continue;
-        }
-        try {
-            frames.push_back(parse_instant(text, "frames"));
-        } catch (const InputError&) {
-            section.mistake("frames", fmt::format("found '{}', expected an instant as "
-                                                  "2026-07-15T06:00:00-04:00 or a window as "
-                                                  "05:00-09:00 every 10 min",
-                                                  text.substr(0, 60)));
-            continue;
-        }
-        if (frames.back() < time.start || frames.back() > time.end()) {
-            section.mistake("frames", fmt::format("{} lies outside the span", text));
-        }
-    }
-    const double every =
-        section.number_or("frame_every_s", "between pictures from the start on, without the end",
-                          3600.0, {1.0, 366.0 * day});
-    if (texts.empty()) {
-        const auto count = static_cast<std::size_t>(std::ceil(time.duration / every - 1e-9));
-        for (std::size_t i = 0; i < std::min(count, most_frames + 1); ++i) {
-            frames.push_back(later(time.start, double(i) * every));
-        }
-    } else if (section.has("frame_every_s")) {
-        section.mistake("frame_every_s", "stands beside frames, expected one of the two");
-    }
-    std::sort(frames.begin(), frames.end());
-    frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
-    if (frames.size() > most_frames) {
-        section.mistake(texts.empty() ? "frame_every_s" : "frames",
-                        fmt::format("asks for more than {} pictures", most_frames));
-    }
-    return frames;
 }
 
 void read_spin_up(const Section& section, const std::filesystem::path& folder, TimeInput& time) {
@@ -188,7 +101,9 @@ TimeInput read_time(const Section& section, const std::filesystem::path& folder)
     time.days_before = section.integer_or(
         "spin_up_days", "days of weather before the start, at most; the first of them repeated", 3,
         {1, 366});
-    time.frames = read_frames(section, time.utc_offset, time);
+    time.frames = read_frames(
+        section,
+        {.begin = time.start, .end = time.end(), .utc_offset = time.utc_offset, .every = 3600.0});
     return time;
 }
 

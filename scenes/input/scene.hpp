@@ -16,6 +16,7 @@
 #include "scenes/input/read_terrain.hpp"
 #include "scenes/input/read_textures.hpp"
 #include "scenes/input/read_time.hpp"
+#include "scenes/input/read_trajectory.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 #include "thermal/weather/clear_sky.hpp"
@@ -50,6 +51,7 @@ struct Scene {
     std::vector<PlumeInput> plumes;
     std::vector<TextureInput> textures;
     TextureUses texture_uses;
+    std::vector<TrajectoryInput> trajectories;
     std::vector<ObserverInput> observers;
     int sky_rays = 64;          // per facet of the ground
     int object_sky_rays = 256;  // per facet of buildings and objects

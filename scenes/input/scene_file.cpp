@@ -127,8 +127,17 @@ Scene read_scene(const Document& document) {
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading);
+    scene.trajectories = read_trajectories(root, reading, scene.time);
+    reading.object_names.erase("ground");  // it has no middle to look at
+    const ObserverReading seen_by{
+        .bands = scene.bands,
+        .cubes = scene.cubes,
+        .trajectories = scene.trajectories,
+        .time = scene.time,
+        .objects = {.what = "object",
+                    .known = {reading.object_names.begin(), reading.object_names.end()}}};
     for (const Section& observer : root.sections("observer", "a camera; at least one")) {
-        scene.observers.push_back(read_observer(observer, scene.bands, scene.cubes));
+        scene.observers.push_back(read_observer(observer, seen_by));
     }
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");

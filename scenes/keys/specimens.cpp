@@ -80,6 +80,22 @@ look_at_m = [0.0, 0.0]
 focal_length_mm = 50.0
 velocity_m_s = [40.0, 0.0, 0.0]
 adaptive = {}
+[[trajectory]]  # with a speed
+name = "approach"
+waypoints_m = [[0.0, 0.0, 100.0], [1000.0, 0.0, 100.0]]
+speed_m_s = 100.0
+start = 2026-07-15T12:00:00Z
+[[trajectory]]
+times_s = [0.0, 10.0]
+[[trajectory]]
+name = "log"
+file = "flight.csv"
+[[observer]]
+trajectory = "approach"
+mount_deg = [0.0, -20.0, 0.0]
+frame_every_s = 0.5
+[[observer]]
+look_at = "runway"
 [[observer]]
 projection = "equidistant"
 [[observer]]

@@ -1,5 +1,6 @@
 #include "scenes/labels/label_frames.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -20,17 +21,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One picture to come, and who takes it.
+/// One picture to come, who takes it and which of the observer's frames it is.
 struct Task {
-    std::size_t observer, instant;
+    std::size_t observer, frame;
     Band band;
 };
 
 /// Those of all observers, instants and bands.
 std::vector<Task> tasks_of(const Prepared& prepared) {
     std::vector<Task> tasks;
-    for (std::size_t o = 0; o < prepared.observers.size(); ++o) {
-        for (std::size_t i = 0; i < prepared.plan.frames.size(); ++i) {
+    for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
+        for (std::size_t i = 0; i < prepared.sequences[o].frame.size(); ++i) {
             for (const std::string& band : prepared.scene.observers[o].bands) {
                 tasks.push_back({o, i, named_band(prepared.scene.bands, band, bin_edges_um())});
             }
@@ -44,7 +45,7 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
                          const std::map<int, WholeObject>& whole, const LabelBook& book,
                          const fs::path& out) {
     const ObserverInput& input = prepared.scene.observers[task.observer];
-    const Instant instant = prepared.plan.frames[task.instant];
+    const Instant instant = prepared.sequences[task.observer].frame[task.frame];
     const std::string& band = task.band.name;
     LabelledPicture picture{.file = grey_picture(input.name, band, instant),
                             .planes = frame_base(input.name, band, instant) + ".exr",
@@ -76,20 +77,31 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
 
 std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const LabelBook& book,
                                                const fs::path& out) {
-    // Nothing moves: what an observer would see of each object alone is the same at every instant.
-    std::vector<std::map<int, WholeObject>> whole;
-    for (const Observer& observer : prepared.observers) {
-        whole.push_back(whole_objects(prepared.world.facets, book.objects, observer));
+    // What an observer would see of each object alone, from each of its places.
+    std::vector<std::vector<std::map<int, WholeObject>>> whole;
+    for (const Sequence& sequence : prepared.sequences) {
+        auto& of_pose = whole.emplace_back(sequence.pose.size());
+        for_each_index(
+            of_pose.size(),
+            [&](std::size_t i) {
+                of_pose[i] = whole_objects(prepared.world.facets, book.objects, sequence.pose[i]);
+            },
+            1);
     }
     const std::vector<Task> tasks = tasks_of(prepared);
     std::vector<LabelledPicture> pictures(tasks.size());
+    const std::vector<Instant>& instants = prepared.plan.frames;
     const std::vector<bool> validation = validation_instants(
-        prepared.plan.frames.size(), prepared.scene.labels.validation_share, prepared.scene.seed);
+        instants.size(), prepared.scene.labels.validation_share, prepared.scene.seed);
     for_each_index(
         tasks.size(),
         [&](std::size_t t) {
-            pictures[t] = labelled(prepared, tasks[t], whole[tasks[t].observer], book, out);
-            pictures[t].validation = validation[tasks[t].instant];
+            const Sequence& sequence = prepared.sequences[tasks[t].observer];
+            const auto& of_pose = whole[tasks[t].observer];
+            pictures[t] = labelled(prepared, tasks[t], of_pose[sequence.goes ? tasks[t].frame : 0],
+                                   book, out);
+            const auto at = std::lower_bound(instants.begin(), instants.end(), pictures[t].instant);
+            pictures[t].validation = validation[std::size_t(at - instants.begin())];
         },
         1);
     return pictures;
@@ -123,7 +135,7 @@ std::vector<std::string> label_frames(const Prepared& prepared, const fs::path& 
         list[picture.validation] += "./" + picture.file + "\n";
         write(text_beside("labels", picture.file), yolo_text(book, picture));
         write(text_beside("kitti", picture.file),
-              kitti_text(book, picture, prepared.observers[task.observer]));
+              kitti_text(book, picture, prepared.sequences[task.observer].at(task.frame)));
     }
     write("annotations.json", coco_json(book, all));
     write("annotations_train.json", coco_json(book, part[0]));

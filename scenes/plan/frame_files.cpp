@@ -32,11 +32,10 @@ std::vector<std::string> frame_files(const ObserverInput& observer, Instant inst
     return files;
 }
 
-std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,
-                                     const std::vector<Instant>& instants) {
+std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers) {
     std::vector<std::string> files;
     for (const ObserverInput& observer : observers) {
-        for (const Instant instant : instants) {
+        for (const Instant instant : observer.frames) {
             for (std::string& file : frame_files(observer, instant)) {
                 files.push_back(std::move(file));
             }

@@ -19,9 +19,8 @@ std::string grey_picture(const std::string& observer, const std::string& band, I
 /// The files of one frame: for every band an EXR, a PNG beside it and a grey one; for every cube an
 /// EXR and ENVI's two.
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant);
-/// Of all observers at all instants.
-std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,
-                                     const std::vector<Instant>& instants);
+/// Of all frames of all observers.
+std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers);
 
 /// All files of a frame are there.
 bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,

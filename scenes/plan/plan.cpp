@@ -76,7 +76,6 @@ double point_seconds(const Scene& scene, const World& world, const Weather& weat
 void count_work(const Scene& scene, const World& world, Plan& plan) {
     plan.facets = world.surfaces().size();
     plan.steps = scene_steps(scene);
-    plan.frames = scene.time.frames;
     for (const Instant step : plan.steps) {
         // The disc's upper edge and the refraction at the horizon: 0.27 and 0.57 degrees.
         if (sun_position(world.site, step).elevation_deg > -0.84) plan.sunlit_steps.push_back(step);
@@ -89,18 +88,25 @@ void count_work(const Scene& scene, const World& world, Plan& plan) {
     for (const ObserverInput& observer : scene.observers) {
         const std::size_t pixels = static_cast<std::size_t>(observer.width) * observer.height;
         plan.pixels += pixels;
-        plan.view_rays += pixels * static_cast<std::size_t>(observer.samples);
+        const std::size_t views = observer.goes() ? observer.frames.size() : 1;
+        plan.view_rays += views * pixels * static_cast<std::size_t>(observer.samples);
+        plan.pictures += observer.frames.size();
+        plan.frame_pixels += pixels * observer.frames.size();
+        plan.frames.insert(plan.frames.end(), observer.frames.begin(), observer.frames.end());
     }
+    std::sort(plan.frames.begin(), plan.frames.end());
+    plan.frames.erase(std::unique(plan.frames.begin(), plan.frames.end()), plan.frames.end());
 }
 
 /// What each stage takes, and the memory of all.
 void estimate(const Scene& scene, const World& world, const Weather& weather, Plan& plan) {
     const double facets = double(plan.facets), ground = double(world.ground_facets);
-    const double threads = thread_count(), frames = double(plan.frames.size());
+    const double threads = thread_count();
     const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
     double band_pixels = 0.0;
     for (const ObserverInput& observer : scene.observers) {
-        band_pixels += double(observer.width) * observer.height * double(observer.bands.size());
+        band_pixels += double(observer.width) * observer.height * double(observer.bands.size()) *
+                       double(observer.frames.size());
     }
     const double through = scene.plumes.empty() ? 1.0 : seen_through;
     const double points = point_seconds(scene, world, weather);
@@ -118,11 +124,10 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
          passes * steps * (heat_per_facet_step * facets + points / 144.0) / threads},
         {"write temperatures", write_per_value * values},
         {"views", through * cast_per_ray * double(plan.view_rays) / threads},
-        {"frames", frames *
-                       (through * render_per_pixel * band_pixels +
-                        light_per_facet * facets * double(scene.observers.size())) /
+        {"frames", (through * render_per_pixel * band_pixels +
+                    light_per_facet * facets * double(plan.pictures)) /
                        threads},
-        {"report", annotate_per_pixel * frames * double(plan.pixels)},
+        {"report", annotate_per_pixel * double(plan.frame_pixels)},
     };
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
@@ -133,6 +138,9 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
 
 std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {
     const std::size_t dark = plan.steps.size() - plan.sunlit_steps.size();
+    const auto standing =
+        std::size_t(std::count_if(scene.observers.begin(), scene.observers.end(),
+                                  [](const ObserverInput& o) { return !o.goes(); }));
     return {
         {.what = "shadows",
          .computed = true,
@@ -170,7 +178,11 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
          .error_unit = "W m-2 sr-1"},
         {.what = "rays per frame",
          .computed = false,
-         .why = "nothing moves: each observer's view is cast once and kept for all frames",
+         .why = standing == scene.observers.size()
+                    ? "nothing moves: each observer's view is cast once and kept for all frames"
+                    : fmt::format("{} of {} observers stand: their views are cast once; those of "
+                                  "the others for each frame",
+                                  standing, scene.observers.size()),
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
         {.what = "terms of the radiance as planes",
@@ -196,12 +208,13 @@ std::string describe(const Plan& plan) {
     std::string text = fmt::format(
         "facets      {:>12}\n"
         "steps       {:>12}   {} with the sun up\n"
-        "frames      {:>12}   {} pixels each\n"
+        "pictures    {:>12}   {:.4g} pixels, at {} instants\n"
         "rays        {:>12.4g}   sky {:.3g}, sun {:.3g}, views {:.3g}\n"
         "memory      {:>9.0f} MB  estimated\n"
         "time        {:>10.1f} s   estimated, {} threads\n",
-        plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.frames.size(),
-        plan.pixels, static_cast<double>(plan.sky_rays + plan.sun_rays + plan.view_rays),
+        plan.facets, plan.steps.size() - 1, plan.sunlit_steps.size(), plan.pictures,
+        double(plan.frame_pixels), plan.frames.size(),
+        static_cast<double>(plan.sky_rays + plan.sun_rays + plan.view_rays),
         static_cast<double>(plan.sky_rays), static_cast<double>(plan.sun_rays),
         static_cast<double>(plan.view_rays), plan.memory / 1e6, plan.seconds, thread_count());
     for (const PlannedStage& stage : plan.stages) {

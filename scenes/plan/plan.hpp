@@ -30,11 +30,13 @@ struct Plan {
     std::size_t facets = 0;
     std::vector<Instant> steps;         // step_instants() of the heat balance, ends included
     std::vector<Instant> sunlit_steps;  // those with the sun above the horizon: shadows are cast
-    std::vector<Instant> frames;
+    std::vector<Instant> frames;        // of all observers
     std::size_t sky_rays = 0, sun_rays = 0, view_rays = 0;
-    std::size_t pixels = 0;  // per frame, all observers
-    double memory = 0.0;     // [bytes] at its most
-    double seconds = 0.0;    // sum of the stages, after the terrain: within 1.5 times on idle cores
+    std::size_t pixels = 0;        // of all observers' views
+    std::size_t pictures = 0;      // frames of all observers, and
+    std::size_t frame_pixels = 0;  // their pixels
+    double memory = 0.0;           // [bytes] at its most
+    double seconds = 0.0;  // sum of the stages, after the terrain: within 1.5 times on idle cores
     std::vector<PlannedStage> stages;
     std::vector<Decision> decisions;
 };

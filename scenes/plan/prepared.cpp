@@ -12,7 +12,7 @@
 #include "scenes/input/bands.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
-#include "scenes/world/ground.hpp"
+#include "scenes/world/ground_point.hpp"
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/plumes.hpp"
@@ -23,30 +23,6 @@
 namespace diurna {
 
 namespace {
-
-Observer placed(const ObserverInput& input, const Dem& dem, const World& world,
-                const RayScene& rays, const Scene& scene) {
-    const std::string where = fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
-    Observer observer{.name = input.name,
-                      .position = ground_point(dem, world.site, input.place, where) +
-                                  Eigen::Vector3d(0.0, 0.0, input.height_above_ground),
-                      .azimuth_deg = input.azimuth_deg,
-                      .elevation_deg = input.elevation_deg,
-                      .roll_deg = input.roll_deg,
-                      .horizontal_fov_deg = input.horizontal_fov_deg,
-                      .width = input.width,
-                      .height = input.height,
-                      .projection = input.projection,
-                      .picture_width = input.picture_width,
-                      .velocity = input.velocity,
-                      .row_time = input.row_time,
-                      .exposure = input.exposure};
-    if (input.look_at) {
-        observer = looking_at(observer, ground_point(dem, world.site, *input.look_at, where));
-    }
-    check_observer(observer, world.facets, rays);
-    return observer;
-}
 
 /// Of materials whose spectra end short of what heat or the pictures need of them.
 std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world) {
@@ -82,11 +58,8 @@ Prepared prepare(Scene scene) {
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials));
     Weather weather = scene_weather(scene, world);
-    std::vector<Observer> observers;
-    for (const ObserverInput& observer : scene.observers) {
-        observers.push_back(placed(observer, dem, world, rays, scene));
-    }
-    check_table(scene, world, observers);
+    std::vector<Sequence> pictures = sequences(scene, dem, world, rays);
+    for (const Sequence& sequence : pictures) check_table(scene, world, sequence.pose);
     std::vector<Plume> plumes;
     for (const PlumeInput& plume : scene.plumes) {
         const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
@@ -110,8 +83,8 @@ Prepared prepare(Scene scene) {
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
         notes.push_back(std::move(note));
     }
-    return {std::move(scene),     std::move(world), std::move(rays),   std::move(weather),
-            std::move(observers), std::move(plan),  std::move(plumes), std::move(notes)};
+    return {std::move(scene),    std::move(world), std::move(rays),   std::move(weather),
+            std::move(pictures), std::move(plan),  std::move(plumes), std::move(notes)};
 }
 
 }  // namespace diurna

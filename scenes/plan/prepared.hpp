@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "render/rays/plume.hpp"
-#include "render/view/observer.hpp"
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/plan.hpp"
+#include "scenes/plan/sequence.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "thermal/weather/weather.hpp"
@@ -19,7 +19,7 @@ struct Prepared {
     World world;
     RayScene rays;
     Weather weather;
-    std::vector<Observer> observers;  // placed above the ground, in the order of the scene
+    std::vector<Sequence> sequences;  // of the observers, in the order of the scene
     Plan plan;
     std::vector<Plume> plumes;       // placed likewise
     std::vector<std::string> notes;  // what a reader should know of elevation and weather data

@@ -78,6 +78,17 @@ std::string facts(const Prepared& prepared, const JobReport& report) {
     return out + "</table>\n";
 }
 
+/// Of the pictures of an observer, those that a page has room for, the first and the last too.
+constexpr std::size_t most_shown = 96;
+std::vector<Instant> some_of(const std::vector<Instant>& frames) {
+    if (frames.size() <= most_shown) return frames;
+    std::vector<Instant> some;
+    for (std::size_t i = 0; i < most_shown; ++i) {
+        some.push_back(frames[i * (frames.size() - 1) / (most_shown - 1)]);
+    }
+    return some;
+}
+
 std::string timings(const JobReport& report) {
     const auto rays_of = [&](const std::string& stage) -> double {
         if (stage == "sky view") return static_cast<double>(report.plan.sky_rays);
@@ -137,9 +148,13 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
     html += "<h2>Pictures</h2>\n";
     for (const ObserverInput& observer : prepared.scene.observers) {
         for (const std::string& band : observer.bands) {
+            if (observer.frames.size() > most_shown) {
+                html += fmt::format("<p>{} of {} pictures of {}, evenly chosen:</p>\n", most_shown,
+                                    observer.frames.size(), escaped(observer.name));
+            }
             html += contact_sheet(
                 folder, observer.name, named_band(prepared.scene.bands, band, bin_edges_um()),
-                report.plan.frames, [&](Instant instant) { return when(prepared, instant); });
+                some_of(observer.frames), [&](Instant instant) { return when(prepared, instant); });
         }
     }
     html += "<h2>Time</h2>\n" + timings(report);

@@ -14,7 +14,7 @@ constexpr std::size_t most_instants = 4;
 constexpr float white_in_the_sun = 100.0f;  // [K]
 constexpr float under_the_sky = 0.15f;      // of that, in shade under an open sky
 
-std::vector<Instant> some_of(const std::vector<Instant>& frames) {
+std::vector<Instant> some_of(std::span<const Instant> frames) {
     std::vector<Instant> some;
     const std::size_t count = std::min(frames.size(), most_instants);
     for (std::size_t i = 0; i < count; ++i) some.push_back(frames[i * frames.size() / count]);
@@ -44,10 +44,11 @@ std::vector<float> sunlit_appearance(const Prepared& prepared, const FacetViews&
 
 }  // namespace
 
-std::vector<Appearance> appearances(const Prepared& prepared, const FacetViews& views,
-                                    const TemperatureField& field, std::span<const Band> bands) {
+std::vector<Appearance> appearances(const Prepared& prepared, std::span<const Instant> frames,
+                                    const FacetViews& views, const TemperatureField& field,
+                                    std::span<const Band> bands) {
     std::vector<Appearance> all;
-    for (const Instant instant : some_of(prepared.plan.frames)) {
+    for (const Instant instant : some_of(frames)) {
         const std::vector<float> temperature = field.interpolate(instant);
         const SunPosition sun =
             luminary(sun_over(prepared, instant), prepared.world.site, instant, bands).place;

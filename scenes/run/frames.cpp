@@ -12,22 +12,18 @@
 #include <stdexcept>
 
 #include "materials/base/parallel.hpp"
-#include "materials/matter/waves.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/grey_png.hpp"
 #include "render/picture/quicklook.hpp"
-#include "render/rays/follow_rays.hpp"
 #include "render/tracer.hpp"
-#include "render/view/cast_view.hpp"
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/plan/frame_files.hpp"
-#include "scenes/run/appearances.hpp"
-#include "scenes/run/behind_planes.hpp"
 #include "scenes/run/camera_truth.hpp"
 #include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/luminary.hpp"
+#include "scenes/run/series.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/world/air.hpp"
 #include "terrain/place/local_time.hpp"
@@ -51,93 +47,6 @@ void check_finite(const Frame& frame, const std::vector<std::string>& bands) {
                                              frame_name(frame, band), band, pixel % frame.width,
                                              pixel / frame.width));
     }
-}
-
-/// A cube's channels and the facets lit for them.
-struct CubeSeries {
-    std::string name;
-    std::vector<Band> channels;
-    LitFacets lit;
-};
-
-/// What stays of an observer's pictures from frame to frame.
-struct Series {
-    const ObserverInput& input;
-    const Observer& observer;
-    std::vector<Band> bands;
-    ViewOptions sampling;
-    View view;
-    Hops hops;
-    LitFacets lit;
-    std::vector<CubeSeries> cubes;
-    std::vector<Plane> behind;  // of bands in which something is seen through something
-};
-
-/// Wind over water at an instant [m s⁻¹].
-double wind_at(const Prepared& prepared, Instant instant) {
-    return wind_over_water(prepared.weather.at(instant).wind_speed, prepared.weather.wind_height);
-}
-
-/// The mean of all frames': for rays off water, of which a view has one set. What they meet near by
-/// is weighed as in that wind; the sky between is that of each instant's.
-double mean_wind(const Prepared& prepared) {
-    double sum = 0.0;
-    for (const Instant instant : prepared.plan.frames) sum += wind_at(prepared, instant);
-    return sum / std::max<double>(1.0, double(prepared.plan.frames.size()));
-}
-
-/// Casts the view of an observer and lights what is the same at every instant.
-Series cast_series(const Prepared& prepared, std::size_t o, const FacetViews& views,
-                   const TemperatureField& field) {
-    const Scene& scene = prepared.scene;
-    const FacetSet& surfaces = prepared.world.surfaces();
-    Series s{.input = scene.observers[o],
-             .observer = prepared.observers[o],
-             .bands = {},
-             .sampling = {.samples = scene.observers[o].samples,
-                          .seed = scene.seed,
-                          .texture_levels = &prepared.world.texture_levels},
-             .view = {},
-             .hops = {},
-             .lit = {},
-             .cubes = {},
-             .behind = {}};
-    for (const std::string& band : s.input.bands) {
-        s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
-    }
-    std::vector<Appearance> looks;
-    if (s.input.adaptive) looks = appearances(prepared, views, field, s.bands);
-    s.view = s.input.adaptive ? cast_adaptive_view(prepared.rays, surfaces, s.observer, looks,
-                                                   *s.input.adaptive, s.sampling)
-                              : cast_view(prepared.rays, surfaces, s.observer, s.sampling);
-    s.behind =
-        behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
-    const PlumeScene plumes(prepared.plumes);
-    std::optional<HopSampling> by_need;
-    if (s.input.adaptive) by_need = HopSampling{*s.input.adaptive, looks};
-    s.hops = follow_rays(s.view,
-                         {.rays = prepared.rays,
-                          .facets = surfaces,
-                          .materials = scene.materials,
-                          .plumes = plumes,
-                          .wind_speed = mean_wind(prepared)},
-                         s.observer, s.sampling, by_need ? &*by_need : nullptr);
-    const RadianceInput still{.facets = surfaces,
-                              .views = views,
-                              .materials = scene.materials,
-                              .atmosphere = Vacuum{},
-                              .temperature = {},
-                              .ground_height_km = prepared.world.sea_level_height / 1000.0};
-    const std::vector<FacetId> seen = seen_facets(s.view.facet, s.hops);
-    s.lit = lit_facets(still, seen, s.bands);
-    for (const std::string& name : s.input.cubes) {
-        const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),
-                                       [&](const CubeInput& c) { return c.name == name; });
-        CubeSeries& series = s.cubes.emplace_back(CubeSeries{
-            name, channel_bands(cube->from_um, cube->to_um, cube->channels, bin_edges_um()), {}});
-        series.lit = lit_facets(still, seen, series.channels);
-    }
-    return s;
 }
 
 /// EXR, quick-look and plain grey picture of every band.
@@ -307,31 +216,59 @@ Plane void_plane(const View& view, const World& world) {
     return plane;
 }
 
+namespace {
+
+/// What the pictures of one observer told, frame by frame.
+using Told = std::vector<std::map<std::string, std::string>>;
+
+/// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
+/// once, of one that goes for each frame by itself: so a frame alone is what it is among others.
+Told render_sequence(const Prepared& prepared, std::size_t o, std::span<const std::size_t> wanted,
+                     const FacetViews& views, const TemperatureField& field, const fs::path& out,
+                     Progress& progress) {
+    const ObserverInput& input = prepared.scene.observers[o];
+    const Sequence& sequence = prepared.sequences[o];
+    std::optional<Series> still;
+    if (!sequence.goes) {
+        progress.stage("cast view of " + input.name);
+        still.emplace(cast_series(prepared, input, sequence.at(0), sequence.frame, views, field));
+    }
+    progress.stage("frames of " + input.name);
+    std::atomic<std::size_t> done = 0;
+    Told told(wanted.size());
+    const auto render_one = [&](std::size_t i) {
+        const Instant instant = sequence.frame[wanted[i]];
+        if (still) {
+            told[i] = render_instant(prepared, *still, views, field, instant, out);
+        } else {
+            const Series own =
+                cast_series(prepared, input, sequence.at(wanted[i]), {&instant, 1}, views, field);
+            told[i] = render_instant(prepared, own, views, field, instant, out);
+        }
+        progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
+    };
+    for_each_index(wanted.size(), render_one, 1);
+    return told;
+}
+
+}  // namespace
+
 FramesReport render_frames(const Prepared& prepared, const FacetViews& views,
                            const TemperatureField& field, const fs::path& out, Progress& progress) {
     FramesReport report;
-    for (std::size_t o = 0; o < prepared.observers.size(); ++o) {
+    for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
         const ObserverInput& input = prepared.scene.observers[o];
-        std::vector<Instant> wanted;
-        for (const Instant instant : prepared.plan.frames) {
-            if (!frame_complete(out, input, instant)) wanted.push_back(instant);
+        std::vector<std::size_t> wanted;
+        for (std::size_t i = 0; i < input.frames.size(); ++i) {
+            if (!frame_complete(out, input, input.frames[i])) wanted.push_back(i);
         }
         if (wanted.empty()) continue;
-        progress.stage("cast view of " + input.name);
-        const Series series = cast_series(prepared, o, views, field);
-        progress.stage("frames of " + input.name);
-        std::atomic<std::size_t> done = 0;
-        std::vector<std::map<std::string, std::string>> notes(wanted.size());
-        const auto render_one = [&](std::size_t i) {
-            notes[i] = render_instant(prepared, series, views, field, wanted[i], out);
-            progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
-        };
-        for_each_index(wanted.size(), render_one, 1);
+        const Told told = render_sequence(prepared, o, wanted, views, field, out, progress);
         report.rendered += wanted.size();
-        for (std::string& line : error_lines(input, notes)) {
+        for (std::string& line : error_lines(input, told)) {
             report.errors.push_back(std::move(line));
         }
-        if (const std::string water = worst_note(notes, "water"); !water.empty()) {
+        if (const std::string water = worst_note(told, "water"); !water.empty()) {
             report.notes.push_back(input.name + ": " + water);
         }
     }

@@ -26,8 +26,12 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
                       .site = prepared.world.site,
                       .legend = legend_of(prepared),
                       .weather = prepared.weather.note};
-    for (const Observer& observer : prepared.observers) {
-        manifest.cameras[observer.name] = camera_facts(prepared.world, observer);
+    for (const Sequence& sequence : prepared.sequences) {
+        CameraCourse& course = manifest.cameras[sequence.at(0).name];
+        if (sequence.goes) course.frame = sequence.frame;
+        for (const Observer& pose : sequence.pose) {
+            course.facts.push_back(camera_facts(prepared.world, pose));
+        }
     }
     for (const Instant instant : prepared.plan.frames) {
         manifest.facts.push_back(instant_facts(prepared, instant));
@@ -39,8 +43,7 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
         manifest.start = earlier.start;
     } else {
         for (const char* file : {"temperatures.nc", state_file}) fs::remove(options.out / file);
-        for (const std::string& file :
-             frame_files(prepared.scene.observers, prepared.plan.frames)) {
+        for (const std::string& file : frame_files(prepared.scene.observers)) {
             fs::remove(options.out / file);
         }
     }
@@ -104,7 +107,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const std::string& line : frames.notes) {
         report.notes.push_back("water in pictures, frame with most of it: " + line);
     }
-    for (std::string& file : frame_files(prepared.scene.observers, prepared.plan.frames)) {
+    for (std::string& file : frame_files(prepared.scene.observers)) {
         report.files.push_back(std::move(file));
     }
 

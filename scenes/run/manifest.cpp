@@ -36,6 +36,9 @@ std::vector<fs::path> input_files(const Scene& scene) {
     for (const PlumeInput& plume : scene.plumes) {
         if (!plume.file.empty()) files.push_back(plume.file);
     }
+    for (const TrajectoryInput& way : scene.trajectories) {
+        if (!way.file.empty()) files.push_back(way.file);
+    }
     if (!scene.time.state.empty()) files.push_back(scene.time.state);
     std::vector<fs::path> data;
     for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
@@ -65,6 +68,17 @@ nlohmann::ordered_json legend_json(const Legend& legend) {
     }
     for (const auto& [id, name] : legend.material) {
         json["materials"].push_back({{"id", id}, {"name", name}});
+    }
+    return json;
+}
+
+/// One camera, or an array of them, each with its instant.
+nlohmann::ordered_json course_json(const CameraCourse& course) {
+    if (course.frame.empty()) return attribute_json(course.facts.front())["camera"];
+    nlohmann::ordered_json json = nlohmann::json::array();
+    for (std::size_t i = 0; i < course.frame.size(); ++i) {
+        json.push_back({{"utc", format_instant(course.frame[i])}});
+        json.back().update(attribute_json(course.facts[i])["camera"]);
     }
     return json;
 }
@@ -111,8 +125,8 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
         nlohmann::ordered_json facts = attribute_json(manifest.facts[i]);
         for (const char* group : {"sun", "air"}) json["frames"].back()[group] = facts[group];
     }
-    for (const auto& [observer, facts] : manifest.cameras) {
-        json["cameras"][observer] = attribute_json(facts)["camera"];
+    for (const auto& [observer, course] : manifest.cameras) {
+        json["cameras"][observer] = course_json(course);
     }
     json["legend"] = legend_json(manifest.legend);
     if (!manifest.start.empty()) json["start"] = manifest.start;

@@ -14,14 +14,20 @@
 
 namespace diurna {
 
+/// A camera's place and picture: of one that goes at each of its frames, of another once.
+struct CameraCourse {
+    std::vector<Instant> frame{};  // empty: it stands
+    std::vector<Facts> facts{};    // camera_facts()
+};
+
 /// What manifest.json says of a run beside its scene, its inputs and the program's version.
 struct Manifest {
-    std::string key{};                       // job_key()
-    std::vector<std::string> settings{};     // of the command line
-    std::vector<Instant> frames{};           // when pictures are taken
-    Site site{};                             // for their solar time
-    std::vector<Facts> facts{};              // (frame) instant_facts()
-    std::map<std::string, Facts> cameras{};  // by observer: camera_facts()
+    std::string key{};                              // job_key()
+    std::vector<std::string> settings{};            // of the command line
+    std::vector<Instant> frames{};                  // when pictures are taken
+    Site site{};                                    // for their solar time
+    std::vector<Facts> facts{};                     // (frame) instant_facts()
+    std::map<std::string, CameraCourse> cameras{};  // by observer
     Legend legend{};
     std::string weather{};               // what was modelled and filled in of it
     std::string start{};                 // how the heat balance's was found, and what it is worth

@@ -107,7 +107,7 @@ Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather
     return model;
 }
 
-void check_table(const Scene& scene, const World& world, const std::vector<Observer>& observers) {
+void check_table(const Scene& scene, const World& world, std::span<const Observer> observers) {
     if (!scene.air.table) return;
     const TableSpan span = scene.air.table->span;
     const std::string where = scene.file.string() + ": atmosphere.table";

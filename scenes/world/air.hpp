@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include "materials/atmosphere/atmosphere.hpp"
 #include "scenes/input/scene.hpp"
 #include "scenes/world/heights.hpp"
@@ -19,7 +20,7 @@ Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather
 
 /// Throws InputError unless a table of paths holds the heights of the scene's surfaces and
 /// observers and the lengths of its lines of sight. Scenes without one pass.
-void check_table(const Scene& scene, const World& world, const std::vector<Observer>& observers);
+void check_table(const Scene& scene, const World& world, std::span<const Observer> observers);
 /// What such a table leaves out, for the report.
 std::vector<std::string> table_notes(const Scene& scene);
 

@@ -12,9 +12,9 @@
 #include "materials/air/sight_line.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "scenes/world/viewpoints.hpp"
 #include "terrain/ground/full_grid.hpp"
 #include "terrain/ground/ground_mesh.hpp"
-#include "terrain/ground/level_of_detail.hpp"
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/raster/class_raster.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -56,28 +56,8 @@ std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& de
     return found;
 }
 
-/// A pixel of each observer, and a hundredth of the distance from each building and polygon.
-std::vector<float> slack_of(const Scene& scene, const Dem& dem, const Site& site) {
-    if (!(scene.terrain.coarsest > scene.terrain.tolerance)) return {};
-    std::vector<Viewpoint> viewpoints;
-    const auto add = [&](const Eigen::Vector2d& place, double height, double angle) {
-        viewpoints.push_back({raster_places(dem, site, {&place, 1}).front(), height, angle});
-    };
-    for (const ObserverInput& observer : scene.observers) {
-        add(observer.place, observer.height_above_ground,
-            radians(observer.horizontal_fov_deg) / observer.width);
-    }
-    for (const Building& building : scene.terrain.buildings) add(building.place, 0.0, 0.01);
-    for (const ObjectInput& object : scene.terrain.objects) add(object.place, 0.0, 0.01);
-    for (const GroundPolygon& polygon : scene.terrain.polygons) {
-        for (const Eigen::Vector2d& corner : polygon.ring) add(corner, 0.0, 0.01);
-    }
-    return level_of_detail(dem, viewpoints, std::max(scene.terrain.tolerance, 1e-3),
-                           scene.terrain.coarsest);
-}
-
 /// The network the scene asks for: the full grid, or what the tolerance leaves of it.
-GroundMesh ground_of(const Scene& scene, const Dem& dem, const Site& site,
+GroundMesh ground_of(const Scene& scene, const Dem& dem, const World& world,
                      const std::vector<Footprint>& footprints) {
     using Mesh = TerrainInput::Mesh;
     const TerrainInput& terrain = scene.terrain;
@@ -86,7 +66,7 @@ GroundMesh ground_of(const Scene& scene, const Dem& dem, const Site& site,
                                        triangles <= TerrainInput::most_grid_triangles)) {
         return ground_mesh(dem, full_grid(dem), terrain.tolerance, footprints);
     }
-    return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, site));
+    return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, world));
 }
 
 /// Whether a triangle of raster places holds a post without elevation in the file; one that holds
@@ -129,7 +109,7 @@ double earth_drop(const Eigen::Vector2d& from_site, const Eigen::Vector2d& spaci
 GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
                                const std::vector<Footprint>& cuts) {
     if (scene.terrain.tolerance <= 0.0) {
-        GroundMesh mesh = ground_of(scene, dem, world.site, cuts);
+        GroundMesh mesh = ground_of(scene, dem, world, cuts);
         world.ground_check = check_ground_mesh(dem, mesh);
         return mesh;
     }
@@ -143,7 +123,7 @@ GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
                 static_cast<float>(drop);
         }
     }
-    GroundMesh mesh = ground_of(scene, bent, world.site, cuts);
+    GroundMesh mesh = ground_of(scene, bent, world, cuts);
     world.ground_check = check_ground_mesh(bent, mesh);
     for (std::size_t v = 0; v < mesh.place.size(); ++v) {
         mesh.height[v] += static_cast<float>(earth_drop(mesh.place[v] - site, spacing));
@@ -152,18 +132,6 @@ GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
 }
 
 }  // namespace
-
-Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
-                             const std::string& where) {
-    const Geodetic below = to_geodetic(site, {place.x(), place.y(), 0.0});
-    const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
-    if (std::isnan(height)) {
-        throw InputError(where,
-                         fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
-                                     place.x(), place.y(), dem.source));
-    }
-    return to_local(site, {below.latitude_deg, below.longitude_deg, height});
-}
 
 std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
                                                         const Dem& dem,

@@ -13,11 +13,6 @@
 /// The ground of a scene: elevation as triangles, each of its material.
 namespace diurna {
 
-/// The point of the ground below or above (east, north) in the site's frame, from the raster.
-/// Throws InputError(where, ...) outside the raster or over a void.
-Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
-                             const std::string& where);
-
 /// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
 /// count as ground. Under `buildings` there is none: nobody sees it, and it would meet the walls
 /// from behind. Round them it is finer.

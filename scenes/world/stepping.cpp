@@ -2,8 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace diurna {
+
+namespace {
+
+/// The step at an instant, or the two on either side of it.
+void add_steps_around(Instant when, const std::vector<Instant>& steps, std::vector<Instant>& to) {
+    const auto after = std::lower_bound(steps.begin(), steps.end(), when);
+    if (after != steps.end()) to.push_back(*after);
+    if (after != steps.begin() && (after == steps.end() || *after != when)) {
+        to.push_back(*std::prev(after));
+    }
+}
+
+}  // namespace
 
 SpanOptions scene_span(const Scene& scene) {
     constexpr double curve_every = 1800.0, longest_curve = 2.0 * 86400.0;  // [s]
@@ -22,6 +36,15 @@ SpanOptions scene_span(const Scene& scene) {
             const double at = std::min(time.duration, double(i) * curve_every);
             span.wanted.push_back(later(time.start, at));
         }
+    }
+    std::vector<Instant> steps;
+    for (const ObserverInput& observer : scene.observers) {
+        if (!observer.goes()) {
+            span.wanted.insert(span.wanted.end(), observer.frames.begin(), observer.frames.end());
+            continue;
+        }
+        if (steps.empty()) steps = scene_steps(scene);
+        for (const Instant when : observer.frames) add_steps_around(when, steps, span.wanted);
     }
     std::sort(span.wanted.begin(), span.wanted.end());
     span.wanted.erase(std::unique(span.wanted.begin(), span.wanted.end()), span.wanted.end());

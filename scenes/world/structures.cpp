@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
-#include "scenes/world/ground.hpp"
+#include "scenes/world/ground_point.hpp"
 #include "scenes/world/objects.hpp"
 #include "scenes/world/sheets.hpp"
 #include "scenes/world/targets.hpp"

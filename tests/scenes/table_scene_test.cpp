@@ -53,7 +53,7 @@ struct Pair {
             low = std::min(low, 1e-3 * double{v.z()});
             high = std::max(high, 1e-3 * double{v.z()});
         }
-        const double eye = sea + 1e-3 * prepared.observers[0].position.z();
+        const double eye = sea + 1e-3 * prepared.sequences[0].at(0).position.z();
         const double top = std::max(eye, sea + high) + 0.01, bottom = sea + low - 0.01;
         std::vector<double> to;
         for (int i = 0; i < 4; ++i) to.push_back(bottom + (top - bottom) * i / 3.0);

@@ -8,7 +8,7 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/plan.hpp"
 #include "scenes/run/frames.hpp"
-#include "scenes/world/ground.hpp"
+#include "scenes/world/ground_point.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/read_dem.hpp"

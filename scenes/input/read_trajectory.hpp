@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/input/checked_names.hpp"
+#include "scenes/input/read_time.hpp"
+#include "terrain/place/trajectory.hpp"
+
+namespace diurna {
+
+/// One table [[trajectory]]: a way that observers and objects go.
+struct TrajectoryInput {
+    std::string name;
+    /// Seconds from `start`; east, north of the site [m], or, as `geodetic`, longitude and latitude
+    /// [deg]; height [m] over what `heights` says.
+    Trajectory way;
+    bool geodetic = false;
+    enum class Heights { ground, sea, ellipsoid };
+    Heights heights = Heights::ground;
+    Instant start;
+    std::filesystem::path file;  // "": the scene's own
+    std::string where;           // in the scene file
+
+    Instant begin() const { return later(start, way.begin()); }
+    Instant end() const { return later(start, way.end()); }
+};
+
+/// The tables [[trajectory]]; by default a way starts as the scene's span does.
+std::vector<TrajectoryInput> read_trajectories(const Section& root, const Reading& reading,
+                                               const TimeInput& time);
+
+/// That of a name; null where there is none.
+const TrajectoryInput* find_trajectory(const std::vector<TrajectoryInput>& ways,
+                                       const std::string& name);
+
+}  // namespace diurna

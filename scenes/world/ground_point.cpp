@@ -1,0 +1,24 @@
+#include "scenes/world/ground_point.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/dem_places.hpp"
+
+namespace diurna {
+
+Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
+                             const std::string& where) {
+    const Geodetic below = to_geodetic(site, {place.x(), place.y(), 0.0});
+    const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
+    if (std::isnan(height)) {
+        throw InputError(where,
+                         fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
+                                     place.x(), place.y(), dem.source));
+    }
+    return to_local(site, {below.latitude_deg, below.longitude_deg, height});
+}
+
+}  // namespace diurna

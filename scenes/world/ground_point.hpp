@@ -1,0 +1,16 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "terrain/place/site.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// The point of the ground below or above (east, north) in the site's frame, from the raster.
+/// Throws InputError(where, ...) outside the raster or over a void.
+Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
+                             const std::string& where);
+
+}  // namespace diurna

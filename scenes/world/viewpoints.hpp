@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// How much coarser than the scene's tolerance the ground may be at each post (level_of_detail.hpp)
+/// for what looks at it: a pixel of each observer, from up to 32 places of one that goes; a
+/// hundredth of the distance from each building, object and polygon. Empty: no coarser.
+std::vector<float> slack_of(const Scene& scene, const Dem& dem, const World& world);
+
+}  // namespace diurna

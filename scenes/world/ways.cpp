@@ -1,0 +1,64 @@
+#include "scenes/world/ways.hpp"
+
+#include <algorithm>
+
+#include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Heights = TrajectoryInput::Heights;
+
+/// A place of a file of latitudes and longitudes. Where its height is above the ground only east
+/// and north count.
+Eigen::Vector3d from_geodetic(const World& world, Heights heights, const Eigen::Vector3d& at) {
+    const double geoid = world.site.height - world.sea_level_height;
+    const double height = heights == Heights::ground ? world.site.height
+                          : heights == Heights::sea  ? at.z() + geoid
+                                                     : at.z();
+    Eigen::Vector3d local = to_local(world.site, Geodetic{at.y(), at.x(), height});
+    if (heights == Heights::ground) local.z() = at.z();
+    return local;
+}
+
+}  // namespace
+
+Way::Way(const TrajectoryInput& input, const Dem& dem, const World& world)
+    : way_(input.way),
+      in_frame_(input.geodetic && input.heights != Heights::ground),
+      heights_(input.heights),
+      start_(input.start),
+      where_(input.where),
+      dem_(&dem),
+      world_(&world) {
+    if (!input.geodetic) return;
+    for (Eigen::Vector3d& at : way_.place) at = from_geodetic(world, heights_, at);
+}
+
+Way::Around Way::around(double seconds) const {
+    constexpr double half = 5e-3;
+    const double from = std::clamp(seconds - half, way_.begin(), way_.end() - half);
+    return {from, std::min(way_.end(), std::max(seconds + half, from + half))};
+}
+
+Eigen::Vector3d Way::place(double seconds) const {
+    const Eigen::Vector3d at = place_at(way_, seconds);
+    if (in_frame_) return at;
+    if (heights_ == Heights::ground) {
+        return ground_point(*dem_, world_->site, at.head<2>(), where_) +
+               Eigen::Vector3d(0.0, 0.0, at.z());
+    }
+    Eigen::Vector3d over_sea(at.x(), at.y(), 0.0);
+    over_sea.z() = at.z() - height_above_sea(*world_, over_sea);
+    return over_sea;
+}
+
+PoseOnWay Way::pose(double seconds) const {
+    if (!way_.attitude.empty()) return {place(seconds), attitude_at(way_, seconds)};
+    const auto [from, to] = around(seconds);
+    return {place(seconds), attitude_along(place(to) - place(from))};
+}
+
+}  // namespace diurna

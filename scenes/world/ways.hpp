@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "scenes/input/read_trajectory.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// Where and how a body on a way is at an instant.
+struct PoseOnWay {
+    Eigen::Vector3d place;        // east, north, up [m]
+    Eigen::Quaterniond attitude;  // turns its right, forward, up to east, north, up
+};
+
+/// A trajectory in the frame of a scene's site.
+class Way {
+ public:
+    Way(const TrajectoryInput& input, const Dem& dem, const World& world);
+
+    /// Throws InputError where its height is above ground that the raster does not have. A body
+    /// that has no attitude of its own faces the way from 5 ms before to 5 ms after.
+    PoseOnWay at(Instant when) const { return pose(seconds_between(start_, when)); }
+
+    /// The velocity [m/s] and the rate of turning [rad/s] at an instant: from 5 ms before to 5 ms
+    /// after, on the way.
+    struct Motion {
+        Eigen::Vector3d velocity, turning;
+    };
+    /// - attitude_of: of the body whose turning is asked for, at a pose on the way
+    template <class AttitudeOf>
+    Motion motion(Instant when, const AttitudeOf& attitude_of) const {
+        const auto [from, to] = around(seconds_between(start_, when));
+        const PoseOnWay before = pose(from), after = pose(to);
+        const Eigen::AngleAxisd turn(attitude_of(after) * attitude_of(before).conjugate());
+        return {(after.place - before.place) / (to - from),
+                turn.angle() / (to - from) * turn.axis()};
+    }
+
+ private:
+    struct Around {
+        double from, to;
+    };
+    Around around(double seconds) const;
+    Eigen::Vector3d place(double seconds) const;
+    PoseOnWay pose(double seconds) const;
+
+    Trajectory way_;
+    bool in_frame_ = false;  // heights are up of the site
+    TrajectoryInput::Heights heights_;
+    Instant start_;
+    std::string where_;
+    const Dem* dem_;
+    const World* world_;
+};
+
+}  // namespace diurna

@@ -17,6 +17,7 @@
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/sun_exposure.hpp"
 
 using namespace diurna;

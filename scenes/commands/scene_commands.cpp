@@ -83,8 +83,9 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const Prepared prepared = prepare(a.read());
     Progress progress(a.style());
     progress.stage("sky view");
-    const FacetViews view = scene_sky_view(prepared);
-    const SpanResult result = solve_scene(prepared, view, progress);
+    const Stages stages(prepared);
+    stages.at(0);
+    const SpanResult result = solve_scene(stages, progress);
     progress.finish();
     write_heat(prepared, result, out);
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
@@ -105,8 +106,9 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     std::filesystem::create_directories(out / "frames");
     Progress progress(a.style());
     progress.stage("sky view");
-    const FacetViews view = scene_sky_view(prepared);
-    render_frames(prepared, view, field, out, progress);
+    const Stages stages(prepared);
+    stages.at(0);
+    render_frames(stages, field, out, progress);
 }
 
 }  // namespace

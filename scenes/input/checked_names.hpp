@@ -21,6 +21,7 @@ struct Reading {
     std::filesystem::path folder;  // relative names of files start here
     Names materials{.what = "material", .known = {}};
     Names textures{.what = "texture", .known = {}, .where = " in [[texture]]"};
+    Names trajectories{.what = "trajectory", .known = {}, .where = " in [[trajectory]]"};
     TextureUses texture_uses{};
     std::set<std::string> object_names{"ground"};
 

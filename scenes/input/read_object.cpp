@@ -197,6 +197,31 @@ void weld(const Section& section, ObjectInput& object) {
 
 }  // namespace
 
+namespace {
+
+/// Where it stands, or the way it goes.
+void read_stand(const Section& section, const Reading& reading, ObjectInput& object) {
+    if (!section.has("trajectory")) {
+        object.place = place(section, "place_m", "[east, north] of the middle of its plan");
+        object.height_above_ground =
+            section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
+        return;
+    }
+    object.trajectory = section.name(
+        "trajectory",
+        "that it goes, in place of place_m, heading_deg and height_above_ground_m: it rests where "
+        "the way does, before its begin and from its end on",
+        reading.trajectories);
+    for (const char* key : {"place_m", "heading_deg", "height_above_ground_m"}) {
+        if (section.has(key)) section.mistake(key, "stands beside a trajectory, which says it");
+    }
+    for (const char* key : {"texture", "airspeed_m_s"}) {
+        if (section.has(key)) section.mistake(key, "not on an object that goes along a trajectory");
+    }
+}
+
+}  // namespace
+
 ObjectInput read_object(const Section& section, Reading& reading) {
     ObjectInput object;
     object.name = reading.object(section, "of the object");
@@ -213,9 +238,7 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     spread_net(section, object);
     object.kind = class_of(section, {model.empty() ? object.file.stem().string() : model,
                                      "the model's, or its mesh's name"});
-    object.place = place(section, "place_m", "[east, north] of the middle of its plan");
-    object.height_above_ground =
-        section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
+    read_stand(section, reading, object);
     const std::string extension = object.file.extension().string();
     const bool upright = extension == ".stl" || extension == ".ply" || !model.empty();
     const std::string up =
@@ -247,7 +270,9 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     }
     weld(section, object);
     const bool raised = section.has("height_above_ground_m");
-    object.where = section.where(raised ? "height_above_ground_m" : "place_m");
+    object.where = section.where(raised                      ? "height_above_ground_m"
+                                 : object.trajectory.empty() ? "place_m"
+                                                             : "trajectory");
     return object;
 }
 

@@ -22,6 +22,7 @@ struct ObjectInput {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is found on the ground
     double height_above_ground = 0.0;                 // of its lowest point [m]
+    std::string trajectory;                           // that it goes: its place and height
     double airspeed = 0.0;                            // [m s⁻¹] along its heading; 0: it stands
     std::vector<std::string> material;                // (part of the mesh)
     TargetInput target;                               // as one body of heat

@@ -196,7 +196,7 @@ TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
                                 const TimeInput& time) {
     TrajectoryInput input;
     input.where = section.where();
-    input.name = section.text("name", "by which observers name it");
+    input.name = section.text("name", "by which observers and objects name it");
     input.start = time.start;
     if (section.has("start")) {
         const std::string said =
@@ -237,7 +237,8 @@ TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
 std::vector<TrajectoryInput> read_trajectories(const Section& root, const Reading& reading,
                                                const TimeInput& time) {
     std::vector<TrajectoryInput> ways;
-    for (const Section& section : root.sections("trajectory", "a way that observers go")) {
+    for (const Section& section :
+         root.sections("trajectory", "a way that observers and objects go")) {
         TrajectoryInput way = read_trajectory(section, reading, time);
         if (find_trajectory(ways, way.name) != nullptr) {
             section.mistake("name", fmt::format("another trajectory is named \"{}\"", way.name));

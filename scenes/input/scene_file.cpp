@@ -110,6 +110,12 @@ Scene read_scene(const Document& document) {
         reading.texture(materials.section(name, material_says), reading.texture_uses.of_material,
                         name);
     }
+    scene.time = read_time(root.required_section("time", "the span, its steps and pictures"),
+                           reading.folder);
+    scene.trajectories = read_trajectories(root, reading, scene.time);
+    for (const TrajectoryInput& way : scene.trajectories) {
+        reading.trajectories.known.push_back(way.name);
+    }
     scene.terrain = read_terrain(root.required_section("terrain", "elevation, and what covers it"),
                                  root, reading, scene.site);
     const Section weather = root.required_section("weather", "what drives the heat balance");
@@ -118,8 +124,6 @@ Scene read_scene(const Document& document) {
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere, reading);
     read_heights(weather, scene.air, scene.weather);
-    scene.time = read_time(root.required_section("time", "the span, its steps and pictures"),
-                           reading.folder);
     scene.output =
         read_output(root.section("output", "what a run writes beside temperatures and pictures"));
     scene.labels = read_labels(
@@ -127,7 +131,6 @@ Scene read_scene(const Document& document) {
     scene.bands = read_bands(root, reading.folder);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading);
-    scene.trajectories = read_trajectories(root, reading, scene.time);
     reading.object_names.erase("ground");  // it has no middle to look at
     const ObserverReading seen_by{
         .bands = scene.bands,

@@ -27,6 +27,9 @@ ring_m = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
 [[object]]
 [object.parts]
 wheels = "asphalt"
+[[object]]
+name = "car"
+trajectory = "approach"
 [[object.part]]
 name = "hood"
 [[object.enclosure]]

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/input/bands.hpp"
@@ -75,16 +77,33 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
     return picture;
 }
 
+/// Where some of the objects go: as they stand at a frame.
+std::map<int, WholeObject> moved_objects(const Prepared& prepared, std::vector<Labelled> objects,
+                                         const Sequence& sequence, std::size_t frame) {
+    const MoverPoses& poses = prepared.movement.poses_at(sequence.frame[frame]);
+    for (std::size_t m = 0; m < poses.size(); ++m) {
+        const Eigen::Vector3d front = poses[m].linear().col(1);
+        const auto id = static_cast<std::size_t>(prepared.world.movers[m].id);
+        objects[id].heading_deg = degrees(std::atan2(front.x(), front.y()));
+    }
+    return whole_objects(moved(prepared.world, prepared.world.facets, poses), objects,
+                         sequence.at(frame));
+}
+
 std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const LabelBook& book,
                                                const fs::path& out) {
     // What an observer would see of each object alone, from each of its places.
     std::vector<std::vector<std::map<int, WholeObject>>> whole;
     for (const Sequence& sequence : prepared.sequences) {
-        auto& of_pose = whole.emplace_back(sequence.pose.size());
+        const bool goes = sequence.goes || !prepared.movement.none();
+        auto& of_pose = whole.emplace_back(goes ? sequence.frame.size() : 1);
         for_each_index(
             of_pose.size(),
             [&](std::size_t i) {
-                of_pose[i] = whole_objects(prepared.world.facets, book.objects, sequence.pose[i]);
+                of_pose[i] =
+                    prepared.movement.none()
+                        ? whole_objects(prepared.world.facets, book.objects, sequence.at(i))
+                        : moved_objects(prepared, book.objects, sequence, i);
             },
             1);
     }
@@ -96,10 +115,9 @@ std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const L
     for_each_index(
         tasks.size(),
         [&](std::size_t t) {
-            const Sequence& sequence = prepared.sequences[tasks[t].observer];
             const auto& of_pose = whole[tasks[t].observer];
-            pictures[t] = labelled(prepared, tasks[t], of_pose[sequence.goes ? tasks[t].frame : 0],
-                                   book, out);
+            pictures[t] = labelled(prepared, tasks[t],
+                                   of_pose[of_pose.size() > 1 ? tasks[t].frame : 0], book, out);
             const auto at = std::lower_bound(instants.begin(), instants.end(), pictures[t].instant);
             pictures[t].validation = validation[std::size_t(at - instants.begin())];
         },

@@ -16,6 +16,7 @@
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/plumes.hpp"
+#include "scenes/world/stepping.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
 #include "terrain/raster/read_dem.hpp"
@@ -51,6 +52,13 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
 
 }  // namespace
 
+Prepared moved(const Prepared& prepared, const MoverPoses& poses) {
+    World world = moved(prepared.world, poses);
+    RayScene rays(world.facets, passed_light(prepared.scene.materials));
+    return {prepared.scene, std::move(world), std::move(rays), prepared.weather, prepared.sequences,
+            prepared.plan,  prepared.plumes,  prepared.notes,  prepared.movement};
+}
+
 Prepared prepare(Scene scene) {
     std::vector<std::filesystem::path> tiles{scene.terrain.elevation};
     tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
@@ -58,7 +66,9 @@ Prepared prepare(Scene scene) {
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials));
     Weather weather = scene_weather(scene, world);
-    std::vector<Sequence> pictures = sequences(scene, dem, world, rays);
+    Movement movement_of_objects =
+        movement(scene, dem, world, frames_of(scene), scene_steps(scene));
+    std::vector<Sequence> pictures = sequences(scene, dem, world, rays, movement_of_objects);
     for (const Sequence& sequence : pictures) check_table(scene, world, sequence.pose);
     std::vector<Plume> plumes;
     for (const PlumeInput& plume : scene.plumes) {
@@ -79,12 +89,20 @@ Prepared prepare(Scene scene) {
         notes.push_back(std::move(note));
     }
     for (std::string& note : notes_on_spectra(scene, world)) notes.push_back(std::move(note));
+    if (const double longest = movement_of_objects.longest_move; longest > 0.0) {
+        notes.push_back(fmt::format(
+            "objects that go rest in {} stages of the heat balance, each move (the longest takes "
+            "{:.0f} s) made at once in its middle; pictures show them on their way, in the light "
+            "of the stage",
+            movement_of_objects.stage.size(), longest));
+    }
     if (!weather.note.empty()) notes.push_back("weather: " + weather.note);
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
         notes.push_back(std::move(note));
     }
-    return {std::move(scene),    std::move(world), std::move(rays),   std::move(weather),
-            std::move(pictures), std::move(plan),  std::move(plumes), std::move(notes)};
+    return {std::move(scene),   std::move(world),    std::move(rays),
+            std::move(weather), std::move(pictures), std::move(plan),
+            std::move(plumes),  std::move(notes),    std::move(movement_of_objects)};
 }
 
 }  // namespace diurna

@@ -7,6 +7,7 @@
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/sequence.hpp"
+#include "scenes/world/movers.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "thermal/weather/weather.hpp"
@@ -23,7 +24,11 @@ struct Prepared {
     Plan plan;
     std::vector<Plume> plumes;       // placed likewise
     std::vector<std::string> notes;  // what a reader should know of elevation and weather data
+    Movement movement;               // of objects that go
 };
+
+/// The same with the objects that go in other places.
+Prepared moved(const Prepared& prepared, const MoverPoses& poses);
 
 /// Builds the world and checks what can be checked before anything is computed or written.
 Prepared prepare(Scene scene);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <optional>
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
@@ -49,33 +50,55 @@ Eigen::Vector3d middle_of(const World& world, const std::string& name) {
     return box.center();
 }
 
-/// What an observer looks at, if it looks at something.
-std::optional<Eigen::Vector3d> target_of(const ObserverInput& input, const Scene& scene,
-                                         const Dem& dem, const World& world) {
-    if (input.look_at) {
-        const std::string where =
-            fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
-        return ground_point(dem, world.site, *input.look_at, where);
+/// What an observer looks at, if it looks at something: a place, which may go.
+class Target {
+ public:
+    Target(const ObserverInput& input, const Scene& scene, const Dem& dem, const World& world,
+           const Movement& movement)
+        : movement_(movement) {
+        if (input.look_at) {
+            const std::string where =
+                fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
+            at_ = ground_point(dem, world.site, *input.look_at, where);
+        } else if (!input.look_at_object.empty()) {
+            at_ = middle_of(world, input.look_at_object);
+            for (std::size_t m = 0; m < world.movers.size(); ++m) {
+                const std::size_t object = world.movers[m].object;
+                if (scene.terrain.objects[object].name != input.look_at_object) continue;
+                mover_ = m;
+                at_ = world.movers[m].start.inverse() * *at_;
+            }
+        }
     }
-    if (!input.look_at_object.empty()) return middle_of(world, input.look_at_object);
-    return std::nullopt;
-}
+    bool goes() const { return mover_.has_value(); }
+    /// At an instant of a frame.
+    std::optional<Eigen::Vector3d> at(Instant when) const {
+        if (!mover_) return at_;
+        return movement_.poses_at(when)[*mover_] * *at_;
+    }
+
+ private:
+    const Movement& movement_;
+    std::optional<Eigen::Vector3d> at_;  // of one that goes in its own frame
+    std::optional<std::size_t> mover_;
+};
 
 /// Of an observer on a way.
 std::vector<Observer> poses_on_way(const ObserverInput& input, const Way& way,
-                                   const std::optional<Eigen::Vector3d>& target) {
+                                   const Target& target) {
     const Observer camera = camera_of(input);
-    const auto pointed = [&](const PoseOnWay& body) {
-        Observer observer = camera;
-        observer.position = body.place;
-        if (target) return looking_at(observer, *target);
-        if (!input.mount) return observer;
-        const Eigen::Vector3d& angle = *input.mount;
-        return turned_to(observer, body.attitude * attitude(angle.x(), angle.y(), angle.z()));
-    };
     std::vector<Observer> poses(input.frames.size());
     for_each_index(poses.size(), [&](std::size_t i) {
         const Instant when = input.frames[i];
+        const auto looked_at = target.at(when);
+        const auto pointed = [&](const PoseOnWay& body) {
+            Observer observer = camera;
+            observer.position = body.place;
+            if (looked_at) return looking_at(observer, *looked_at);
+            if (!input.mount) return observer;
+            const Eigen::Vector3d& angle = *input.mount;
+            return turned_to(observer, body.attitude * attitude(angle.x(), angle.y(), angle.z()));
+        };
         poses[i] = pointed(way.at(when));
         if (!camera.takes_time()) return;
         const Way::Motion motion =
@@ -87,10 +110,10 @@ std::vector<Observer> poses_on_way(const ObserverInput& input, const Way& way,
 }
 
 Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& dem,
-                     const World& world) {
-    Sequence sequence{.frame = input.frames, .pose = {}, .goes = input.goes()};
-    const auto target = target_of(input, scene, dem, world);
-    if (sequence.goes) {
+                     const World& world, const Movement& movement) {
+    const Target target(input, scene, dem, world, movement);
+    Sequence sequence{.frame = input.frames, .pose = {}, .goes = input.goes() || target.goes()};
+    if (input.goes()) {
         const Way way(*find_trajectory(scene.trajectories, input.trajectory), dem, world);
         sequence.pose = poses_on_way(input, way, target);
         return sequence;
@@ -99,7 +122,14 @@ Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& 
     Observer observer = camera_of(input);
     observer.position = ground_point(dem, world.site, input.place, where) +
                         Eigen::Vector3d(0.0, 0.0, input.height_above_ground);
-    sequence.pose = {target ? looking_at(observer, *target) : observer};
+    if (!target.goes()) {
+        const auto at = target.at({});
+        sequence.pose = {at ? looking_at(observer, *at) : observer};
+        return sequence;
+    }
+    for (const Instant when : sequence.frame) {
+        sequence.pose.push_back(looking_at(observer, *target.at(when)));
+    }
     return sequence;
 }
 
@@ -123,19 +153,19 @@ void check_poses(const Sequence& sequence, const World& world, const RayScene& r
 }  // namespace
 
 std::vector<Sequence> sequences(const Scene& scene, const Dem& dem, const World& world,
-                                const RayScene& rays) {
+                                const RayScene& rays, const Movement& movement) {
     std::vector<Sequence> all;
     for (const ObserverInput& input : scene.observers) {
-        all.push_back(sequence_of(input, scene, dem, world));
+        all.push_back(sequence_of(input, scene, dem, world, movement));
         check_poses(all.back(), world, rays);
     }
     return all;
 }
 
-std::vector<Instant> all_frames(const std::vector<Sequence>& sequences) {
+std::vector<Instant> frames_of(const Scene& scene) {
     std::vector<Instant> all;
-    for (const Sequence& sequence : sequences) {
-        all.insert(all.end(), sequence.frame.begin(), sequence.frame.end());
+    for (const ObserverInput& observer : scene.observers) {
+        all.insert(all.end(), observer.frames.begin(), observer.frames.end());
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());

@@ -221,41 +221,80 @@ namespace {
 /// What the pictures of one observer told, frame by frame.
 using Told = std::vector<std::map<std::string, std::string>>;
 
-/// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
-/// once, of one that goes for each frame by itself: so a frame alone is what it is among others.
-Told render_sequence(const Prepared& prepared, std::size_t o, std::span<const std::size_t> wanted,
-                     const FacetViews& views, const TemperatureField& field, const fs::path& out,
-                     Progress& progress) {
-    const ObserverInput& input = prepared.scene.observers[o];
-    const Sequence& sequence = prepared.sequences[o];
-    std::optional<Series> still;
-    if (!sequence.goes) {
-        progress.stage("cast view of " + input.name);
-        still.emplace(cast_series(prepared, input, sequence.at(0), sequence.frame, views, field));
+/// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
+/// frame alone is what it is among others.
+std::map<std::string, std::string> render_alone(const Stages& stages, std::size_t o,
+                                                std::size_t frame, const TemperatureField& field,
+                                                const fs::path& out) {
+    const Prepared& scene = stages.scene();
+    const Movement& movement = scene.movement;
+    const ObserverInput& input = scene.scene.observers[o];
+    const Sequence& sequence = scene.sequences[o];
+    const Instant instant = sequence.frame[frame];
+    const SceneStage stage = stages.at(movement.stage_of(instant));
+    std::optional<Prepared> on_the_way;
+    if (!movement.none() && movement.is_under_way(instant)) {
+        on_the_way.emplace(moved(scene, movement.poses_at(instant)));
     }
-    progress.stage("frames of " + input.name);
+    const Prepared& here = on_the_way ? *on_the_way : stage.prepared;
+    const Series own =
+        cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
+    return render_instant(here, own, stage.views, field, instant, out);
+}
+
+/// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
+/// once for each stage.
+Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::size_t> wanted,
+                     const TemperatureField& field, const fs::path& out, Progress& progress) {
+    const Prepared& scene = stages.scene();
+    const Movement& movement = scene.movement;
+    const ObserverInput& input = scene.scene.observers[o];
+    const Sequence& sequence = scene.sequences[o];
+    std::vector<std::size_t> alone;                              // places in `wanted`
+    std::vector<std::vector<std::size_t>> still(stages.size());  // (stage) likewise
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const Instant when = sequence.frame[wanted[i]];
+        const bool goes = sequence.goes || (!movement.none() && movement.is_under_way(when));
+        (goes ? alone : still[movement.stage_of(when)]).push_back(i);
+    }
     std::atomic<std::size_t> done = 0;
     Told told(wanted.size());
-    const auto render_one = [&](std::size_t i) {
-        const Instant instant = sequence.frame[wanted[i]];
-        if (still) {
-            told[i] = render_instant(prepared, *still, views, field, instant, out);
-        } else {
-            const Series own =
-                cast_series(prepared, input, sequence.at(wanted[i]), {&instant, 1}, views, field);
-            told[i] = render_instant(prepared, own, views, field, instant, out);
-        }
-        progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
+    const auto each = [&](const std::vector<std::size_t>& of, const auto& render_one) {
+        for_each_index(
+            of.size(),
+            [&](std::size_t k) {
+                told[of[k]] = render_one(wanted[of[k]]);
+                progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
+            },
+            1);
     };
-    for_each_index(wanted.size(), render_one, 1);
+    for (std::size_t s = 0; s < still.size(); ++s) {
+        if (still[s].empty()) continue;
+        progress.stage("cast view of " + input.name);
+        const SceneStage stage = stages.at(s);
+        std::vector<Instant> frames;  // of the stage, whichever are still to be rendered
+        for (const Instant when : sequence.frame) {
+            if (movement.stage_of(when) == s) frames.push_back(when);
+        }
+        const Series series =
+            cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, field);
+        progress.stage("frames of " + input.name);
+        each(still[s], [&](std::size_t frame) {
+            return render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame],
+                                  out);
+        });
+    }
+    if (!alone.empty()) progress.stage("frames of " + input.name);
+    each(alone, [&](std::size_t frame) { return render_alone(stages, o, frame, field, out); });
     return told;
 }
 
 }  // namespace
 
-FramesReport render_frames(const Prepared& prepared, const FacetViews& views,
-                           const TemperatureField& field, const fs::path& out, Progress& progress) {
+FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
+                           Progress& progress) {
     FramesReport report;
+    const Prepared& prepared = stages.scene();
     for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
         const ObserverInput& input = prepared.scene.observers[o];
         std::vector<std::size_t> wanted;
@@ -263,7 +302,7 @@ FramesReport render_frames(const Prepared& prepared, const FacetViews& views,
             if (!frame_complete(out, input, input.frames[i])) wanted.push_back(i);
         }
         if (wanted.empty()) continue;
-        const Told told = render_sequence(prepared, o, wanted, views, field, out, progress);
+        const Told told = render_sequence(stages, o, wanted, field, out, progress);
         report.rendered += wanted.size();
         for (std::string& line : error_lines(input, told)) {
             report.errors.push_back(std::move(line));

@@ -9,6 +9,7 @@
 #include "render/view/view.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
+#include "scenes/run/stages.hpp"
 #include "thermal/temperature_field.hpp"
 
 namespace diurna {
@@ -25,9 +26,8 @@ struct FramesReport {
 
 /// Renders every frame that is not there yet and writes it as EXR with a PNG quick-look
 /// (scenes/plan/frame_files.hpp).
-FramesReport render_frames(const Prepared& prepared, const FacetViews& views,
-                           const TemperatureField& field, const std::filesystem::path& out,
-                           Progress& progress);
+FramesReport render_frames(const Stages& stages, const TemperatureField& field,
+                           const std::filesystem::path& out, Progress& progress);
 
 /// The truth plane "void": 1 at pixels whose ground was filled in for want of elevation
 /// (World::filled, which is not empty), 0 elsewhere, −1 where it is sky.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/matter/passed_light.hpp"
+#include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/state_owner.hpp"
 #include "scenes/run/sun_exposure.hpp"
 #include "scenes/world/heights.hpp"
@@ -21,9 +23,6 @@
 #include "scenes/world/targets.hpp"
 #include "scenes/world/wind.hpp"
 #include "terrain/place/local_time.hpp"
-#include "terrain/texture/level_values.hpp"
-#include "terrain/visibility/reciprocity.hpp"
-#include "terrain/visibility/relief_visibility.hpp"
 #include "thermal/solve/heat_state_file.hpp"
 #include "thermal/solve/start_error.hpp"
 
@@ -134,21 +133,6 @@ std::string water_told(const SolveReport& report) {
 
 }  // namespace
 
-FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
-    const Scene& scene = prepared.scene;
-    const ReliefVisibility light(prepared.world.facets, prepared.rays, *prepared.world.relief,
-                                 prepared.world.ground_facets);
-    FacetViews view = light.facet_views({.rays = scene.sky_rays,
-                                         .first_object = prepared.world.ground_facets,
-                                         .object_rays = scene.object_sky_rays,
-                                         .seed = scene.seed,
-                                         .sunlight = sunlight});
-    const std::vector<PassedLight> passed = passed_light(scene.materials);
-    make_reciprocal(prepared.world.facets, view, {.passed = passed, .sunlight = sunlight});
-    const TextureLevels& texture_levels = prepared.world.texture_levels;
-    return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
-}
-
 std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
     return fmt::format(
@@ -159,61 +143,106 @@ std::string not_converged(const SolveReport& report) {
 
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
 
-SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress) {
-    const std::optional<HeatState> earlier = earlier_state(prepared);
+namespace {
+
+/// What the heat balance asks of a stage, made once.
+class StageHeat {
+ public:
+    StageHeat(const SceneStage& stage, Instant end)
+        : prepared_(stage.prepared),
+          sunlight_views_(passes_by_spectrum(passed_light(prepared_.scene.materials))
+                              ? std::optional(scene_sky_view(prepared_, true))
+                              : std::nullopt),
+          daily_(prepared_, end),
+          albedo_(measured_albedo(prepared_.scene, prepared_.world, prepared_.weather)),
+          by_height_(air_by_height(prepared_.scene, prepared_.weather)),
+          parts_(parts_in_wind(prepared_.world, prepared_.scene.materials,
+                               prepared_.weather.wind_height)),
+          open_(open_above(prepared_.world, prepared_.scene.materials, prepared_.weather)),
+          input_{.facets = prepared_.world.surfaces(),
+                 .views = stage.views,
+                 .sun = none_,
+                 .materials = prepared_.scene.materials,
+                 .weather = prepared_.weather,
+                 .site = prepared_.world.site,
+                 .elevation = prepared_.weather.height,
+                 .by_height = &by_height_,
+                 .height = facet_heights(prepared_.world),
+                 .part = parts_,
+                 .network = targets(prepared_.world, prepared_.scene),
+                 .open_above = open_,
+                 .clear_sky = prepared_.scene.sky,
+                 .measured_share = albedo_.share,
+                 .sunlight_views = sunlight_views_ ? &*sunlight_views_ : nullptr} {}
+    StageHeat(const StageHeat&) = delete;  // the input names its members
+    StageHeat& operator=(const StageHeat&) = delete;
+
+    const SolveInput& input() const { return input_; }
+    SunExposure exposure(const std::vector<Instant>& instants) {
+        const auto begun = std::chrono::steady_clock::now();
+        SunExposure sun = daily_.of(instants);
+        shadow_seconds_ +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+        return sun;
+    }
+    double shadow_seconds() const { return shadow_seconds_; }
+    /// In a line each what is to be known of it.
+    std::vector<std::string> told(const SpanOptions& span, const SolveReport& report) const {
+        std::vector<std::string> notes;
+        for (std::string note :
+             {lee_note(prepared_.world, parts_), targets_told(input_, span, report),
+              rain_note(prepared_.world, prepared_.scene.materials, prepared_.weather, open_),
+              water_told(report)}) {
+            if (!note.empty()) notes.push_back(std::move(note));
+        }
+        if (const double share = daily_.share_taken_over(); share > 0.0) {
+            notes.push_back(fmt::format(
+                "shadows: {:.0f} % of facets and instants have the share of days before and "
+                "after, up to {:g} degrees of the sun's way off, which agree within 2 %; the rest "
+                "is cast",
+                100.0 * share, DailySunExposure::furthest_deg));
+        }
+        return notes;
+    }
+
+ private:
+    const Prepared& prepared_;
+    const std::optional<FacetViews> sunlight_views_;
+    const SunExposure none_{};
+    DailySunExposure daily_;
+    const MeasuredAlbedo albedo_;
+    const AirByHeight by_height_;
+    const std::vector<FilmPart> parts_;
+    const std::vector<float> open_;
+    const SolveInput input_;
+    double shadow_seconds_ = 0.0;
+};
+
+}  // namespace
+
+SpanResult solve_scene(const Stages& stages, Progress& progress) {
+    const Prepared& scene = stages.scene();
+    const std::optional<HeatState> earlier = earlier_state(scene);
     progress.stage("heat balance");
-    double shadows = 0.0;
-    SpanOptions span = scene_span(prepared.scene);
+    SpanOptions span = scene_span(scene.scene);
     span.from = earlier ? &*earlier : nullptr;
     span.day.progress = [&](double share) { progress.done(share); };
-    std::optional<FacetViews> sunlight_views;
-    if (passes_by_spectrum(passed_light(prepared.scene.materials))) {
-        sunlight_views = scene_sky_view(prepared, true);
+    std::vector<std::unique_ptr<StageHeat>> heat;
+    std::vector<SpanStage> parts;
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        StageHeat* const own =
+            heat.emplace_back(std::make_unique<StageHeat>(stages.at(i), span.end)).get();
+        parts.push_back({i == 0 ? span.start : scene.movement.stage[i], own->input(),
+                         [own](const std::vector<Instant>& when) { return own->exposure(when); }});
     }
-    const SunExposure none;
-    DailySunExposure daily(prepared, span.end);
-    const auto exposure = [&](const std::vector<Instant>& instants) {
-        const auto begun = std::chrono::steady_clock::now();
-        SunExposure sun = daily.of(instants);
-        shadows += std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-        return sun;
-    };
-    const MeasuredAlbedo albedo = measured_albedo(prepared.scene, prepared.world, prepared.weather);
-    const AirByHeight by_height = air_by_height(prepared.scene, prepared.weather);
-    const std::vector<FilmPart> parts =
-        parts_in_wind(prepared.world, prepared.scene.materials, prepared.weather.wind_height);
-    const std::vector<float> open =
-        open_above(prepared.world, prepared.scene.materials, prepared.weather);
-    const SolveInput input{.facets = prepared.world.surfaces(),
-                           .views = views,
-                           .sun = none,
-                           .materials = prepared.scene.materials,
-                           .weather = prepared.weather,
-                           .site = prepared.world.site,
-                           .elevation = prepared.weather.height,
-                           .by_height = &by_height,
-                           .height = facet_heights(prepared.world),
-                           .part = parts,
-                           .network = targets(prepared.world, prepared.scene),
-                           .open_above = open,
-                           .clear_sky = prepared.scene.sky,
-                           .measured_share = albedo.share,
-                           .sunlight_views = sunlight_views ? &*sunlight_views : nullptr};
-    SpanResult result = solve_span(input, exposure, span);
-    result.start += ": " + start_told(input, span, result.report);
-    for (std::string note :
-         {lee_note(prepared.world, parts), targets_told(input, span, result.report),
-          rain_note(prepared.world, prepared.scene.materials, prepared.weather, open),
-          water_told(result.report)}) {
-        if (!note.empty()) result.notes.push_back(std::move(note));
+    SpanResult result = solve_span(parts, span);
+    const StageHeat& first = *heat.front();
+    result.start += ": " + start_told(first.input(), span, result.report);
+    for (std::string& note : first.told(span, result.report)) {
+        result.notes.push_back(std::move(note));
     }
-    if (const double share = daily.share_taken_over(); share > 0.0) {
-        result.notes.push_back(
-            fmt::format("shadows: {:.0f} % of facets and instants have the share of days before "
-                        "and after, up to {:g} degrees of the sun's way off, which agree within 2 "
-                        "%; the rest is cast",
-                        100.0 * share, DailySunExposure::furthest_deg));
-    }
+    double shadows = 0.0;
+    for (const auto& own : heat) shadows += own->shadow_seconds();
     progress.set_apart("shadows", shadows);
     return result;
 }

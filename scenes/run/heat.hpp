@@ -5,15 +5,10 @@
 
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
-#include "terrain/visibility/view_factors.hpp"
+#include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
 
 namespace diurna {
-
-/// What each facet sees: the ground's sky by the march over the raster, all else by rays.
-///
-/// - sunlight: of what goes through panes, sunlight; else heat
-FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
 
 /// In one line by how much a solver has missed its tolerance; "" where it has converged.
 std::string not_converged(const SolveReport& report);
@@ -22,8 +17,9 @@ std::string not_converged(const SolveReport& report);
 /// instant: before anything is written.
 void check_start(const Prepared& prepared);
 
-/// Shadows and heat balance: temperatures alone. Throws InputError as check_start().
-SpanResult solve_scene(const Prepared& prepared, const FacetViews& views, Progress& progress);
+/// Shadows and heat balance, stage by stage: temperatures alone. Throws InputError as
+/// check_start().
+SpanResult solve_scene(const Stages& stages, Progress& progress);
 
 inline constexpr const char* state_file = "state.nc";
 /// Writes temperatures with names, clock and fluxes, and beside them the state at the end, if the

@@ -59,10 +59,10 @@ std::vector<std::string> heat_files(const Scene& scene) {
 }
 
 /// Solves, writes temperatures.nc and says in the manifest if the solver has not converged.
-TemperatureField solve_and_write(const Prepared& prepared, const FacetViews& views,
-                                 const fs::path& out, Progress& progress, Manifest& manifest,
-                                 JobReport& report) {
-    SpanResult result = solve_scene(prepared, views, progress);
+TemperatureField solve_and_write(const Stages& stages, const fs::path& out, Progress& progress,
+                                 Manifest& manifest, JobReport& report) {
+    const Prepared& prepared = stages.scene();
+    SpanResult result = solve_scene(stages, progress);
     progress.stage("write temperatures");
     manifest.not_converged = not_converged(result.report);
     manifest.start = result.start;
@@ -85,7 +85,8 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     bool keep = false;
     Manifest manifest = begin_manifest(prepared, options, keep);
     progress.stage("sky view");
-    const FacetViews views = scene_sky_view(prepared);
+    const Stages stages(prepared);
+    stages.at(0);
 
     JobReport report{.plan = prepared.plan,
                      .ground_check = prepared.world.ground_check,
@@ -93,13 +94,12 @@ JobReport run_job(Scene scene, const JobOptions& options) {
                      .files = heat_files(prepared.scene),
                      .notes = prepared.notes};
     for (const std::string& file : report.files) keep = keep && fs::exists(out / file);
-    const TemperatureField field =
-        keep ? load_temperature_field(out / "temperatures.nc")
-             : solve_and_write(prepared, views, out, progress, manifest, report);
+    const TemperatureField field = keep ? load_temperature_field(out / "temperatures.nc")
+                                        : solve_and_write(stages, out, progress, manifest, report);
     report.not_converged = manifest.not_converged;
     report.start = manifest.start;
 
-    const FramesReport frames = render_frames(prepared, views, field, out, progress);
+    const FramesReport frames = render_frames(stages, field, out, progress);
     report.frames_rendered = frames.rendered;
     for (const std::string& line : frames.errors) {
         report.notes.push_back("tables against the direct sum, worst frame: " + line);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "materials/base/error.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/objects.hpp"
+#include "terrain/place/trajectory.hpp"
 #include "terrain/raster/dem_places.hpp"
 
 namespace diurna {
@@ -21,6 +23,56 @@ bool lies_on(const Dem& dem, const Ring& ring) {
     return std::any_of(ring.begin(), ring.end(), [&](const Eigen::Vector2d& p) {
         return p.x() >= 0.0 && p.y() >= 0.0 && p.x() <= dem.columns - 1 && p.y() <= dem.rows - 1;
     });
+}
+
+/// When an object's shadow is looked at: once in each of its rests within the scene's span, and, up
+/// to 32 of them, at pictures that find it on its way. [s] of its trajectory
+std::vector<double> looked_at(const TrajectoryInput& way, const Scene& scene) {
+    const double begin = seconds_between(way.start, scene.time.start);
+    const double end = seconds_between(way.start, scene.time.end());
+    std::vector<double> all, on_the_way;
+    double left = 0.0;
+    for (const Rest& rest : rests(way.way)) {
+        if (rest.until >= begin && rest.from <= end) {
+            all.push_back(std::isfinite(rest.from) ? rest.from : rest.until);
+        }
+        for (const ObserverInput& observer : scene.observers) {
+            for (const Instant frame : observer.frames) {
+                const double when = seconds_between(way.start, frame);
+                if (std::isfinite(rest.from) && when > left && when < rest.from) {
+                    on_the_way.push_back(when);
+                }
+            }
+        }
+        left = rest.until;
+    }
+    std::sort(on_the_way.begin(), on_the_way.end());
+    constexpr std::size_t most = 32;
+    const std::size_t count = on_the_way.size(), shown = std::min(most, count);
+    for (std::size_t i = 0; i < shown; ++i) {
+        all.push_back(on_the_way[shown < 2 ? 0 : i * (count - 1) / (shown - 1)]);
+    }
+    return all;
+}
+
+/// Where the ground is to be fine for an object's shadow, each place once. East, north [m]
+std::vector<Eigen::Vector2d> shadow_places(const ObjectInput& input, const Scene& scene,
+                                           const Site& site) {
+    if (input.trajectory.empty()) return {input.place};
+    const TrajectoryInput& way = *find_trajectory(scene.trajectories, input.trajectory);
+    std::vector<Eigen::Vector2d> places;
+    for (const double when : looked_at(way, scene)) {
+        const Eigen::Vector3d at = place_at(way.way, when);
+        const Eigen::Vector2d plan =
+            way.geodetic
+                ? Eigen::Vector2d(to_local(site, Geodetic{at.y(), at.x(), site.height}).head<2>())
+                : Eigen::Vector2d(at.head<2>());
+        const bool known = std::any_of(places.begin(), places.end(), [&](const auto& other) {
+            return (other - plan).norm() < 0.1;
+        });
+        if (!known) places.push_back(plan);
+    }
+    return places;
 }
 
 }  // namespace
@@ -52,8 +104,10 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
                  "", Cuts::nothing);
     }
     for (const ObjectInput& input : scene.terrain.objects) {
-        const GroundPatch patch = ground_patch(input);
-        cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
+        for (const Eigen::Vector2d& place : shadow_places(input, scene, site)) {
+            const GroundPatch patch = ground_patch(input, place);
+            cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
+        }
     }
     for (const WalledPlan& plan : buildings) {
         for (const GroundPatch& ring : rings_round(plan.ring, plan.height, plan.foot_edge)) {

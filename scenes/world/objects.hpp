@@ -30,7 +30,7 @@ struct GroundPatch {
     std::vector<Eigen::Vector2d> ring;  // east, north [m]
     double largest_edge;                // [m]
 };
-GroundPatch ground_patch(const ObjectInput& object);
+GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place);
 
 /// Ground round walls: rings at twice the distance each, as far as a sun 27 degrees high casts
 /// their shadow, divided to half their distance; the first, and the walls' own plan, to `nearest`.

@@ -7,9 +7,11 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/movers.hpp"
 #include "scenes/world/objects.hpp"
 #include "scenes/world/sheets.hpp"
 #include "scenes/world/targets.hpp"
+#include "terrain/place/trajectory.hpp"
 
 namespace diurna {
 
@@ -100,6 +102,16 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
     for (const ObjectInput& input : scene.terrain.objects) {
         const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
         Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
+        const auto place = std::size_t(&input - scene.terrain.objects.data());
+        if (!input.trajectory.empty()) {
+            const Eigen::Isometry3d pose = mover_pose(input, scene, dem, world, scene.time.start);
+            ground = pose.translation();
+            Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
+            upright.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
+            upright.translation() = ground;
+            world.movers.push_back(
+                {place, ObjectId{static_cast<std::uint16_t>(object + 1)}, upright});
+        }
         if (lies_in_the_ground(input)) {
             ground.z() += off_the_ground;
             world.notes.push_back(fmt::format("{}: a flat sheet on the ground, lifted by {:g} m",
@@ -113,7 +125,6 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
         const ObjectId id{static_cast<std::uint16_t>(++object)};
         sheets.append(world.facets, mesh, id);
         if (input.target.given()) {
-            const auto place = std::size_t(&input - scene.terrain.objects.data());
             world.targets.push_back(target_facets(input, place, id, scene.materials));
         }
     }

@@ -1,6 +1,7 @@
 #include "scenes/world/ways.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "scenes/world/ground_point.hpp"
 #include "scenes/world/heights.hpp"
@@ -55,10 +56,35 @@ Eigen::Vector3d Way::place(double seconds) const {
     return over_sea;
 }
 
+Eigen::Vector3d Way::going(double seconds) const {
+    constexpr double least = 1e-5;  // [m]
+    const auto [from, to] = around(seconds);
+    const Eigen::Vector3d here = place(to) - place(from);
+    if (here.head<2>().norm() > least) return here;
+    Eigen::Vector3d found = Eigen::Vector3d::UnitY();
+    for (const Rest& rest : rests()) {
+        const bool ends = std::isfinite(rest.until);
+        if (ends && (found == Eigen::Vector3d::UnitY() || rest.until < seconds)) {
+            found = place(rest.until + 0.01) - place(rest.until);  // as it will go
+        }
+        if (std::isfinite(rest.from) && rest.from <= seconds + 0.01) {
+            found = place(rest.from) - place(rest.from - 0.01);  // as it came
+        }
+    }
+    return found;
+}
+
 PoseOnWay Way::pose(double seconds) const {
     if (!way_.attitude.empty()) return {place(seconds), attitude_at(way_, seconds)};
-    const auto [from, to] = around(seconds);
-    return {place(seconds), attitude_along(place(to) - place(from))};
+    return {place(seconds), attitude_along(going(seconds))};
+}
+
+PoseOnWay Way::level(Instant when) const {
+    const double seconds = seconds_between(start_, when);
+    if (!way_.attitude.empty()) return pose(seconds);
+    Eigen::Vector3d ahead = going(seconds);
+    ahead.z() = 0.0;
+    return {place(seconds), attitude_along(ahead)};
 }
 
 }  // namespace diurna

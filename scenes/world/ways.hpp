@@ -21,8 +21,14 @@ class Way {
     Way(const TrajectoryInput& input, const Dem& dem, const World& world);
 
     /// Throws InputError where its height is above ground that the raster does not have. A body
-    /// that has no attitude of its own faces the way from 5 ms before to 5 ms after.
+    /// that has no attitude of its own faces the way from 5 ms before to 5 ms after; while it
+    /// rests, as it came, or before it has begun as it will go.
     PoseOnWay at(Instant when) const { return pose(seconds_between(start_, when)); }
+
+    /// Its attitude, level but for a log's own pitch and roll: of a thing on wheels.
+    PoseOnWay level(Instant when) const;
+    std::vector<Rest> rests() const { return diurna::rests(way_); }
+    Instant start() const { return start_; }
 
     /// The velocity [m/s] and the rate of turning [rad/s] at an instant: from 5 ms before to 5 ms
     /// after, on the way.
@@ -46,6 +52,8 @@ class Way {
     Around around(double seconds) const;
     Eigen::Vector3d place(double seconds) const;
     PoseOnWay pose(double seconds) const;
+    /// The way that a body goes or, while it rests, came [m]; not nought.
+    Eigen::Vector3d going(double seconds) const;
 
     Trajectory way_;
     bool in_frame_ = false;  // heights are up of the site

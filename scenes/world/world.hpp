@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -21,6 +22,13 @@ struct TargetFacets {
     std::map<MaterialId, std::size_t> part{};  // materials of its parts, each its own
 };
 
+/// An object that goes along a trajectory.
+struct Mover {
+    std::size_t object;       // of the scene's
+    ObjectId id;              // of its facets
+    Eigen::Isometry3d start;  // from the object's frame, at the span's start
+};
+
 /// The scene in space: every triangle with its material, in the frame of its site. Rays, sun and
 /// sky know `facets`; heat and pictures have `surfaces()`, which are more where there are textures.
 struct World {
@@ -36,6 +44,7 @@ struct World {
     std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
     TextureLevels texture_levels;       // what textures make of the facets
     std::vector<TargetFacets> targets;  // objects whose facets conduct from one to the next
+    std::vector<Mover> movers;          // objects that go, where they are at the span's start
     std::vector<std::string> notes;     // what of the files was left out
 
     const FacetSet& surfaces() const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "materials/base/units.hpp"
 
@@ -71,6 +72,25 @@ Eigen::Quaterniond attitude_along(const Eigen::Vector3d& velocity) {
     if (!(velocity.norm() > 0.0)) return Eigen::Quaterniond::Identity();
     const double heading = level > 0.0 ? std::atan2(velocity.x(), velocity.y()) : 0.0;
     return attitude(degrees(heading), degrees(std::atan2(velocity.z(), level)), 0.0);
+}
+
+std::vector<Rest> rests(const Trajectory& way) {
+    constexpr double apart = 0.01, ever = std::numeric_limits<double>::infinity();
+    std::vector<Rest> all{{-ever, way.begin()}};
+    for (std::size_t i = 1; i < way.seconds.size(); ++i) {
+        if ((way.place[i] - way.place[i - 1]).norm() > apart) continue;
+        if (all.back().until == way.seconds[i - 1]) {
+            all.back().until = way.seconds[i];
+        } else {
+            all.push_back({way.seconds[i - 1], way.seconds[i]});
+        }
+    }
+    if (all.back().until == way.end()) {
+        all.back().until = ever;
+    } else {
+        all.push_back({way.end(), ever});
+    }
+    return all;
 }
 
 std::vector<double> seconds_at_speed(const std::vector<Eigen::Vector3d>& place, double speed) {

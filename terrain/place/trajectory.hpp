@@ -34,6 +34,13 @@ Eigen::Quaterniond attitude(double heading_deg, double pitch_deg, double roll_de
 /// still or goes straight up or down, with its front to the north.
 Eigen::Quaterniond attitude_along(const Eigen::Vector3d& velocity);
 
+/// From when until when a body on a way stays in one place (to a centimetre): the first rest lasts
+/// from for ever to its begin or longer, the last one goes on for ever.
+struct Rest {
+    double from, until;  // [s]
+};
+std::vector<Rest> rests(const Trajectory& way);
+
 /// Seconds at which a body reaches places one after the other at an even speed [m s⁻¹], from 0 on.
 std::vector<double> seconds_at_speed(const std::vector<Eigen::Vector3d>& place, double speed);
 

@@ -6,6 +6,7 @@
 
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/measured_days.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/shared_data.hpp"
@@ -33,7 +34,7 @@ TEST_CASE("the scene of measured days runs, and its stubble is as warm as measur
                                                  "output.fluxes=false", "output.state=false"}));
     CHECK(prepared.plan.frames.size() == 4 * 48 + 1);
     Progress progress(ProgressStyle::silent);
-    const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), progress);
+    const SpanResult result = solve_scene(Stages(prepared), progress);
     CAPTURE(result.start);
     CHECK(result.report.converged);
     CHECK(result.start.find("weather of 3 days before") != std::string::npos);

@@ -8,6 +8,7 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/sheet_scene.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -45,7 +46,7 @@ Prepared january() {
 TEST_CASE("a day of frost and thaw repeats on every facet", "[scenes][frost]") {
     const Prepared prepared = january();
     Progress silent(ProgressStyle::silent);
-    const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+    const SpanResult result = solve_scene(Stages(prepared), silent);
     CAPTURE(result.report.passes, result.report.periodic_residual);
     CHECK(result.report.points > 10);
     CHECK(result.report.converged);
@@ -93,7 +94,7 @@ TEST_CASE("a drop of rain leaves a closed box its inside", "[scenes][rain]") {
         write_text(folder.path / "weather.csv", rainy);
         const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
         Progress silent(ProgressStyle::silent);
-        const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+        const SpanResult result = solve_scene(Stages(prepared), silent);
         CHECK((result.report.stores > 0) == (rain > 0.0));
         const std::vector<float> noon =
             result.temperature.interpolate(parse_instant("2026-03-20T12:00:00Z"));

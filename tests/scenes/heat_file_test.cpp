@@ -7,6 +7,7 @@
 
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/every_kind_scene.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/solve/heat_state_file.hpp"
@@ -91,7 +92,7 @@ void solve_to(const std::string& text, const ScratchFolder& folder) {
     write_text(folder.path / "scene.toml", text);
     const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress progress(ProgressStyle::silent);
-    const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), progress);
+    const SpanResult result = solve_scene(Stages(prepared), progress);
     REQUIRE(result.report.converged);
     write_heat(prepared, result, folder.path / "temperatures.nc");
 }

@@ -141,7 +141,7 @@ TEST_CASE("a truck that runs is warm in front, a parked one as cold as the air",
         scene_with(folder.path, object_of("on", "truck", -40.0, "running = [\"18:00-06:00\"]\n") +
                                     object_of("off", "truck", 40.0))));
     Progress silent(ProgressStyle::silent);
-    const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+    const SpanResult result = solve_scene(Stages(prepared), silent);
     CHECK(result.report.converged);
     CHECK(result.report.worst_energy_closure < 1e-8);
     const std::vector<float> all =

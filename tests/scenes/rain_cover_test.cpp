@@ -111,7 +111,7 @@ TEST_CASE("snow lies in the open and on a roof, not under it nor in flight", "[s
                          .air = 265.0},
                         folder.path);
         Progress silent(ProgressStyle::silent);
-        const SpanResult result = solve_scene(p, scene_sky_view(p), silent);
+        const SpanResult result = solve_scene(Stages(p), silent);
         std::vector<double> frost(p.world.facets.size(), 0.0);
         for (const HeatState::Point& point : result.end.point) {
             frost[point.facet] = point.standing.frost;

@@ -15,6 +15,7 @@
 #include "scenes/run/covered_surfaces.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;
@@ -103,7 +104,7 @@ TEST_CASE("a snowed plain looks like snow of its albedo", "[scenes][snow]") {
     field.water.cover.assign(2 * facets.size(), {0.0f, 1.0f, float(solar_mean(snow))});
     std::filesystem::create_directories(folder.path / "frames");
     Progress silent(ProgressStyle::silent);
-    render_frames(prepared, scene_sky_view(prepared), field, folder.path, silent);
+    render_frames(Stages(prepared), field, folder.path, silent);
     // The library's spectrum over the bands by hand, under the sun at the ground, or by Planck.
     const Spectrum sun = read_spectrum(data_folder() / "atmosphere" / "sun_at_ground.csv");
     const auto sunlight = [&](double um) { return sun.at(um); };

@@ -86,7 +86,7 @@ Solved solved(const over_plain::Given& given, const std::string& tables, double 
     write_text(folder.path / "scene.toml", text);
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
-    SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+    SpanResult result = solve_scene(Stages(prepared), silent);
     return {std::move(prepared), std::move(result)};
 }
 

@@ -87,8 +87,7 @@ TEST_CASE("an object in flight takes its own wind and the air's recovery tempera
         write_text(folder.path / "scene.toml", text);
         const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
         Progress progress(ProgressStyle::silent);
-        const FacetViews views = scene_sky_view(prepared);
-        const SpanResult result = solve_scene(prepared, views, progress);
+        const SpanResult result = solve_scene(Stages(prepared), progress);
         const double sound_squared = 1.4 * 287.05 * 290.0;
         const double expected = 290.0 * (1.0 + 0.8916 * 0.2 * speed * speed / sound_squared);
         for (std::size_t i = 0; i < result.temperature.instant.size(); ++i) {
@@ -121,7 +120,7 @@ TEST_CASE("a plate's own size and the wind of its height reach its temperature",
     write_text(folder.path / "scene.toml", text);
     const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress progress(ProgressStyle::silent);
-    const SpanResult result = solve_scene(prepared, scene_sky_view(prepared), progress);
+    const SpanResult result = solve_scene(Stages(prepared), progress);
     for (std::size_t f = prepared.world.ground_facets; f < prepared.world.facets.size(); ++f) {
         CAPTURE(f);
         CHECK(result.temperature.at(0)[f] == Approx(over_plain::air + 10.9).margin(0.4));

@@ -8,6 +8,7 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 
 /// A hall in the sun on a plain, where nothing emits or reflects.
@@ -97,7 +98,7 @@ bands = ["8-12"]
                                                        size, height, thin("ground"), thin("wall")));
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
-    SpanResult result = solve_scene(prepared, scene_sky_view(prepared), silent);
+    SpanResult result = solve_scene(Stages(prepared), silent);
     return {std::move(prepared), std::move(result.temperature)};
 }
 

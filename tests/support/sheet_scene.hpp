@@ -10,6 +10,8 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/scene_sky_view.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 
 /// A mesh over a plain on the equator at equinox, under one air of 290 K.
@@ -180,7 +182,7 @@ inline Solved solved(const Given& given) {
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
     FacetViews views = scene_sky_view(prepared);
-    SpanResult result = solve_scene(prepared, views, silent);
+    SpanResult result = solve_scene(Stages(prepared), silent);
     return {std::move(prepared), std::move(views), std::move(result.temperature)};
 }
 

@@ -18,7 +18,7 @@ inline std::string with(std::string text, const std::string& from, const std::st
 /// A few square kilometres of the default scene on a coarse mesh, four frames of 64 x 48: a whole
 /// job in a second or two.
 inline std::string small_scene() {
-    const std::string folder = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/";
+    const std::string folder = DIURNA_SOURCE_DIR "/scenes/jacksboro/";
     return R"([scene]
 name = "small"
 sky_rays = 32

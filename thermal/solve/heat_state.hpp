@@ -20,6 +20,9 @@ struct HeatState {
     double reference = 0.0;                  // [K] that states of columns count from
     std::vector<float> kelvin;               // (facet) of surfaces
     std::vector<std::vector<double>> block;  // (block) [state][lane], see Block::start
+    /// (block)(lane) whose they are: blocks are put together by how much wind and which air facets
+    /// have, which changes where something moves. Not in files; empty: the solve's own blocks.
+    std::vector<std::vector<std::size_t>> of_block{};
     std::vector<Point> point;
     std::vector<std::vector<double>> network{};  // (target) [K] its nodes, then its lumps
 };

@@ -22,13 +22,28 @@ constexpr double day = seconds_of_day;  // [s]
 
 /// A span on its way, day by day.
 struct Walk {
-    const SolveInput& input;
-    const ExposureOf& exposure;
+    std::span<const SpanStage> stages;
+    const SolveInput& input;  // the first stage's
     const SpanOptions& options;
     SpanResult result;
     HeatState state;
     TemperatureField day_before{};  // every step of the last piece
     int days = 0, all_days = 1;
+
+    const SpanStage& stage_at(Instant when) const {
+        const SpanStage* stage = &stages.front();
+        for (const SpanStage& next : stages.subspan(1)) {
+            if (next.from <= when) stage = &next;
+        }
+        return *stage;
+    }
+    /// The first change after an instant, or `end`.
+    Instant next_change(Instant when, Instant end) const {
+        for (const SpanStage& next : stages.subspan(1)) {
+            if (next.from > when) return std::min(next.from, end);
+        }
+        return end;
+    }
 };
 
 /// The worst of two reports, and what both took.
@@ -139,7 +154,11 @@ void solve_piece(const Piece& piece, Walk& walk) {
     options.goes_on = piece.goes_on || walk.options.goes_on;
     // Without the day before to guess by, the first pass meets neighbours that rest; another makes
     // up for it.
-    if (walk.options.begin == SpanStart::state && walk.days == 0) options.settled = 1e-3;
+    const SpanStage& stage = walk.stage_at(piece.from);
+    const bool changed = !piece.periodic && stage.from == piece.from && walk.stages.size() > 1;
+    if (changed || (walk.options.begin == SpanStart::state && walk.days == 0)) {
+        options.settled = 1e-3;
+    }
     const double done = walk.days++, all = std::max(walk.days, walk.all_days);
     if (walk.options.day.progress) {
         options.progress = [&](double share) { walk.options.day.progress((done + share) / all); };
@@ -147,11 +166,11 @@ void solve_piece(const Piece& piece, Walk& walk) {
     const std::vector<Instant> steps = step_instants(options);
     const std::span<const Instant> told = told_by(piece, walk);
     options.heat_at = steps_around(told, steps);
-    const SunExposure sun = walk.exposure(steps);
+    const SunExposure sun = stage.exposure(steps);
     const bool begun = !piece.periodic && !walk.state.block.empty();
     SolveResult result =
-        solve(of_piece(walk.input, sun, piece.weather, begun ? &walk.state : nullptr,
-                       begun && walk.days > 1 ? &walk.day_before : nullptr),
+        solve(of_piece(stage.input, sun, piece.weather, begun ? &walk.state : nullptr,
+                       begun && walk.days > 1 && !changed ? &walk.day_before : nullptr),
               options);
     add_report(result.report, walk.result.report);
     for (const Instant when : told) walk.result.heat.add_between(result.heat, when);
@@ -176,6 +195,7 @@ void go_on(Instant from, Instant to, bool keeping, Walk& walk) {
     for (Instant begin = from; begin < to;) {
         Instant end = std::min(to, later(begin, day));
         if (seconds_between(end, to) < walk.options.day.step) end = to;  // no crumbs
+        end = walk.next_change(begin, end);
         solve_piece({.from = begin, .to = end, .keeping = keeping}, walk);
         begin = end;
     }
@@ -232,7 +252,7 @@ void from_a_repeated_day(Walk& walk) {
     Instant first = day_around(walk.input, start, walk.options.day.step);
     if (!known_until(weather, later(first, day)) && days_known_before(weather, start) >= 1) {
         first = later(start, -day);
-    } else if (repeats(weather, first)) {
+    } else if (repeats(weather, first) && walk.next_change(first, end) == end) {
         go_round(first, walk);
         walk.result.start = "its day repeats";
         return;
@@ -248,7 +268,13 @@ void from_a_repeated_day(Walk& walk) {
 
 SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
                       const SpanOptions& options) {
-    Walk walk{.input = input, .exposure = exposure, .options = options, .result = {}, .state = {}};
+    const SpanStage only{options.start, input, exposure};
+    return solve_span({&only, 1}, options);
+}
+
+SpanResult solve_span(std::span<const SpanStage> stages, const SpanOptions& options) {
+    const SolveInput& input = stages.front().input;
+    Walk walk{.stages = stages, .input = input, .options = options, .result = {}, .state = {}};
     const double length = seconds_between(options.start, options.end);
     walk.all_days = static_cast<int>(std::ceil(length / day - 1e-9));
     const int known = days_known_before(input.weather, options.start);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,14 @@ int days_known_before(const Weather& weather, Instant when);
 /// The share of each facet that the sun reaches at each of some instants.
 using ExposureOf = std::function<SunExposure(const std::vector<Instant>& instants)>;
 
+/// What a span's facets see and meet from an instant on, until the next stage: the same facets of
+/// the same materials, some of them in other places.
+struct SpanStage {
+    Instant from;
+    const SolveInput& input;
+    ExposureOf exposure;
+};
+
 struct SpanResult {
     TemperatureField temperature;  // at the wanted instants, straight between steps
     SolveReport report;  // of all days: sums of passes, steps and seconds, worst of all else
@@ -54,6 +63,12 @@ struct SpanResult {
 /// A start costs: weather, as many days as go before and a periodic one; periodic, one day, none
 /// where the first day repeats. Throws InputError as solve() does.
 ///
+/// Where there are stages, what went before the span is that of the first, and a piece ends with
+/// each: heat goes on, facet by facet.
+///
+/// - stages: one or more, ascending; the first counts from for ever
+SpanResult solve_span(std::span<const SpanStage> stages, const SpanOptions& options);
+
 /// - input: its `sun` and `from` are left aside
 SpanResult solve_span(const SolveInput& input, const ExposureOf& exposure,
                       const SpanOptions& options);

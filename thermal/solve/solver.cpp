@@ -1,6 +1,7 @@
 #include "thermal/solve/solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -301,16 +302,45 @@ HeatFluxField record_heat(SolveState& solve, const Level& level, PointFacets& po
     return record.field();
 }
 
-/// Sets out from what another solve has left, in place of the first guess.
-void set_out_from(const HeatState& from, SolveState& solve) {
-    if (from.kelvin.size() != solve.facets || from.block.size() != solve.block.size()) {
-        throw InputError("thermal solve", "the state to go on from belongs to other facets");
-    }
-    for (std::size_t b = 0; b < solve.block.size(); ++b) {
-        if (from.block[b].size() != solve.block[b].start.size()) {
+/// Sets out a block's columns from those of another solve's blocks, facet by facet.
+void set_out_lanes(const HeatState& from, const std::vector<std::array<std::size_t, 2>>& place,
+                   Block& block) {
+    const std::size_t states = block.start.size() / block.stride;
+    for (std::size_t lane = 0; lane < block.facet.size(); ++lane) {
+        const auto [b, l] = place[block.facet[lane]];
+        const std::size_t stride = b < from.block.size() ? from.block[b].size() / states : 0;
+        if (stride * states == 0 || from.block[b].size() != stride * states || l >= stride) {
             throw InputError("thermal solve", "the state to go on from belongs to other columns");
         }
-        solve.block[b].start = from.block[b];
+        for (std::size_t m = 0; m < states; ++m) {
+            block.start[m * block.stride + lane] = from.block[b][m * stride + l];
+        }
+    }
+}
+
+/// Sets out from what another solve has left, in place of the first guess.
+void set_out_from(const HeatState& from, SolveState& solve) {
+    const bool same_blocks = from.of_block.empty();
+    if (from.kelvin.size() != solve.facets ||
+        (same_blocks && from.block.size() != solve.block.size())) {
+        throw InputError("thermal solve", "the state to go on from belongs to other facets");
+    }
+    if (same_blocks) {
+        for (std::size_t b = 0; b < solve.block.size(); ++b) {
+            if (from.block[b].size() != solve.block[b].start.size()) {
+                throw InputError("thermal solve",
+                                 "the state to go on from belongs to other columns");
+            }
+            solve.block[b].start = from.block[b];
+        }
+    } else {
+        std::vector<std::array<std::size_t, 2>> place(solve.facets, {from.block.size(), 0});
+        for (std::size_t b = 0; b < from.of_block.size(); ++b) {
+            for (std::size_t l = 0; l < from.of_block[b].size(); ++l) {
+                place[from.of_block[b][l]] = {b, l};
+            }
+        }
+        for (Block& block : solve.block) set_out_lanes(from, place, block);
     }
     const TemperatureField* const guess = solve.input.guess;
     const bool alike = guess && guess->kelvin.size() == solve.kelvin.size();
@@ -332,6 +362,7 @@ HeatState left_by(SolveState& solve, const Level& level, const PointFacets& poin
     end.kelvin.assign(last.begin(), last.end());
     for (const Block& block : solve.block) {
         std::vector<double>& state = end.block.emplace_back(block.start);
+        end.of_block.push_back(block.facet);
         if (solve.options.periodic) continue;
         for (std::size_t i = 0; i < state.size(); ++i) state[i] += block.change[i];
     }

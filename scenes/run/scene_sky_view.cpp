@@ -1,0 +1,27 @@
+#include "scenes/run/scene_sky_view.hpp"
+
+#include <vector>
+
+#include "materials/matter/passed_light.hpp"
+#include "terrain/texture/level_values.hpp"
+#include "terrain/visibility/reciprocity.hpp"
+#include "terrain/visibility/relief_visibility.hpp"
+
+namespace diurna {
+
+FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
+    const Scene& scene = prepared.scene;
+    const ReliefVisibility light(prepared.world.facets, prepared.rays, *prepared.world.relief,
+                                 prepared.world.ground_facets);
+    FacetViews view = light.facet_views({.rays = scene.sky_rays,
+                                         .first_object = prepared.world.ground_facets,
+                                         .object_rays = scene.object_sky_rays,
+                                         .seed = scene.seed,
+                                         .sunlight = sunlight});
+    const std::vector<PassedLight> passed = passed_light(scene.materials);
+    make_reciprocal(prepared.world.facets, view, {.passed = passed, .sunlight = sunlight});
+    const TextureLevels& texture_levels = prepared.world.texture_levels;
+    return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
+}
+
+}  // namespace diurna

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "scenes/plan/prepared.hpp"
+#include "terrain/visibility/view_factors.hpp"
+
+namespace diurna {
+
+/// What each facet sees: the ground's sky by the march over the raster, all else by rays.
+///
+/// - sunlight: of what goes through panes, sunlight; else heat
+FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
+
+}  // namespace diurna

@@ -1,0 +1,173 @@
+#include "scenes/world/movers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "materials/base/units.hpp"
+#include "scenes/world/ways.hpp"
+
+namespace diurna {
+
+namespace {
+
+const TrajectoryInput& way_of(const ObjectInput& object, const Scene& scene) {
+    return *find_trajectory(scene.trajectories, object.trajectory);
+}
+
+/// A move, from a rest's end to the next one's begin, within the span.
+struct Move {
+    Instant from, to;
+    std::size_t mover;
+    Instant middle() const { return later(from, 0.5 * seconds_between(from, to)); }
+};
+std::vector<Move> moves_of(const TrajectoryInput& way, std::size_t mover, const Scene& scene) {
+    std::vector<Move> moves;
+    const std::vector<Rest> all = rests(way.way);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        const Move move{later(way.start, all[i - 1].until), later(way.start, all[i].from), mover};
+        if (move.to > scene.time.start && move.from < scene.time.end()) moves.push_back(move);
+    }
+    return moves;
+}
+
+Instant nearest_step(Instant when, std::span<const Instant> steps) {
+    const auto after = std::lower_bound(steps.begin(), steps.end(), when);
+    if (after == steps.end()) return steps.back();
+    if (after == steps.begin()) return steps.front();
+    const auto before = std::prev(after);
+    return seconds_between(*before, when) < seconds_between(when, *after) ? *before : *after;
+}
+
+void move_object(FacetSet& facets, ObjectId id, const Eigen::Isometry3d& by) {
+    std::vector<bool> done(facets.vertex.size(), false);
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (facets.object[f] != id) continue;
+        for (const std::uint32_t v : facets.corner[f]) {
+            if (done[v]) continue;
+            done[v] = true;
+            facets.vertex[v] = (by * facets.vertex[v].cast<double>()).cast<float>();
+        }
+        facets.centroid[f] = (by * facets.centroid[f].cast<double>()).cast<float>();
+        facets.normal[f] =
+            (by.linear() * facets.normal[f].cast<double>()).normalized().cast<float>();
+    }
+}
+
+}  // namespace
+
+Eigen::Isometry3d mover_pose(const ObjectInput& object, const Scene& scene, const Dem& dem,
+                             const World& world, Instant when) {
+    const PoseOnWay pose = Way(way_of(object, scene), dem, world).level(when);
+    Eigen::Isometry3d to = Eigen::Isometry3d::Identity();
+    to.linear() = pose.attitude.toRotationMatrix();
+    to.translation() = pose.place;
+    return to;
+}
+
+void put_at_start(Scene& scene, const Dem& dem, const World& world) {
+    for (ObjectInput& object : scene.terrain.objects) {
+        if (object.trajectory.empty()) continue;
+        const Eigen::Isometry3d pose = mover_pose(object, scene, dem, world, scene.time.start);
+        object.place = pose.translation().head<2>();
+        const Eigen::Vector3d ahead = pose.linear().col(1);
+        object.placing.heading_deg = degrees(std::atan2(ahead.x(), ahead.y()));
+    }
+}
+
+std::size_t Movement::stage_of(Instant when) const {
+    const auto after = std::upper_bound(stage.begin() + 1, stage.end(), when);
+    return static_cast<std::size_t>(after - stage.begin()) - 1;
+}
+
+namespace {
+
+std::size_t place_of(const std::vector<Instant>& frames, Instant when) {
+    const auto at = std::lower_bound(frames.begin(), frames.end(), when);
+    return static_cast<std::size_t>(at - frames.begin());
+}
+
+}  // namespace
+
+const MoverPoses& Movement::poses_at(Instant frame_instant) const {
+    return at_frame[place_of(frame, frame_instant)];
+}
+
+bool Movement::is_under_way(Instant frame_instant) const {
+    return under_way[place_of(frame, frame_instant)];
+}
+
+Movement movement(const Scene& scene, const Dem& dem, const World& world,
+                  std::span<const Instant> frames, std::span<const Instant> steps) {
+    Movement movement{.stage = {scene.time.start}};
+    std::vector<Move> moves;
+    for (std::size_t m = 0; m < world.movers.size(); ++m) {
+        const ObjectInput& object = scene.terrain.objects[world.movers[m].object];
+        for (const Move& move : moves_of(way_of(object, scene), m, scene)) {
+            moves.push_back(move);
+            movement.stage.push_back(nearest_step(move.middle(), steps));
+            movement.longest_move =
+                std::max(movement.longest_move, seconds_between(move.from, move.to));
+        }
+    }
+    std::sort(movement.stage.begin(), movement.stage.end());
+    movement.stage.erase(std::unique(movement.stage.begin(), movement.stage.end()),
+                         movement.stage.end());
+    if (movement.stage.back() == scene.time.end() && movement.stage.size() > 1) {
+        movement.stage.pop_back();
+    }
+    // In a stage an object rests where the last move before has led, or where the first begins.
+    for (const Instant begin : movement.stage) {
+        std::vector<Instant> rest(world.movers.size(), scene.time.start);
+        std::vector<bool> found(world.movers.size(), false);
+        for (const Move& move : moves) {
+            if (nearest_step(move.middle(), steps) <= begin) {
+                rest[move.mover] = move.to;
+                found[move.mover] = true;
+            } else if (!found[move.mover]) {
+                rest[move.mover] = move.from;
+                found[move.mover] = true;
+            }
+        }
+        MoverPoses& poses = movement.at_stage.emplace_back();
+        for (std::size_t m = 0; m < rest.size(); ++m) {
+            poses.push_back(mover_pose(scene.terrain.objects[world.movers[m].object], scene, dem,
+                                       world, rest[m]));
+        }
+    }
+    if (world.movers.empty()) return movement;
+    movement.frame.assign(frames.begin(), frames.end());
+    for (const Instant when : frames) {
+        MoverPoses& poses = movement.at_frame.emplace_back();
+        for (const Mover& mover : world.movers) {
+            poses.push_back(
+                mover_pose(scene.terrain.objects[mover.object], scene, dem, world, when));
+        }
+        movement.under_way.push_back(std::any_of(moves.begin(), moves.end(), [&](const Move& move) {
+            return when > move.from && when < move.to;
+        }));
+    }
+    return movement;
+}
+
+FacetSet moved(const World& world, FacetSet facets, const MoverPoses& poses) {
+    for (std::size_t m = 0; m < poses.size(); ++m) {
+        const Eigen::Isometry3d by = poses[m] * world.movers[m].start.inverse();
+        if (by.isApprox(Eigen::Isometry3d::Identity(), 1e-12)) continue;
+        move_object(facets, world.movers[m].id, by);
+    }
+    return facets;
+}
+
+World moved(const World& world, const MoverPoses& poses) {
+    World there = world;
+    there.facets = moved(world, std::move(there.facets), poses);
+    if (!there.texture_levels.empty()) {
+        there.texture_levels.facets = moved(world, std::move(there.texture_levels.facets), poses);
+    }
+    for (std::size_t m = 0; m < poses.size(); ++m) there.movers[m].start = poses[m];
+    return there;
+}
+
+}  // namespace diurna

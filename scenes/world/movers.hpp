@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/raster/dem.hpp"
+
+/// Objects that go along trajectories.
+namespace diurna {
+
+/// Puts those of a scene that is to be built where they are at its span's start.
+void put_at_start(Scene& scene, const Dem& dem, const World& world);
+
+/// From an object's frame (its middle in plan and lowest point; right, front, up) to the site's.
+Eigen::Isometry3d mover_pose(const ObjectInput& object, const Scene& scene, const Dem& dem,
+                             const World& world, Instant when);
+
+/// Where the objects that go are, (mover) of World::movers.
+using MoverPoses = std::vector<Eigen::Isometry3d>;
+
+/// How the heat balance sees them go: at rest in turn, each move at once in its middle, on the
+/// nearest step.
+struct Movement {
+    std::vector<Instant> stage;  // begins of stages in which all rest; the first is the span's
+    std::vector<MoverPoses> at_stage{};  // (stage)
+    std::vector<Instant> frame{};        // ascending: of pictures
+    std::vector<MoverPoses> at_frame{};  // (frame)
+    std::vector<bool> under_way{};       // (frame) whether one is between two rests then
+    double longest_move = 0.0;           // [s]
+
+    bool none() const { return at_stage.empty() || at_stage.front().empty(); }
+    std::size_t stage_of(Instant when) const;
+    const MoverPoses& poses_at(Instant frame_instant) const;
+    bool is_under_way(Instant frame_instant) const;
+};
+
+/// - frames: ascending
+/// - steps: of the heat balance, ascending
+Movement movement(const Scene& scene, const Dem& dem, const World& world,
+                  std::span<const Instant> frames, std::span<const Instant> steps);
+
+/// Facets with the objects that go in other places.
+FacetSet moved(const World& world, FacetSet facets, const MoverPoses& poses);
+/// The world likewise.
+World moved(const World& world, const MoverPoses& poses);
+
+}  // namespace diurna

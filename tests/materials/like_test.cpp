@@ -132,6 +132,33 @@ TEST_CASE("a net's strips stay what they are whatever they cover", "[materials][
 
 // Of the sun at the ground (ASTM G173, global) 96 % lies within 0.35 to 2.5 µm, of a black body at
 // 300 K 0.02 % (Planck's fractions: 0.0000 to 750 µm K).
+// The ends are those of the tables' first and last rows (materials/spectra/*_refraction.csv).
+TEST_CASE("a band past the ends of the library's own n and k is told",
+          "[materials][like][spectrum]") {
+    const std::vector<Band> bands{flat_band("8-12", 8.0, 12.0), flat_band("far", 20.0, 30.0),
+                                  flat_band("uv", 0.25, 0.4)};
+    const auto told = [&](const std::string& name) {
+        std::vector<std::string> of_index;
+        for (const std::string& note : spectrum_notes(library()[library().find(name)], bands)) {
+            if (note.find("n and k") != std::string::npos) of_index.push_back(note);
+        }
+        return of_index;
+    };
+    REQUIRE(told("ice").size() == 2);
+    CHECK_THAT(told("ice")[0], Catch::Contains("n and k were given over 0.3 to 25 µm") &&
+                                   Catch::Contains("so in band far"));
+    CHECK_THAT(told("ice")[1], Catch::Contains("so in band uv"));
+    for (const char* name : {"water", "glass"}) {
+        REQUIRE(told(name).size() == 1);
+        CHECK_THAT(told(name)[0],
+                   Catch::Contains("over 0.3 to 100 µm") && Catch::Contains("so in band uv"));
+    }
+    REQUIRE(told("aluminium").size() == 1);
+    CHECK_THAT(told("aluminium")[0], Catch::Contains("over 0.30996 to 99.996 µm"));
+    CHECK(told("painted_steel").empty());
+    CHECK(told("asphalt").empty());
+}
+
 TEST_CASE("a spectrum that ends short of heat is told, one in nanometres refused",
           "[materials][like][spectrum]") {
     const ScratchFolder folder("short");

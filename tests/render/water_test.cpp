@@ -46,9 +46,11 @@ Atmosphere summer() {
 /// The sky at a band's nodes, straight between zenith angles that crowd at the horizon.
 class SkyByAngle {
  public:
-    SkyByAngle(const Atmosphere& air, double height_km, const Band& band) {
+    /// - behind_km: from how far behind that place along the same line
+    SkyByAngle(const Atmosphere& air, double height_km, const Band& band, double behind_km = 0.0) {
         for (int i = 0; i <= steps; ++i) {
-            sky_.push_back(sky_at_nodes(air, height_km, zenith_deg(i), band.node_um));
+            const double from_km = height_km - behind_km * std::cos(radians(zenith_deg(i)));
+            sky_.push_back(sky_at_nodes(air, from_km, zenith_deg(i), band.node_um));
         }
     }
     double at(double up, std::size_t node) const {
@@ -95,14 +97,53 @@ TEST_CASE("a lake by night is the sum over its waves, at any angle", "[render][w
     const double wind = GENERATE(1.0, 3.0, 8.0);
     const Atmosphere air = summer();
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
-    for (const double down_deg : {3.0, 5.0, 10.0, 20.0, 45.0, 90.0}) {
+    for (const double down_deg : {1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 45.0, 90.0}) {
         Lake lake(down_deg, wind, air, 290.0f, 0.1);  // so that no air is on the way
         const auto seen = lake.stage.look(lake.eye, band);
         const double found = brightness_temperature(band, seen.at(0));
         const double expected =
             brightness_temperature(band, lake_radiance(down_deg, wind, air, band, 290.0, 0.2999));
         CAPTURE(wind, down_deg, found, expected);
-        CHECK(std::abs(found - expected) < 0.02);
+        CHECK(std::abs(found - expected) < (down_deg < 2.0 ? 0.03 : 0.02));
+    }
+}
+
+// From 3 m above it the eye is up to 172 m away, and what the waves mirror has met the air of both
+// legs: a line to the sky that begins so far behind the water passes nearly the same air, and no
+// law of joined paths is needed. Sky times transmittance would be 0.26 K warmer at 1°.
+TEST_CASE("a lake seen from afar mirrors a sky of one path", "[render][water][path]") {
+    const double wind = GENERATE(3.0, 8.0);
+    const Atmosphere air = summer();
+    const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
+    for (const double down_deg : {1.0, 2.0, 5.0}) {
+        Lake lake(down_deg, wind, air);
+        const auto seen = lake.stage.look(lake.eye, band);
+        const double found = brightness_temperature(band, seen.at(0));
+
+        const double range_km = 0.003 / std::sin(radians(down_deg));
+        const SkyByAngle behind(air, 0.297, band, range_km);
+        const PathSpectrum path = path_at_nodes(
+            air, line_of(std::get<BandModel>(air), 0.3, 90.0 + down_deg, range_km), band.node_um);
+        const auto nodes = band.node_um.size();
+        std::vector<double> mirrored(nodes, 0.0), light(nodes, 0.0);
+        Sea{wind}.each_wave(
+            std::sin(radians(down_deg)),
+            [&](double share, double cosine, const Eigen::Vector3d& out) {
+                for (std::size_t n = 0; n < nodes; ++n) {
+                    const double r = share * Sea::reflectance(cosine, Sea::index(band.node_um[n]));
+                    mirrored[n] += r;
+                    light[n] += r * (behind.at(out.z(), n) - path.radiance[n]);
+                }
+            },
+            240);
+        double sum = 0.0;
+        for (std::size_t n = 0; n < nodes; ++n) {
+            const double own = (1.0 - mirrored[n]) * planck(band.node_um[n], 290.0);
+            sum += band.weight[n] * (path.transmittance[n] * own + light[n] + path.radiance[n]);
+        }
+        const double expected = brightness_temperature(band, sum);
+        CAPTURE(wind, down_deg, found, expected);
+        CHECK(std::abs(found - expected) < 0.03);
     }
 }
 

@@ -13,7 +13,7 @@ std::vector<float> EyeRow::standing_for(const RadiosityTables& tables, const Ban
     for (float& x : arriving) x *= 0.5f;
     constexpr std::array<float, 3> up = {0.0f, 1.0f, 0.0f};
     std::array<float, SkyModes::most> sky;
-    band.sky.of(0.5f, {}, up, sky.data());
+    band.sky.of(0.5f, {}, {}, up, sky.data());
     const std::size_t first = tables.first[band_index];
     fill(&black[first], &arriving[first], sky.data(),
          sunny ? 0.5f / std::numbers::pi_v<float> : 0.0f, up, row.data());

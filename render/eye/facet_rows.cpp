@@ -17,7 +17,8 @@ void FacetRows::fill(std::uint32_t lit, std::span<float* const> out) {
     const std::array<float, 3> up = height_weights(light_.lit.height[lit]);
     std::array<float, SkyModes::most> sky;
     for (std::size_t b = 0; b < layout_.size(); ++b) {
-        light_.band[b].sky.of(light_.lit.sky_view[lit], light_.state.uneven[lit], up, sky.data());
+        light_.band[b].sky.of(light_.lit.sky_view[lit], light_.state.uneven[lit],
+                              light_.state.narrow_of(lit), up, sky.data());
         layout_[b].fill(&black_[tables.first[b]], &arriving_[tables.first[b]], sky.data(),
                         light_.state.sunlight[lit], up, out[b]);
     }

@@ -71,19 +71,15 @@ const Fit& zenith_fit() {
     return fit;
 }
 
-constexpr std::size_t fit_zeniths = 6, fit_azimuths = 12;
-
-/// Of sunlight over half the sky; the other half is its mirror image. (zenith, azimuth)
+/// Of sunlight over half the sky; the other half is its mirror image.
 const Fit& sunlit_fit() {
     static const Fit fit = [] {
         Fit f;
-        const Quadrature ups = gauss_legendre(int(fit_zeniths), 0.0, 1.0);
-        for (std::size_t i = 0; i < fit_zeniths; ++i) {
-            for (std::size_t j = 0; j < fit_azimuths; ++j) {
-                f.up.push_back(ups.node[i]);
-                f.azimuth.push_back(pi * (double(j) + 0.5) / fit_azimuths);
-                f.weight.push_back(ups.weight[i] * (ups.node[i] + more_for_walls));
-            }
+        const SkyDirections& half = half_sky();
+        f.up.assign(half.up.begin(), half.up.end());
+        f.azimuth.assign(half.azimuth.begin(), half.azimuth.end());
+        for (std::size_t i = 0; i < sky_directions; ++i) {
+            f.weight.push_back(half.ring_weight[i] * (half.up[i] + more_for_walls));
         }
         f.solve(even_sky_functions);
         return f;
@@ -136,6 +132,14 @@ class Aureole {
     std::vector<std::vector<double>> excess_;  // (angle)(node)
 };
 
+/// Unit; any while the sun stands overhead.
+Eigen::Vector2f sun_in_plan(const RadianceInput& input) {
+    const Eigen::Vector2d plan = input.to_sun.head<2>();
+    const double across = plan.norm();
+    return across > 1e-9 ? Eigen::Vector2f((plan / across).cast<float>())
+                         : Eigen::Vector2f::UnitX();
+}
+
 UnevenView uneven(const EvenSkyVector& even) {
     UnevenView view;
     for (std::size_t k = 1; k < even.size(); ++k) {
@@ -147,11 +151,15 @@ UnevenView uneven(const EvenSkyVector& even) {
 }  // namespace
 
 UnevenView uneven_view(const RadianceInput& input, FacetId facet) {
-    const Eigen::Vector2d plan = input.to_sun.head<2>();
-    const double across = plan.norm();
-    const Eigen::Vector2f towards =
-        across > 1e-9 ? Eigen::Vector2f((plan / across).cast<float>()) : Eigen::Vector2f::UnitX();
-    return uneven(even_part(sky_of(input.views, input.facets, index(facet)), towards));
+    return uneven(even_part(sky_of(input.views, input.facets, index(facet)), sun_in_plan(input)));
+}
+
+NarrowView narrow_view(const RadianceInput& input, FacetId facet) {
+    const Eigen::Vector2f towards = sun_in_plan(input);
+    const Eigen::Vector3f& normal = input.facets.normal[index(facet)];
+    const Eigen::Vector3f turned(normal.x() * towards.x() + normal.y() * towards.y(),
+                                 normal.y() * towards.x() - normal.x() * towards.y(), normal.z());
+    return narrow_view(about(sky_of(input.views, input.facets, index(facet)), towards), turned);
 }
 
 UnevenView uneven_view_of_wall(bool sunward) {
@@ -184,6 +192,46 @@ HeatOfSky heat_of_sky(const Atmosphere& atmosphere, double height_km,
     return heat;
 }
 
+namespace {
+
+/// The sky without its aureole in the directions of half_sky, (direction)(node).
+std::vector<std::vector<double>> smooth_sky(const SunField& field, double height_km,
+                                            const Aureole& aureole) {
+    const SkyDirections& half = half_sky();
+    std::vector<double> azimuth_deg;
+    for (std::size_t j = 0; j < sky_sectors; ++j) azimuth_deg.push_back(degrees(half.azimuth[j]));
+    std::vector<std::vector<double>> smooth;
+    for (std::size_t i = 0; i < sky_rings; ++i) {
+        const double here_deg = degrees(std::acos(half.up[i * sky_sectors]));
+        auto skies = field.skies(height_km, here_deg, azimuth_deg);
+        for (std::size_t j = 0; j < sky_sectors; ++j) {
+            const double angle_deg = field.angle_from_sun_deg(here_deg, azimuth_deg[j]);
+            for (std::size_t n = 0; n < skies[j].size(); ++n) {
+                skies[j][n] = std::max(0.0, skies[j][n] - aureole.at(angle_deg, n));
+            }
+            smooth.push_back(std::move(skies[j]));
+        }
+    }
+    return smooth;
+}
+
+/// What is left of the sky where its sum of functions is taken away, times `scale` (node).
+void take_fit_away(const std::array<std::vector<double>, even_sky_functions>& coefficient,
+                   const std::vector<double>& scale, std::vector<std::vector<double>>& sky) {
+    const Fit& fit = sunlit_fit();
+    for (std::size_t i = 0; i < sky.size(); ++i) {
+        const auto even = even_functions_at(fit.up[i], fit.azimuth[i]);
+        for (std::size_t n = 0; n < scale.size(); ++n) {
+            for (std::size_t k = 0; k < even.size(); ++k) {
+                sky[i][n] -= coefficient[k][n] * even[k];
+            }
+            sky[i][n] *= scale[n];
+        }
+    }
+}
+
+}  // namespace
+
 SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input) {
     const auto& model = std::get<BandModel>(input.atmosphere);
     const double height_km = input.ground_height_km, zenith_deg = input.sun_zenith_deg;
@@ -192,35 +240,33 @@ SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input) {
     const std::size_t nodes = aureole.irradiance.size();
     std::array<std::vector<double>, even_sky_functions> coefficient;
     for (std::vector<double>& c : coefficient) c.assign(nodes, 0.0);
-    std::vector<double> azimuth_deg;
-    for (std::size_t j = 0; j < fit_azimuths; ++j) azimuth_deg.push_back(degrees(fit.azimuth[j]));
-    for (std::size_t i = 0; i < fit_zeniths; ++i) {
-        const double here_deg = degrees(std::acos(fit.up[i * fit_azimuths]));
-        const auto skies = field.skies(height_km, here_deg, azimuth_deg);
-        for (std::size_t j = 0; j < fit_azimuths; ++j) {
-            const double angle_deg = field.angle_from_sun_deg(here_deg, azimuth_deg[j]);
-            const auto share = fit.to_coefficients.col(Eigen::Index(i * fit_azimuths + j));
+    std::vector<std::vector<double>> smooth = smooth_sky(field, height_km, aureole);
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+        const auto share = fit.to_coefficients.col(Eigen::Index(i));
+        for (std::size_t k = 0; k < coefficient.size(); ++k) {
             for (std::size_t n = 0; n < nodes; ++n) {
-                const double smooth = std::max(0.0, skies[j][n] - aureole.at(angle_deg, n));
-                for (std::size_t k = 0; k < coefficient.size(); ++k) {
-                    coefficient[k][n] += share[Eigen::Index(k)] * smooth;
-                }
+                coefficient[k][n] += share[Eigen::Index(k)] * smooth[i][n];
             }
         }
     }
-    SunlitShape shape{.aureole = aureole.irradiance, .mean = std::vector<double>(nodes, 0.0)};
+    SunlitShape shape{.aureole = aureole.irradiance,
+                      .mean = std::vector<double>(nodes, 0.0),
+                      .left = std::move(smooth)};
     for (std::vector<double>& c : shape.uneven) c.assign(nodes, 0.0);
+    std::vector<double> scales(nodes, 0.0);
     for (std::size_t n = 0; n < nodes; ++n) {
         double mean = 0.0;
         for (std::size_t k = 0; k < level.size(); ++k) mean += coefficient[k][n] * level[k];
         const double whole = pi * mean + aureole.irradiance[n] * std::cos(radians(zenith_deg));
         const double scale = mean > 0.0 ? 1.0 / whole : 0.0;
+        scales[n] = scale;
         shape.mean[n] = mean > 0.0 ? scale * mean : 1.0 / pi;
         shape.aureole[n] *= scale;
         for (std::size_t k = 0; k < uneven_functions; ++k) {
             shape.uneven[k][n] = scale * coefficient[k + 1][n];
         }
     }
+    take_fit_away(coefficient, scales, shape.left);
     return shape;
 }
 

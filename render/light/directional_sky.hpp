@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "materials/atmosphere/sun_field.hpp"
+#include "render/light/narrow_sky.hpp"
 #include "render/light/radiance_input.hpp"
 #include "terrain/visibility/sky_basis.hpp"
 
@@ -17,12 +18,16 @@ namespace diurna {
 //     L(ω) = L_mean + Σ c_k (f_k(ω) − T_k of level ground),    k = 1 to 9
 //
 // so that level ground receives the mean, and a facet V L_mean + Σ c_k u_k, u_k its UnevenView.
+// What of scattered sunlight is left of the fit counts where a facet sees little of the sky
+// (narrow_sky.hpp).
 
 inline constexpr std::size_t uneven_functions = even_sky_functions - 1;
 using UnevenView = std::array<float, uneven_functions>;
 
 /// T_k of a facet less its sky view times those of level ground; all 0 on open level ground.
 UnevenView uneven_view(const RadianceInput& input, FacetId facet);
+/// Shares of its sky by direction about the sun.
+NarrowView narrow_view(const RadianceInput& input, FacetId facet);
 /// Of a wall on open ground that faces the sun, or away from it.
 UnevenView uneven_view_of_wall(bool sunward);
 
@@ -41,6 +46,7 @@ struct SunlitShape {
     std::vector<double> aureole;                                 // on a plane facing the sun
     std::vector<double> mean;                                    // L_mean of the rest [sr⁻¹]
     std::array<std::vector<double>, uneven_functions> uneven{};  // its c_k [sr⁻¹]
+    std::vector<std::vector<double>> left;  // (direction of half_sky)(node) it less that sum [sr⁻¹]
 };
 SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input);
 

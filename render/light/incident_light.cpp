@@ -13,7 +13,8 @@ LightByOrigin IncidentLight::sun_by_origin() const {
     return light;
 }
 
-LightByOrigin IncidentLight::sky_on(double sky_view, const UnevenView& uneven) const {
+LightByOrigin IncidentLight::sky_on(double sky_view, const UnevenView& uneven,
+                                    std::span<const float> narrow) const {
     LightByOrigin light;
     for (const Origin origin : {Origin::sunlight, Origin::sky_heat}) {
         if (origin == Origin::sunlight && scattered.empty()) continue;
@@ -24,20 +25,28 @@ LightByOrigin IncidentLight::sky_on(double sky_view, const UnevenView& uneven) c
             }
             from(light, origin).push_back(sum);
         }
+        if (origin != Origin::sunlight || narrow.empty()) continue;
+        for (std::size_t i = 0; i < left_scattered.size(); ++i) {
+            for (std::size_t n = 0; n < sky.size(); ++n) {
+                from(light, origin)[n] += double{narrow[i]} * left_scattered[i][n];
+            }
+        }
     }
     return light;
 }
 
+bool has_scattered_sun(const RadianceInput& input, std::span<const double> node_um) {
+    const double no_sunlight_um = input.moon ? moonlight_ends_um : 5.0;
+    return std::holds_alternative<BandModel>(input.atmosphere) && !input.sun_fraction.empty() &&
+           input.sun_zenith_deg < 90.0 &&
+           std::any_of(node_um.begin(), node_um.end(),
+                       [&](double um) { return um < no_sunlight_um; });
+}
+
 std::optional<ScatteredSun> scattered_sun(const RadianceInput& input,
                                           std::span<const double> node_um) {
-    const double no_sunlight_um = input.moon ? moonlight_ends_um : 5.0;
-    const auto* model = std::get_if<BandModel>(&input.atmosphere);
-    if (model == nullptr || input.sun_fraction.empty() || input.sun_zenith_deg >= 90.0 ||
-        std::none_of(node_um.begin(), node_um.end(),
-                     [&](double um) { return um < no_sunlight_um; })) {
-        return std::nullopt;
-    }
-    return ScatteredSun(SunField(*model,
+    if (!has_scattered_sun(input, node_um)) return std::nullopt;
+    return ScatteredSun(SunField(std::get<BandModel>(input.atmosphere),
                                  {.zenith_deg = input.sun_zenith_deg,
                                   .distance_au = input.sun_distance_au,
                                   .moon = input.moon},
@@ -72,6 +81,10 @@ IncidentLight incident_light(const RadianceInput& input, double height_km,
             for (std::size_t k = 0; k < uneven_functions; ++k) {
                 light.uneven_scattered[k][n] = flux.down[n] * shape.uneven[k][n];
             }
+        }
+        light.left_scattered = shape.left;
+        for (std::vector<double>& left : light.left_scattered) {
+            for (std::size_t n = 0; n < node_um.size(); ++n) left[n] *= flux.down[n];
         }
     }
     return light;

@@ -25,6 +25,8 @@ struct IncidentLight {
     /// directional_sky.hpp has it; empty: no more.
     std::array<std::vector<double>, 3> uneven_heat = {};
     std::array<std::vector<double>, uneven_functions> uneven_scattered = {};
+    /// What of scattered sunlight is in none of these, (direction of half_sky)(node); empty: none.
+    std::vector<std::vector<double>> left_scattered = {};
 
     /// Radiance of `sky` from an origin at a node.
     double sky_from(Origin origin, std::size_t node) const {
@@ -45,7 +47,10 @@ struct IncidentLight {
         return sun[node] + (aureole.empty() ? 0.0 : aureole[node]);
     }
     /// Radiance that arrives at a facet from the sky, as its mean over the whole hemisphere.
-    LightByOrigin sky_on(double sky_view, const UnevenView& uneven) const;
+    ///
+    /// - narrow: its NarrowView, or empty
+    LightByOrigin sky_on(double sky_view, const UnevenView& uneven,
+                         std::span<const float> narrow = {}) const;
     LightByOrigin sky_by_origin() const { return sky_on(1.0, {}); }
     LightByOrigin sun_by_origin() const;
 };
@@ -56,7 +61,10 @@ IncidentLight incident_light(const RadianceInput& input, double height_km,
                              std::span<const double> node_um,
                              const ScatteredSun* scattered = nullptr);
 
-/// Sunlight scattered by the scene's air at a band's nodes. Empty where there is none: without sun,
+/// Whether there is sunlight scattered by the scene's air at any of these wavelengths.
+bool has_scattered_sun(const RadianceInput& input, std::span<const double> node_um);
+
+/// That at a band's nodes. Empty where there is none: without sun,
 /// with the sun below the horizon, beyond 5 µm, in a vacuum and in a table of paths.
 std::optional<ScatteredSun> scattered_sun(const RadianceInput& input,
                                           std::span<const double> node_um);

@@ -166,7 +166,25 @@ LitFacets lit_facets(const RadianceInput& input, std::span<const FacetId> seen,
     return lit;
 }
 
-LitState lit_state(const RadianceInput& input, const LitFacets& lit) {
+namespace {
+
+/// Where the sky that facets see lies, of those that see little of it.
+void set_narrow_views(const RadianceInput& input, const LitFacets& lit, LitState& state) {
+    state.narrow_place.assign(lit.facet.size(), 0);
+    std::vector<FacetId> facet;
+    for (std::size_t i = 0; i < lit.facet.size(); ++i) {
+        if (narrowness(lit.sky_view[i]) == 0.0f) continue;
+        facet.push_back(lit.facet[i]);
+        state.narrow_place[i] = static_cast<std::uint32_t>(facet.size());
+    }
+    state.narrow.resize(facet.size());
+    for_each_index(
+        facet.size(), [&](std::size_t k) { state.narrow[k] = narrow_view(input, facet[k]); }, 64);
+}
+
+}  // namespace
+
+LitState lit_state(const RadianceInput& input, const LitFacets& lit, std::span<const Band> bands) {
     const std::size_t n = lit.facet.size();
     LitState state;
     state.temperature.resize(n);
@@ -202,6 +220,10 @@ LitState lit_state(const RadianceInput& input, const LitFacets& lit) {
         state.extent.coldest = std::min(state.extent.coldest, e.coldest);
         state.extent.hottest = std::max(state.extent.hottest, e.hottest);
     }
+    const bool sunlit = std::any_of(bands.begin(), bands.end(), [&](const Band& band) {
+        return has_scattered_sun(input, band.node_um);
+    });
+    if (sunlit) set_narrow_views(input, lit, state);
     return state;
 }
 

@@ -64,12 +64,22 @@ struct TemperatureExtent {
 
 /// What changes from frame to frame, per facet lit.
 struct LitState {
-    std::vector<float> temperature;  // [K]
-    std::vector<float> sunlight;     // sunlit share × cosine / π [sr⁻¹]
-    std::vector<UnevenView> uneven;  // of the sky, about the sun
+    std::vector<float> temperature;           // [K]
+    std::vector<float> sunlight;              // sunlit share × cosine / π [sr⁻¹]
+    std::vector<UnevenView> uneven;           // of the sky, about the sun
+    std::vector<NarrowView> narrow;           // of those of which it counts
+    std::vector<std::uint32_t> narrow_place;  // (lit) in `narrow`, from 1 on; 0: it has none
     TemperatureExtent extent;
+
+    /// Empty: it does not count.
+    std::span<const float> narrow_of(std::size_t lit) const {
+        if (narrow_place.empty() || narrow_place[lit] == 0) return {};
+        return narrow[narrow_place[lit] - 1];
+    }
 };
 /// Throws InputError if a temperature is not finite or outside 1 to 5000 K.
-LitState lit_state(const RadianceInput& input, const LitFacets& lit);
+///
+/// - bands: that pictures are made in
+LitState lit_state(const RadianceInput& input, const LitFacets& lit, std::span<const Band> bands);
 
 }  // namespace diurna

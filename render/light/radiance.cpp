@@ -44,6 +44,9 @@ struct LightMemo {
         for (std::size_t k = 0; k < light.uneven_scattered.size(); ++k) {
             mix(light.uneven_scattered[k], high.uneven_scattered[k]);
         }
+        for (std::size_t k = 0; k < light.left_scattered.size(); ++k) {
+            mix(light.left_scattered[k], high.left_scattered[k]);
+        }
         return light;
     }
 };
@@ -89,7 +92,8 @@ TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
     term(Term::emitted) = from_surface(std::move(emitted));
     term(Term::behind) = from_surface(std::move(shone_through));
     add(term(Term::sun), of_sun, light.sun_by_origin());
-    add(term(Term::sky), reflectance, light.sky_on(sky_view, uneven_view(input, facet)));
+    add(term(Term::sky), reflectance,
+        light.sky_on(sky_view, uneven_view(input, facet), narrow_view(input, facet)));
     add(term(Term::surroundings), reflectance, around);
     return terms;
 }

@@ -139,7 +139,7 @@ void Radiosity::first_bounce(std::size_t i, std::span<const BandLight> bands, fl
     }
     std::array<float, SkyModes::most> sky;
     for (std::size_t b = 0; b < bands.size(); ++b) {
-        bands[b].sky.of(open, state_.uneven[i], up, sky.data());
+        bands[b].sky.of(open, state_.uneven[i], state_.narrow_of(i), up, sky.data());
         const std::size_t first = tables_.first[b], width = tables_.first[b + 1] - first;
         const float* modes = material.sky[b].data();
         for (std::size_t m = 0; m < bands[b].sky.size(); ++m, modes += width) {

@@ -20,7 +20,7 @@ SceneLight::SceneLight(const RadianceInput& input_of, const LitFacets& lit_of,
                        std::span<const Band> bands, int most_bounces, double tolerance)
     : input(input_of),
       lit(lit_of),
-      state(lit_state(input, lit)),
+      state(lit_state(input, lit, bands)),
       band(band_lights(bands, input, lit, state.extent)),
       bounces(bounces_of(band, lit, state.extent, most_bounces, tolerance)),
       tables(radiosity_tables(band, temperature_grid(state.extent.coldest, state.extent.hottest))),

@@ -28,10 +28,20 @@ Eigen::VectorXd column(const Band& band, const IncidentLight& light, std::size_t
     return c;
 }
 
+/// What is left in a direction at a height, likewise.
+Eigen::VectorXd left_column(const Band& band, const std::vector<double>& left) {
+    const std::size_t nodes = band.node_um.size();
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(Eigen::Index(2 * nodes));
+    for (std::size_t n = 0; n < nodes; ++n) {
+        c[Eigen::Index(n)] = std::sqrt(band.weight[n]) * left[n];
+    }
+    return c;
+}
+
 }  // namespace
 
-void SkyModes::of(float sky_view, const UnevenView& uneven, const std::array<float, 3>& up,
-                  float* out) const {
+void SkyModes::of(float sky_view, const UnevenView& uneven, std::span<const float> narrow_view,
+                  const std::array<float, 3>& up, float* out) const {
     std::array<float, heights * numbers> own;
     for (std::size_t h = 0; h < heights; ++h) {
         own[h * numbers] = up[h] * sky_view;
@@ -41,6 +51,15 @@ void SkyModes::of(float sky_view, const UnevenView& uneven, const std::array<flo
     }
     Eigen::Map<Eigen::VectorXf>(out, share.rows()) =
         share * Eigen::Map<const Eigen::VectorXf>(own.data(), Eigen::Index(own.size()));
+    if (narrow_view.empty() || narrow.size() == 0) return;
+    std::array<float, heights * sky_directions> left;
+    for (std::size_t h = 0; h < heights; ++h) {
+        for (std::size_t i = 0; i < sky_directions; ++i) {
+            left[h * sky_directions + i] = up[h] * narrow_view[i];
+        }
+    }
+    Eigen::Map<Eigen::VectorXf>(out, share.rows()) +=
+        narrow * Eigen::Map<const Eigen::VectorXf>(left.data(), Eigen::Index(left.size()));
 }
 
 SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& incident) {
@@ -59,9 +78,18 @@ SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& inciden
         if (greatest > 0.0 && parts.eigenvalues()[k] > least * least * greatest) kept.push_back(k);
     }
     modes.share.resize(Eigen::Index(kept.size()), light.cols());
+    const bool left = !incident[0].left_scattered.empty();
+    Eigen::MatrixXd left_light(light.rows(), left ? Eigen::Index(heights * sky_directions) : 0);
+    for (Eigen::Index i = 0; i < left_light.cols(); ++i) {
+        const auto h = std::size_t(i) / sky_directions, at = std::size_t(i) % sky_directions;
+        left_light.col(i) = left_column(band, incident[h].left_scattered[at]);
+    }
+    modes.narrow.resize(Eigen::Index(kept.size()), left_light.cols());
     for (const Eigen::Index k : kept) {
         const Eigen::VectorXd way = parts.eigenvectors().col(k), spectrum = light * way;
         const auto row = Eigen::Index(modes.spectrum.size());
+        modes.narrow.row(row) =
+            (spectrum.transpose() * left_light / spectrum.squaredNorm()).cast<float>();
         for (Eigen::Index i = 0; i < way.size(); ++i) {
             const double scale = i % Eigen::Index(numbers) == 0 ? 1.0 : 1.0 / usual_uneven;
             modes.share(row, i) = static_cast<float>(scale * way[i]);

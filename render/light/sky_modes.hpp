@@ -12,18 +12,21 @@ namespace diurna {
 
 /// A few spectra that the light of the sky on every facet of a scene is a sum of in a band, by its
 /// sky view, its view of the uneven sky and its height: principal components of the sky's mean and
-/// of its functions' coefficients at three heights, to 1e-5 of the whole.
+/// of its functions' coefficients at three heights, to 1e-5 of the whole; what is left of the
+/// functions is taken as the nearest sum of these.
 struct SkyModes {
     static constexpr std::size_t most = 3 * (1 + uneven_functions);
     std::vector<LightByOrigin> spectrum;  // (mode) [W m⁻² sr⁻¹ µm⁻¹]
     Eigen::MatrixXf share;                // (mode, height × function) of a facet's numbers
+    Eigen::MatrixXf narrow;               // (mode, height × direction) of its NarrowView
 
     std::size_t size() const { return spectrum.size(); }
     /// What a facet has of each.
     ///
+    /// - narrow: its NarrowView, or empty
     /// - up: weights of the three heights
-    void of(float sky_view, const UnevenView& uneven, const std::array<float, 3>& up,
-            float* out) const;
+    void of(float sky_view, const UnevenView& uneven, std::span<const float> narrow,
+            const std::array<float, 3>& up, float* out) const;
 };
 
 /// - incident: at the three heights of LitFacets

@@ -41,7 +41,8 @@ class BandRows {
         room_behind_ = !optics_.room.empty() && !material.see_through;
         up_ = height_weights(lit.height[i]);
         heat_ = glow(band.band, double{light.state.temperature[i]});
-        band.sky.of(lit.sky_view[i], light.state.uneven[i], up_, sky_.data());
+        band.sky.of(lit.sky_view[i], light.state.uneven[i], light.state.narrow_of(i), up_,
+                    sky_.data());
         sunlight_ = double{light.state.sunlight[i]};
         Eigen::VectorXd modes(static_cast<Eigen::Index>(arriving.size()));
         for (std::size_t k = 0; k < arriving.size(); ++k) {

@@ -162,14 +162,23 @@ SkyVector sky_of(const FacetViews& views, const FacetSet& facets, std::size_t fa
     return sky;
 }
 
-EvenSkyVector even_part(const SkyVector& sky, const Eigen::Vector2f& towards) {
+SkyVector about(const SkyVector& sky, const Eigen::Vector2f& towards) {
     const auto turn = turns(towards.cast<double>());
-    EvenSkyVector even;
-    for (std::size_t k = 0; k < even.size(); ++k) {
+    SkyVector turned = sky;
+    for (std::size_t k = 0; k < even_sky_functions; ++k) {
+        if (sky_order[k] == 0) continue;
         const std::size_t at = even_sky_function[k];
         const Eigen::Vector2f by = turn[static_cast<std::size_t>(sky_order[k])].cast<float>();
-        even[k] = sky[at] * by.x() + (sky_order[k] > 0 ? sky[at + 1] * by.y() : 0.0f);
+        turned[at] = sky[at] * by.x() + sky[at + 1] * by.y();
+        turned[at + 1] = sky[at + 1] * by.x() - sky[at] * by.y();
     }
+    return turned;
+}
+
+EvenSkyVector even_part(const SkyVector& sky, const Eigen::Vector2f& towards) {
+    const SkyVector turned = about(sky, towards);
+    EvenSkyVector even;
+    for (std::size_t k = 0; k < even.size(); ++k) even[k] = turned[even_sky_function[k]];
     return even;
 }
 

@@ -53,7 +53,9 @@ SkyShares with_sky_view(const SkyShares& shares, const Eigen::Vector3f& normal, 
 /// T_k of a facet from its sky view and its shares; where views do not have them, as behind a ring.
 SkyVector sky_of(const FacetViews& views, const FacetSet& facets, std::size_t facet);
 
-/// T_k about the vertical through a direction in plan (unit) as x: the even ones.
+/// T_k about the vertical through a direction in plan (unit) as x.
+SkyVector about(const SkyVector& sky, const Eigen::Vector2f& towards);
+/// The even ones of these.
 EvenSkyVector even_part(const SkyVector& sky, const Eigen::Vector2f& towards);
 
 }  // namespace diurna

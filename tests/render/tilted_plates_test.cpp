@@ -116,7 +116,7 @@ TEST_CASE("plates of all slopes mirror the sunlight of the sky they see", "[rend
     Light light(GENERATE(false, true));
     const Band band = GENERATE(flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um()),
                                flat_band("0.7-1.0", 0.7, 1.0, bin_edges_um()));
-    const double sun_zenith_deg = GENERATE(25.0, 50.0, 70.0);
+    const double sun_zenith_deg = GENERATE(25.0, 50.0, 70.0, 80.0);
     const double sun_azimuth_deg = GENERATE(225.0, 150.0, 45.0);
     const Eigen::Vector3d to_sun = direction(sun_azimuth_deg, 90.0 - sun_zenith_deg);
     const double cross = std::abs(to_sun.dot(light.plates.over));
@@ -153,8 +153,9 @@ TEST_CASE("plates of all slopes mirror the sunlight of the sky they see", "[rend
         const auto found = light.found(input, band, k, &*scattered);
         const double all = found[0] + found[1];
         CAPTURE(band.name, sun_zenith_deg, sun_azimuth_deg, light.plates.street, tilt_deg[k]);
-        // A sky of one mean was off by up to 230 % of the light expected.
-        CHECK(std::abs(all - expected) < 0.03 * ground);
-        if (!light.plates.street) CHECK(all == Approx(expected).epsilon(0.05));
+        // A sky of one mean was off by up to 230 % of the light expected, a fit over the whole sky
+        // by 28 %. What is left where walls hide the sun is its aureole, which they hide with it.
+        CHECK(std::abs(all - expected) < 0.02 * ground);
+        CHECK(all == Approx(expected).epsilon(lit ? 0.03 : 0.12));
     }
 }

@@ -1,0 +1,92 @@
+#include "render/light/narrow_sky.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "materials/base/quadrature.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr auto whole = Eigen::Index(2 * sky_directions), functions = Eigen::Index(sky_functions);
+using Columns = Eigen::Matrix<float, whole, functions>;
+using Weights = Eigen::Matrix<float, whole, 1>;
+using Numbers = Eigen::Matrix<float, functions, 1>;
+
+/// Directions of both halves, and the functions there.
+struct WholeSky {
+    Eigen::Matrix<float, whole, 3> direction;
+    Weights size;  // dω / π
+    Columns at;
+
+    WholeSky() {
+        const SkyDirections& half = half_sky();
+        for (Eigen::Index i = 0; i < whole; ++i) {
+            const std::size_t k = std::size_t(i) % sky_directions;
+            const double side = std::size_t(i) < sky_directions ? 1.0 : -1.0;
+            const double across = std::sqrt(1.0 - half.up[k] * half.up[k]);
+            const Eigen::Vector3d way(across * std::cos(half.azimuth[k]),
+                                      side * across * std::sin(half.azimuth[k]), half.up[k]);
+            direction.row(i) = way.cast<float>().transpose();
+            size[i] = static_cast<float>(half.ring_weight[k] / sky_sectors);
+            const SkyVector values = sky_functions_at(way.cast<float>());
+            at.row(i) = Eigen::Map<const Numbers>(values.data()).transpose();
+        }
+    }
+};
+
+}  // namespace
+
+const SkyDirections& half_sky() {
+    static const SkyDirections directions = [] {
+        SkyDirections half;
+        const Quadrature rings = gauss_legendre(int(sky_rings), 0.0, 1.0);
+        for (std::size_t i = 0; i < sky_rings; ++i) {
+            for (std::size_t j = 0; j < sky_sectors; ++j) {
+                const std::size_t k = i * sky_sectors + j;
+                half.up[k] = rings.node[i];
+                half.azimuth[k] = std::numbers::pi * (double(j) + 0.5) / sky_sectors;
+                half.ring_weight[k] = rings.weight[i];
+            }
+        }
+        return half;
+    }();
+    return directions;
+}
+
+float narrowness(float sky_view) {
+    constexpr float least = 1e-4f;  // of the sky: by chance of the rays
+    if (sky_view < least) return 0.0f;
+    const float t = std::clamp((0.9f - sky_view) * 10.0f, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+NarrowView narrow_view(const SkyVector& sky, const Eigen::Vector3f& normal) {
+    static const WholeSky directions;
+    // Shares come of rays and are not exact; and nowhere is it sure that nothing is seen.
+    constexpr float slack = 1e-4f, least = 0.01f;
+    const Weights cosine =
+        (directions.direction * normal).cwiseMax(0.0f).cwiseProduct(directions.size);
+    const Numbers shares = Eigen::Map<const Numbers>(sky.data());
+    Weights before = cosine, found = Weights::Zero();
+    for (int step = 0; step < 2; ++step) {
+        if (step > 0) before = found.cwiseMin(cosine).cwiseMax(least * cosine);
+        const Columns weighted = before.asDiagonal() * directions.at;
+        Eigen::Matrix<float, functions, functions> gram = directions.at.transpose() * weighted;
+        gram.diagonal() *= 1.0f + slack;
+        const Numbers factors =
+            gram.cast<double>().ldlt().solve(shares.cast<double>()).cast<float>();
+        found = weighted * factors;
+    }
+    const float counts = narrowness(sky[0]);
+    NarrowView view;
+    for (std::size_t k = 0; k < sky_directions; ++k) {
+        view[k] = counts * (found[Eigen::Index(k)] + found[Eigen::Index(k + sky_directions)]);
+    }
+    return view;
+}
+
+}  // namespace diurna

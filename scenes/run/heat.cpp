@@ -90,24 +90,18 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
 }
 
 /// What is and is not followed of targets.
-std::string targets_told(const SolveInput& input, const SpanOptions& span,
-                         const SolveReport& report) {
+std::string targets_told(const SolveInput& input, const SolveReport& report) {
     if (report.target_facets == 0) return "";
     std::string told = fmt::format(
         "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
         "them",
         report.target_facets);
-    bool sources = false;
     for (const NetworkObject& object : input.network) {
-        sources = sources || !object.source.empty();
         if (object.loose_edges == 0) continue;
         told += fmt::format(
             "; {} edges of \"{}\" meet no other whole edge (open ends, T-junctions): no heat goes "
             "over them",
             object.loose_edges, object.name);
-    }
-    if (sources && span.begin == SpanStart::steady) {
-        told += "; a steady start knows nothing of their sources";
     }
     return told;
 }
@@ -187,10 +181,10 @@ class StageHeat {
     }
     double shadow_seconds() const { return shadow_seconds_; }
     /// In a line each what is to be known of it.
-    std::vector<std::string> told(const SpanOptions& span, const SolveReport& report) const {
+    std::vector<std::string> told(const SolveReport& report) const {
         std::vector<std::string> notes;
         for (std::string note :
-             {lee_note(prepared_.world, parts_), targets_told(input_, span, report),
+             {lee_note(prepared_.world, parts_), targets_told(input_, report),
               rain_note(prepared_.world, prepared_.scene.materials, prepared_.weather, open_),
               water_told(report)}) {
             if (!note.empty()) notes.push_back(std::move(note));
@@ -238,7 +232,7 @@ SpanResult solve_scene(const Stages& stages, Progress& progress) {
     SpanResult result = solve_span(parts, span);
     const StageHeat& first = *heat.front();
     result.start += ": " + start_told(first.input(), span, result.report);
-    for (std::string& note : first.told(span, result.report)) {
+    for (std::string& note : first.told(result.report)) {
         result.notes.push_back(std::move(note));
     }
     double shadows = 0.0;

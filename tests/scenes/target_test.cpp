@@ -68,7 +68,7 @@ struct Solved {
 };
 
 Solved solved(const over_plain::Given& given, const std::string& tables, double hours = 24.0,
-              double largest_edge = 2.0) {
+              double largest_edge = 2.0, const std::string& of_time = "") {
     const ScratchFolder folder("target");
     over_plain::write_scene(folder.path, given);
     std::string text = read_text(folder.path / "scene.toml");
@@ -82,7 +82,8 @@ Solved solved(const over_plain::Given& given, const std::string& tables, double 
     put("sky_rays = 1024", "sky_rays = 64");
     put("interval = \"instant\"", "interval = \"instant\"\nlapse = 0.0");
     const std::string start = "start = 2026-03-20T00:00:00Z\n";
-    text.insert(text.find(start) + start.size(), fmt::format("duration_h = {}\n", hours));
+    text.insert(text.find(start) + start.size(),
+                fmt::format("duration_h = {}\n{}", hours, of_time));
     write_text(folder.path / "scene.toml", text);
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
@@ -200,6 +201,32 @@ film_W_m2K = 20.0
     CHECK(on.kelvin("11:50", "lid") == Approx(310.0).margin(0.05));
     CHECK(on.kelvin("13:50", "lid") == Approx(300.0).margin(0.05));
     CHECK(on.kelvin("11:50", "floor") == Approx(290.0).margin(0.05));
+}
+
+TEST_CASE("a steady start knows a target's sources", "[scenes][target]") {
+    // 200 W/m2 for half of the day in a lid of 16 m2 whose film of 10 W/m2K leads to 290 K: in the
+    // mean 10 K over it, and all that the engine's link carries besides, 1600 W: 10 K more.
+    const over_plain::Given given{
+        .mesh = box(4, 0.5), .height = 2.0, .albedo = 1.0, .black = 0.0, .ground_edge = 5.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "*"
+[[object.part]]
+name = "lid"
+welded = false
+heat_W_m2 = 200.0
+hours = ["06:00-18:00"]
+[[object.lump]]
+name = "engine"
+heat_capacity_J_K = 20000.0
+heat_W = 1600.0
+[[object.link]]
+between = ["engine", "lid"]
+film_W_m2K = 20.0
+)",
+                             24.0, 2.0, "spin_up = \"steady\"\n");
+    CHECK(on.kelvin("00:00", "lid") == Approx(310.0).margin(0.05));
+    CHECK(on.kelvin("00:00", "floor") == Approx(290.0).margin(0.05));
+    CHECK(on.kelvin("05:50", "lid") == Approx(300.0).margin(0.05));
 }
 
 TEST_CASE("heat goes on over the edge of a sheet", "[scenes][target]") {

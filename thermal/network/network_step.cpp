@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "materials/base/units.hpp"
 
@@ -9,7 +10,6 @@ namespace diurna {
 
 namespace {
 
-constexpr double closed = 4e-9;     // of the heat that flows
 constexpr double at_rest = 1e-10;   // [K] of a correction, where next to none does
 constexpr double warmest = 5000.0;  // [K] no step of Newton's leads beyond
 
@@ -53,15 +53,15 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
     missing_.node.assign(state.node.size(), 0.0);
     missing_.edge.assign(state.edge.size(), 0.0);
     missing_.lump.assign(state.lump.size(), 0.0);
-    double flowing = 0.0;
+    double flowing = 0.0, here_flows = 0.0;  // of a facet: short sums wait less
     const auto pass = [&](double watts, double& from, double& to) {
         from -= watts;
         to += watts;
-        flowing += std::abs(watts);
+        here_flows += std::abs(watts);
     };
     const auto into = [&](double watts, double& to) {
         to += watts;
-        flowing += std::abs(watts);
+        here_flows += std::abs(watts);
     };
     for (std::size_t f = 0; f < network_.facet.size(); ++f) {
         const NetworkFacet& facet = network_.facet[f];
@@ -69,6 +69,7 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
         const ColumnGrid& grid = column.grid;
         const std::size_t at = system_.node_of(f), last = system_.last_of(f);
         const double area = facet.area;
+        flowing += std::exchange(here_flows, 0.0);
         for (std::size_t j = at; j <= last; ++j) {
             const double store = grid.capacity[j - at] / tau;
             into(-area * store * (state.node[j] - start.node[j]), missing_.node[j]);
@@ -120,8 +121,13 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
         if (network_.lump[k].fixed) missing_.lump[k] = 0.0;
         missing += std::abs(missing_.lump[k]);
     }
-    for (const double m : missing_.node) missing += std::abs(m);
-    for (const double m : missing_.edge) missing += std::abs(m);
+    const auto sum = [](const std::vector<double>& of) {
+        double part[4]{};
+        for (std::size_t k = 0; k < of.size(); ++k) part[k % 4] += std::abs(of[k]);
+        return (part[0] + part[1]) + (part[2] + part[3]);
+    };
+    missing += sum(missing_.node) + sum(missing_.edge);
+    flowing += here_flows;
     return flowing > 0.0 ? missing / flowing : 0.0;
 }
 

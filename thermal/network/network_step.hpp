@@ -36,7 +36,7 @@ struct NetworkCount {
 };
 
 /// Steps a network: SDIRK2 (Alexander 1977; thermal/column/column.hpp), each stage by Newton's
-/// method to 4e-9 of the heat that flows, so that energy closes at any step.
+/// method to `closed` of the heat that flows, so that energy closes at any step.
 class NetworkStepper {
  public:
     explicit NetworkStepper(const HeatNetwork& network);
@@ -44,6 +44,7 @@ class NetworkStepper {
     /// The state from which a step sets out, and to which it leads.
     NetworkState state;
     NetworkCount count;
+    double closed = 4e-9;
 
     /// All at one temperature.
     void settle(double kelvin);

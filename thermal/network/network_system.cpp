@@ -164,16 +164,6 @@ void NetworkSystem::prepare() {
     factored_tau_ = tau_;
 }
 
-void NetworkSystem::precondition(const std::vector<double>& r, std::vector<double>& z) {
-    const auto size = Eigen::Index(r.size());
-    // Scaled, for what is left may be as small as no float is.
-    const double large = std::max(1e-300, norm(r));
-    Eigen::VectorXf scaled =
-        (Eigen::Map<const Eigen::VectorXd>(r.data(), size) / large).cast<float>();
-    scaled = factor_.solve(scaled).eval();
-    Eigen::Map<Eigen::VectorXd>(z.data(), size) = large * scaled.cast<double>();
-}
-
 void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) const {
     const std::size_t lumps = network_.edges;
     std::fill(y.begin(), y.end(), 0.0);
@@ -233,7 +223,7 @@ int NetworkSystem::conjugate_gradients(const std::vector<double>& b, std::vector
     const int most = 2000;
     int i = 0;
     for (; i < most && norm(r) > enough; ++i) {
-        precondition(r, z);
+        factor_.solve(r, z);
         const double next = dot(r, z), onward = i == 0 ? 0.0 : next / rz;
         rz = next;
         for (std::size_t k = 0; k < n; ++k) p[k] = z[k] + onward * p[k];
@@ -262,13 +252,13 @@ int NetworkSystem::stabilised(const std::vector<double>& b, std::vector<double>&
         for (std::size_t k = 0; k < n; ++k) {
             p[k] = r[k] + beta * (p[k] - omega * v[k]);
         }
-        precondition(p, y);
+        factor_.solve(p, y);
         apply(y, v);
         alpha = rho / dot(shadow, v);
         for (std::size_t k = 0; k < n; ++k) {
             s[k] = r[k] - alpha * v[k];
         }
-        precondition(s, z);
+        factor_.solve(s, z);
         apply(z, t);
         const double tt = dot(t, t);
         omega = tt > 0.0 ? dot(t, s) / tt : 0.0;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/SparseCholesky>
 #include <span>
 #include <vector>
 
 #include "thermal/network/heat_network.hpp"
+#include "thermal/network/sparse_factor.hpp"
 
 namespace diurna {
 
@@ -55,7 +55,6 @@ class NetworkSystem {
     void apply(const std::vector<double>& x, std::vector<double>& y) const;
     /// Factors what is left as it is now.
     void prepare();
-    void precondition(const std::vector<double>& r, std::vector<double>& z);
     int conjugate_gradients(const std::vector<double>& b, std::vector<double>& x, double error);
     int stabilised(const std::vector<double>& b, std::vector<double>& x, double error);
 
@@ -65,9 +64,9 @@ class NetworkSystem {
     std::vector<double> pivot_;    // (node) of the columns' elimination from the inner end outward
     std::vector<double> follows_;  // (node) δ of it per δ of the node before it
     std::vector<Condensed> facet_;
-    std::vector<double> lump_own_;                              // [W K⁻¹] C/τ
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<float>> factor_;  // of what was left
-    double factored_tau_ = 0.0;                                 // [s] then; 0: none, or outworn
+    std::vector<double> lump_own_;  // [W K⁻¹] C/τ
+    SparseFactor factor_;           // of what was left
+    double factored_tau_ = 0.0;     // [s] then; 0: none, or outworn
 };
 
 }  // namespace diurna

@@ -218,11 +218,6 @@ void send_more(const SolveState& solve, const Level& level, std::span<const std:
 constexpr float beyond_first_order = 2000.0f;
 constexpr double usual_loss = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 
-/// Of facets that a target solves: what its own pass has made of them stands.
-bool of_target(const SolveState& solve, const Block& block) {
-    return !solve.in_network.empty() && solve.in_network[block.facet.front()];
-}
-
 /// Warms the blocks where more than `least` has arrived, and tells what more they send. Returns the
 /// largest change of temperature.
 double follow(SolveState& solve, const Level& level, float least, Field& field) {
@@ -231,7 +226,7 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
         solve.block.size(),
         [&](std::size_t b) {
             Block& block = solve.block[b];
-            if (!block.has_run() || of_target(solve, block)) return;
+            if (!block.has_run() || solve.of_target(block)) return;
             const float most = most_of(block, field);
             if (most < least || most > beyond_first_order) {
                 block.unfollowed += double(most);

@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "materials/base/parallel.hpp"
 
@@ -11,9 +12,9 @@ namespace diurna {
 namespace {
 
 constexpr double longest_step = 300.0;  // [s]
-constexpr double repeats = 3e-3;        // [K] of a period that is found: what is slower than a
-                                        // day is no part of a target
-constexpr double counts = 0.3;          // [W m⁻²] of neighbours' heat: 0.015 K
+constexpr double repeats = 3e-3;        // [K] of a period that is found
+constexpr double usual_loss = 20.0;     // [W m⁻² K⁻¹] radiation and air together
+constexpr double soon_done = 1.0;  // [W m⁻²] of neighbours' heat, where a run may be the last
 
 std::vector<double> flat(const NetworkState& state) {
     std::vector<double> all = state.node;
@@ -74,97 +75,134 @@ std::vector<std::vector<double>> NetworkFacets::left() const {
     return all;
 }
 
-std::vector<float> NetworkFacets::excess_on(const NetworkObject& object) const {
-    std::vector<float> excess;
-    if (solve_.excess.empty()) return excess;
-    excess.reserve(2 * object.size() * solve_.instant.size());
-    for (std::size_t i = 0; i < solve_.instant.size(); ++i) {
+/// [W m⁻²] by which neighbours' heat differs from that of the last run.
+double NetworkFacets::moved(const Target& target) const {
+    if (target.kelvin.empty()) return 1e9;
+    if (solve_.excess.empty()) return 0.0;
+    const NetworkObject& object = *target.object;
+    double most = 0.0;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < solve_.instant.size(); i += target.stride) {
         const float* const row = solve_.excess.data() + i * solve_.facets;
         for (std::size_t n = 0; n < object.size(); ++n) {
-            excess.push_back(row[object.facet[n]]);
-            if (object.back[n] != no_number) excess.push_back(row[object.back[n]]);
+            most = std::max(most, std::abs(double(row[object.facet[n]] - target.excess[k++])));
+            if (object.back[n] == no_number) continue;
+            most = std::max(most, std::abs(double(row[object.back[n]] - target.excess[k++])));
         }
     }
-    return excess;
+    return most;
+}
+
+/// [K] of a day's end from what many more would lead to, and of what neighbours' heat since is
+/// worth.
+double NetworkFacets::error(const Target& target) const {
+    const double open = solve_.options.periodic ? target.residual / (1.0 - target.left_of_it) : 0.0;
+    return std::max(open, target.closed ? moved(target) / usual_loss : 0.0);
 }
 
 bool NetworkFacets::rests(const Target& target) const {
-    if (target.kelvin.empty() || solve_.record) return false;
-    if (solve_.options.periodic && target.residual > repeats) return false;
-    const std::vector<float> now = excess_on(*target.object);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-        if (std::abs(now[k] - target.excess[k]) > counts) return false;
-    }
-    return true;
+    if (!target.closed || solve_.record) return false;
+    return error(target) <= solve_.options.settled;
 }
 
-/// As warm as the blocks have it in the mean of the span; lumps as the air.
-void NetworkFacets::guess(const Target& target, NetworkStepper& stepper) const {
+/// In balance with the span's mean; where that has no end, as warm as the blocks have it.
+void NetworkFacets::guess(const Target& target, NetworkSurroundings& around,
+                          NetworkStepper& stepper) const {
     const NetworkObject& object = *target.object;
     const auto instants = double(solve_.instant.size());
-    double all = 0.0;
     for (std::size_t n = 0; n < object.size(); ++n) {
         double mean = 0.0;
         for (std::size_t i = 0; i < solve_.instant.size(); ++i) {
-            mean += solve_.kelvin[i * solve_.facets + object.facet[n]] / instants;
+            mean += double(solve_.kelvin[i * solve_.facets + object.facet[n]]) / instants;
         }
         const NetworkSystem& system = stepper.system();
         for (std::size_t k = system.node_of(n); k <= system.last_of(n); ++k) {
             stepper.state.node[k] = mean;
         }
-        all += mean / double(object.size());
     }
-    std::fill(stepper.state.lump.begin(), stepper.state.lump.end(), all);
-    std::fill(stepper.state.edge.begin(), stepper.state.edge.end(), all);
+    std::fill(stepper.state.lump.begin(), stepper.state.lump.end(), around.mean_air());
+    std::fill(stepper.state.edge.begin(), stepper.state.edge.end(), around.mean_air());
+    constexpr double for_ever = 1e9;  // [s]
+    const NetworkState blocks = stepper.state;
+    const NetworkForcing mean = around.of_mean();
+    for (int i = 0; i < 2; ++i) {
+        stepper.advance(for_ever, mean);
+        stepper.begin();
+    }
+    if (stepper.count.limited > 0) stepper.state = blocks;
+    stepper.count = {};
+}
+
+void NetworkFacets::put_down(std::size_t i, const NetworkStepper& stepper,
+                             NetworkSurroundings& around, Target& target) const {
+    const std::size_t size = target.object->size();
+    std::vector<double> outer(size), inner(size);
+    stepper.ends(outer, inner);
+    for (std::size_t n = 0; n < size; ++n) {
+        target.kelvin[i * size + n] = float(outer[n]);
+        target.back_kelvin[i * size + n] = float(inner[n]);
+    }
+    around.record(i, outer, inner);
+    around.excess(i, target.excess);
+    around.follow(i, outer, inner);
 }
 
 void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
                           Target& target) const {
-    const NetworkObject& object = *target.object;
-    const std::size_t size = object.size();
-    std::vector<double> outer(size), inner(size);
-    const auto put_down = [&](std::size_t i) {
-        stepper.ends(outer, inner);
-        for (std::size_t n = 0; n < size; ++n) {
-            target.kelvin[i * size + n] = float(outer[n]);
-            target.back_kelvin[i * size + n] = float(inner[n]);
-        }
-        around.record(i, outer, inner);
-    };
-    target.kelvin.resize(solve_.instant.size() * size);
-    target.back_kelvin.resize(target.kelvin.size());
-    put_down(0);
+    const std::size_t values = (around.steps() + 1) * target.object->size();
+    target.kelvin.resize(values);
+    target.back_kelvin.resize(values);
+    target.excess.clear();
+    around.begin();
+    std::vector<double> outer(target.object->size()), inner(outer);
+    stepper.ends(outer, inner);
+    constexpr int reflections = 2;
+    for (int i = 0; i < reflections; ++i) around.follow(0, outer, inner);
+    put_down(0, stepper, around, target);
+    const double level_step = solve_.step * double(target.stride);
     const double step = solve_.step / solve_.options.refinement;
     const int parts =
-        solve_.options.refinement * int(std::max(1.0, std::ceil(step / longest_step - 1e-9)));
-    for (std::size_t i = 0; i < solve_.steps(); ++i) {
+        target.stride > 1
+            ? 1
+            : solve_.options.refinement * int(std::max(1.0, std::ceil(step / longest_step - 1e-9)));
+    for (std::size_t i = 0; i < around.steps(); ++i) {
         for (int s = 0; s < parts; ++s) {
-            stepper.advance(solve_.step / parts, around.of_part(i, s, parts));
+            stepper.advance(level_step / parts, around.of_part(i, s, parts));
         }
-        put_down(i + 1);
+        put_down(i + 1, stepper, around, target);
     }
 }
 
 void NetworkFacets::run(const Level& level, Target& target) const {
-    // The first time until it repeats; then once each time that its neighbours have changed, from
-    // the start that the time before has found.
-    const int most_passes = target.kelvin.empty() ? 12 : 1;
+    const double open = target.stride == level.stride ? moved(target) : 1e9;
+    const bool in_hours = level.stride > 1;
+    // While neighbours still change, once each time, from the start that the time before has found.
+    const bool once = !target.kelvin.empty() && open > usual_loss * repeats;
+    const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
+    target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
+    if (!target.closed) stepper.closed = 1e-5;
     NetworkSurroundings around(solve_, level, *target.object);
-    target.excess = excess_on(*target.object);
+    target.stride = level.stride;
     if (target.start.empty()) {
-        guess(target, stepper);
+        guess(target, around, stepper);
         target.start = flat(stepper.state);
     }
     PeriodSearch search;
-    for (int pass = 0; pass < most_passes; ++pass) {
+    for (int i = 0; i < most_marches; ++i) {
+        stepper.count = {};
         set_out(target.start, stepper);
         march(around, stepper, target);
         target.end = flat(stepper.state);
         if (!solve_.options.periodic) break;
-        target.residual = 0.0;
+        const double before = std::exchange(target.residual, 0.0);
         for (std::size_t k = 0; k < target.end.size(); ++k) {
             target.residual = std::max(target.residual, std::abs(target.end[k] - target.start[k]));
+        }
+        constexpr double most_left = 0.99;
+        if (i > 0) {
+            const double left = std::min(most_left, target.residual / before);
+            target.left_of_it = i == 1 ? left : std::max(left, target.left_of_it);
         }
         if (target.residual <= repeats) break;
         target.start = search.next(target.start, target.end);
@@ -186,8 +224,8 @@ void NetworkFacets::put(SolveState& solve) const {
     for (const Target& target : target_) {
         if (target.kelvin.empty()) continue;
         const NetworkObject& object = *target.object;
-        for (std::size_t i = 0; i < solve.instant.size(); ++i) {
-            float* const row = solve.kelvin.data() + i * solve.facets;
+        for (std::size_t i = 0; i * target.stride < solve.instant.size(); ++i) {
+            float* const row = solve.kelvin.data() + i * target.stride * solve.facets;
             for (std::size_t n = 0; n < object.size(); ++n) {
                 row[object.facet[n]] = target.kelvin[i * object.size() + n];
                 if (object.back[n] != no_number) {
@@ -203,10 +241,17 @@ bool NetworkFacets::at_rest() const {
                        [&](const Target& target) { return rests(target); });
 }
 
+double NetworkFacets::moved() const {
+    double most = 0.0;
+    for (const Target& target : target_) most = std::max(most, moved(target));
+    return most;
+}
+
 NetworkFacets::Summary NetworkFacets::summary() const {
     Summary all;
     for (const Target& target : target_) {
         all.residual = std::max(all.residual, target.residual);
+        all.error = std::max(all.error, error(target));
         all.worst_closure = std::max(all.worst_closure, target.count.worst_closure);
         all.limited += target.count.limited;
         all.facets += target.object->size();

@@ -9,17 +9,18 @@
 namespace diurna {
 
 /// The targets of a scene (SolveInput::network): each a network that is stepped as a whole, with
-/// the sun, sky and neighbours of its facets. The blocks solve these facets too, as if nothing led
-/// from one to the next: their first guess. Steps of SolveOptions::step, five minutes at most,
-/// second order; sunlight that jumps within a step counts by its mean. Rain and dew are not
-/// followed on them.
+/// the sun, sky and neighbours of its facets, in place of the blocks, which only guess how these
+/// start. Steps of SolveOptions::step, five minutes at most, second order; sunlight that jumps
+/// within a step counts by its mean. Rain and dew are not followed on them.
 class NetworkFacets {
  public:
     explicit NetworkFacets(const SolveState& solve);
 
     /// After a pass of the blocks: runs all whose surroundings have changed, and puts their
-    /// temperatures in the solve's.
+    /// temperatures in the solve's, those of the level's instants.
     void pass(SolveState& solve, const Level& level);
+    /// [W m⁻²] by which neighbours' heat has changed since the last run, at most.
+    double moved() const;
     /// Their temperatures once more, where neighbours have moved the solve's since.
     void put(SolveState& solve) const;
 
@@ -29,6 +30,7 @@ class NetworkFacets {
 
     struct Summary {
         double residual = 0.0;  // [K] |P(T) − T|
+        double error = 0.0;     // [K] that neighbours' heat since the last run is worth
         double worst_closure = 0.0;
         int limited = 0;
         std::size_t facets = 0;
@@ -40,16 +42,22 @@ class NetworkFacets {
  private:
     struct Target {
         const NetworkObject* object;
-        std::vector<float> kelvin{}, back_kelvin{};  // (instant, facet) of the last run
-        std::vector<float> excess{};                 // (instant, facet, side) under which it ran
-        std::vector<double> start{}, end{};          // [K] nodes, then lumps
-        double residual = 0.0;
+        std::size_t stride = 1;                      // of the level of the last run
+        std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
+        std::vector<float> excess{};         // (instant of that, facet, side) under which it ran
+        std::vector<double> start{}, end{};  // [K] nodes, then lumps
+        double residual = 0.0;               // [K] |P(T) − T|
+        double left_of_it = 0.0;             // what a day leaves of it, at most
         NetworkCount count{};
+        bool closed = false;  // to the last digit, as the last run has to be
     };
     void run(const Level& level, Target& target) const;
     void march(NetworkSurroundings& around, NetworkStepper& stepper, Target& target) const;
-    void guess(const Target& target, NetworkStepper& stepper) const;
-    std::vector<float> excess_on(const NetworkObject& object) const;
+    void put_down(std::size_t i, const NetworkStepper& stepper, NetworkSurroundings& around,
+                  Target& target) const;
+    void guess(const Target& target, NetworkSurroundings& around, NetworkStepper& stepper) const;
+    double moved(const Target& target) const;
+    double error(const Target& target) const;
     bool rests(const Target& target) const;
 
     const SolveState& solve_;

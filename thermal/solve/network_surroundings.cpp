@@ -29,10 +29,11 @@ AirState air_at(const SolveState& solve, const NetworkObject& object, const Forc
 
 NetworkSurroundings::NetworkSurroundings(const SolveState& solve, const Level& level,
                                          const NetworkObject& object)
-    : solve_(solve), level_(level), object_(object) {
+    : solve_(solve), level_(level), object_(object), own_(solve, object) {
     sort_faces();
     set_airs();
-    find_jumps();
+    find_panes();
+    if (level.stride == 1) find_jumps();
     for (int end = 0; end < 2; ++end) {
         before_[end].assign(object.size(), 0.0);
         after_[end].assign(object.size(), 0.0);
@@ -108,6 +109,36 @@ void NetworkSurroundings::set_airs() {
             group.air.push_back(film);
         }
     }
+    // The last instant is as the first.
+    const std::size_t count = solve_.steps();
+    double sum = 0.0;
+    for (std::size_t i = 0; i < count; ++i) sum += outdoors_[i] / double(count);
+    outdoors_.push_back(sum);
+    for (Group& group : group_) {
+        AirFilm mean = group.air.front();
+        for (std::size_t i = 1; i < count; ++i) {
+            mean = air_between(mean, group.air[i], 1.0 / double(i + 1));
+        }
+        group.air.push_back(mean);
+    }
+}
+
+void NetworkSurroundings::find_panes() {
+    for (const NetworkObject::Sunlit& sunlit : object_.sunlit) {
+        std::vector<double>& watts = panes_.emplace_back();
+        double mean = 0.0;
+        for (std::size_t i = 0; i < solve_.instant.size(); ++i) {
+            double sum = 0.0;
+            for (std::size_t k = 0; k < sunlit.pane.size(); ++k) {
+                const std::uint32_t n = sunlit.pane[k];
+                sum += sunlit.transmittance[k] * object_.network.facet[n].area *
+                       double(solve_.sunlight[i * solve_.facets + object_.facet[n]]);
+            }
+            watts.push_back(sum);
+            if (i < solve_.steps()) mean += sum / double(solve_.steps());
+        }
+        watts.push_back(mean);
+    }
 }
 
 /// Where light jumps by J at a share x of a step, its mean is J (½ − x) above that of its ends.
@@ -164,24 +195,25 @@ void NetworkSurroundings::light_at(std::size_t i, std::vector<double> absorbed[2
     }
 }
 
-double NetworkSurroundings::through_panes(const NetworkObject::Sunlit& sunlit,
-                                          std::size_t i) const {
-    double watts = 0.0;
-    for (std::size_t k = 0; k < sunlit.pane.size(); ++k) {
-        const std::uint32_t n = sunlit.pane[k];
-        watts += sunlit.transmittance[k] * object_.network.facet[n].area *
-                 solve_.sunlight[i * solve_.facets + object_.facet[n]];
+void NetworkSurroundings::excess(std::size_t i, std::vector<float>& all) const {
+    if (solve_.excess.empty()) return;
+    const float* const row = solve_.excess.data() + instant(i) * solve_.facets;
+    for (std::size_t n = 0; n < object_.size(); ++n) {
+        all.push_back(row[object_.facet[n]] + float(own_.on(n, false)));
+        if (object_.back[n] == no_number) continue;
+        all.push_back(row[object_.back[n]] + float(own_.on(n, true)));
     }
-    return watts;
 }
 
 void NetworkSurroundings::begin_step(std::size_t i) {
+    first_ = instant(i);
+    last_ = instant(i + 1);
     if (step_ != no_step && i == step_ + 1) {
         for (int end = 0; end < 2; ++end) std::swap(before_[end], after_[end]);
     } else {
-        light_at(i, before_);
+        light_at(first_, before_);
     }
-    light_at(i + 1, after_);
+    light_at(last_, after_);
     step_ = i;
     next_jump_ = std::size_t(
         std::lower_bound(jump_.begin(), jump_.end(), i,
@@ -189,14 +221,51 @@ void NetworkSurroundings::begin_step(std::size_t i) {
         jump_.begin());
 }
 
-NetworkForcing NetworkSurroundings::of_part(std::size_t i, int s, int parts) {
-    if (i != step_) begin_step(i);
-    from_ = double(s) / parts;
-    to_ = double(s + 1) / parts;
+NetworkForcing NetworkSurroundings::forcing() {
     return {.loads = [this](double share, NetworkLoads& to) { loads(share, to); },
             .faces = [this](double share, const std::vector<double>& outer,
                             const std::vector<double>& inner,
                             FaceFluxes& out) { faces(share, outer, inner, out); }};
+}
+
+NetworkForcing NetworkSurroundings::of_part(std::size_t i, int s, int parts) {
+    if (i != step_) begin_step(i);
+    from_ = double(s) / parts;
+    to_ = double(s + 1) / parts;
+    const double step = solve_.step * double(level_.stride);
+    begin_ = later(solve_.instant[first_], from_ * step);
+    end_ = later(solve_.instant[first_], to_ * step);
+    return forcing();
+}
+
+NetworkForcing NetworkSurroundings::of_mean() {
+    own_.begin();
+    step_ = no_step;
+    next_jump_ = jump_.size();
+    first_ = last_ = solve_.instant.size();
+    begin_ = solve_.instant.front();
+    end_ = solve_.instant.back();
+    std::vector<double> sum[2];
+    for (std::vector<double>& of : sum) of.assign(object_.size(), 0.0);
+    for (std::size_t i = 0; i < steps(); ++i) {
+        light_at(instant(i), before_);
+        for (int end = 0; end < 2; ++end) {
+            for (std::size_t n = 0; n < object_.size(); ++n) {
+                sum[end][n] += before_[end][n] / double(steps());
+            }
+        }
+    }
+    for (int end = 0; end < 2; ++end) before_[end] = after_[end] = sum[end];
+    return forcing();
+}
+
+void NetworkSurroundings::own_loads(NetworkLoads& to) const {
+    for (const Group& group : group_) {
+        if (group.in_air) continue;
+        std::vector<double>& of = group.inner ? to.inner : to.outer;
+        for (const std::uint32_t n : group.face)
+            of[n] += group.emissivity * own_.on(n, group.inner);
+    }
 }
 
 void NetworkSurroundings::loads(double share, NetworkLoads& to) const {
@@ -206,29 +275,27 @@ void NetworkSurroundings::loads(double share, NetworkLoads& to) const {
         to.outer[n] = std::lerp(before_[0][n], after_[0][n], at);
         to.inner[n] = std::lerp(before_[1][n], after_[1][n], at);
     }
+    own_loads(to);
     for (std::size_t k = next_jump_; k < jump_.size() && jump_[k].step == step_; ++k) {
         (jump_[k].inner ? to.inner : to.outer)[jump_[k].face] += jump_[k].heat;
     }
-    const Instant begin = later(solve_.instant[step_], from_ * solve_.step),
-                  end = later(solve_.instant[step_], to_ * solve_.step);
     const auto spread = [&](const std::vector<std::uint32_t>& faces, double watts) {
         double area = 0.0;
         for (const std::uint32_t n : faces) area += network.facet[n].area;
         for (const std::uint32_t n : faces) to.inner[n] += watts / area;
     };
     for (const NetworkObject::Source& source : object_.source) {
-        const double watts = source.watts * source.hours.mean(begin, end);
+        const double watts = source.watts * source.hours.mean(begin_, end_);
         if (source.lump != no_number) to.lump[source.lump] += watts;
         if (!source.facet.empty()) spread(source.facet, watts);
     }
-    for (const NetworkObject::Sunlit& sunlit : object_.sunlit) {
-        const double watts =
-            std::lerp(through_panes(sunlit, step_), through_panes(sunlit, step_ + 1), at);
-        if (!sunlit.behind.empty()) spread(sunlit.behind, watts);
+    for (std::size_t k = 0; k < object_.sunlit.size(); ++k) {
+        const double watts = std::lerp(panes_[k][first_], panes_[k][last_], at);
+        if (!object_.sunlit[k].behind.empty()) spread(object_.sunlit[k].behind, watts);
     }
-    const double air = std::lerp(outdoors_[step_], outdoors_[step_ + 1], at);
+    const double air = std::lerp(outdoors_[first_], outdoors_[last_], at);
     for (const NetworkObject::Given& given : object_.given) {
-        const double held = std::isnan(given.kelvin) ? 0.0 : given.hours.mean(begin, end);
+        const double held = std::isnan(given.kelvin) ? 0.0 : given.hours.mean(begin_, end_);
         to.fixed[given.lump] = held == 0.0 ? air : std::lerp(air, given.kelvin, held);
     }
 }
@@ -238,7 +305,7 @@ void NetworkSurroundings::faces(double share, const std::vector<double>& outer,
     const double at = std::lerp(from_, to_, share);
     alignas(64) double kelvin[lanes], flux[lanes], slope[lanes];
     for (const Group& group : group_) {
-        const AirFilm air = air_between(group.air[step_], group.air[step_ + 1], at);
+        const AirFilm air = air_between(group.air[first_], group.air[last_], at);
         const std::vector<double>& of = group.inner ? inner : outer;
         std::vector<double>& fluxes = group.inner ? out.inner : out.outer;
         std::vector<double>& slopes = group.inner ? out.inner_slope : out.outer_slope;
@@ -259,17 +326,19 @@ void NetworkSurroundings::faces(double share, const std::vector<double>& outer,
 
 void NetworkSurroundings::record(std::size_t i, const std::vector<double>& outer,
                                  const std::vector<double>& inner) const {
-    if (!solve_.record || !solve_.record->wants(i)) return;
+    if (!solve_.record || !solve_.record->wants(instant(i))) return;
+    const std::size_t now = instant(i);
     for (const Group& group : group_) {
         if (group.in_air) continue;
         for (std::size_t l = 0; l < group.face.size(); ++l) {
             const double kelvin = (group.inner ? inner : outer)[group.face[l]];
             HeatBalance balance = heat_balance(
-                group.air[i], group.natural[l], group.emissivity,
-                {.absorbed_solar = sun_on(group, l, i), .internal = group.internal}, kelvin);
-            balance.longwave_in = longwave_on(group, l, i);
+                group.air[now], group.natural[l], group.emissivity,
+                {.absorbed_solar = sun_on(group, l, now), .internal = group.internal}, kelvin);
+            balance.longwave_in =
+                longwave_on(group, l, now) + group.emissivity * own_.on(group.face[l], group.inner);
             balance.conducted = -balance.sum();
-            solve_.record->put(i, group.facet[l], balance);
+            solve_.record->put(now, group.facet[l], balance);
         }
     }
 }

@@ -5,6 +5,7 @@
 
 #include "thermal/network/network_step.hpp"
 #include "thermal/solve/network_object.hpp"
+#include "thermal/solve/own_longwave.hpp"
 #include "thermal/solve/solve_state.hpp"
 
 namespace diurna {
@@ -15,12 +16,29 @@ class NetworkSurroundings {
     /// All must outlive it.
     NetworkSurroundings(const SolveState& solve, const Level& level, const NetworkObject& object);
 
-    /// What the step from instant i to the next brings in its part s of `parts`. Steps are asked
-    /// for one after the other; it holds until the next is.
+    /// Instants of the level's steps, i of which is SolveState's i × stride.
+    std::size_t steps() const { return solve_.steps() / level_.stride; }
+    std::size_t instant(std::size_t i) const { return i * level_.stride; }
+
+    /// What step i brings in its part s of `parts`. Steps are asked for one after the other; it
+    /// holds until the next is.
     NetworkForcing of_part(std::size_t i, int s, int parts);
-    /// [K] of the air at an instant.
-    double outdoors(std::size_t i) const { return outdoors_[i]; }
-    /// Takes down the balances of all faces at instant i, if that is wanted.
+    /// What the span brings in its mean: instants' light and air, sources by their hours.
+    NetworkForcing of_mean();
+    /// [K] of the air in the span's mean.
+    double mean_air() const { return outdoors_.back(); }
+
+    /// A march sets out; it has come to the start of step i at such temperatures of its facets'
+    /// ends [K]: what its faces send one another goes by them until the next.
+    void begin() { own_.begin(); }
+    void follow(std::size_t i, const std::vector<double>& outer, const std::vector<double>& inner) {
+        own_.at(instant(i), outer, inner);
+    }
+    /// Longwave of neighbours that it goes by at such an instant [W m⁻²]: of all outer faces, then
+    /// of the other sides.
+    void excess(std::size_t i, std::vector<float>& all) const;
+
+    /// Takes down the balances of all faces at the level's instant i, if that is wanted.
     ///
     /// outer, inner  (network's facet) [K] temperatures of the ends
     void record(std::size_t i, const std::vector<double>& outer,
@@ -37,7 +55,7 @@ class NetworkSurroundings {
         std::vector<std::uint32_t> face{};   // the network's facets
         std::vector<std::uint32_t> facet{};  // of the scene
         std::vector<NaturalFilm> natural{};  // [lane], filled up
-        std::vector<AirFilm> air{};          // (instant)
+        std::vector<AirFilm> air{};          // (instant), and their mean
     };
     struct Jump {
         std::size_t step;
@@ -49,24 +67,30 @@ class NetworkSurroundings {
     void sort_faces();
     void set_airs();
     void find_jumps();
+    void find_panes();
     double sun_on(const Group& group, std::size_t l, std::size_t i) const;
     double longwave_on(const Group& group, std::size_t l, std::size_t i) const;
     void light_at(std::size_t i, std::vector<double> absorbed[2]) const;
-    double through_panes(const NetworkObject::Sunlit& sunlit, std::size_t i) const;
     void begin_step(std::size_t i);
+    NetworkForcing forcing();
     void loads(double share, NetworkLoads& to) const;
+    void own_loads(NetworkLoads& to) const;
     void faces(double share, const std::vector<double>& outer, const std::vector<double>& inner,
                FaceFluxes& out) const;
 
     const SolveState& solve_;
     const Level& level_;
     const NetworkObject& object_;
+    OwnLongwave own_;
     std::vector<Group> group_;
     std::vector<Jump> jump_;
-    std::vector<double> outdoors_;  // (instant) [K]
+    std::vector<double> outdoors_;            // (instant, and their mean) [K]
+    std::vector<std::vector<double>> panes_;  // (NetworkObject::sunlit)(instant, mean) [W] through
     static constexpr std::size_t no_step = ~std::size_t{0};
     std::size_t step_ = no_step, next_jump_ = 0;
+    std::size_t first_ = 0, last_ = 0;          // instants between which the step lies
     double from_ = 0.0, to_ = 1.0;              // of the step, the part on its way
+    Instant begin_{}, end_{};                   // of that part
     std::vector<double> before_[2], after_[2];  // (end)(facet) [W m⁻²] absorbed at the step's ends
 };
 

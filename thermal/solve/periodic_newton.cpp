@@ -93,6 +93,7 @@ void renew_matrices(const SolveState& solve, Level& level, std::vector<Block>& b
         std::fill(kind.back_slope.begin(), kind.back_slope.end(), 0.0);
     }
     for (const Block& block : blocks) {
+        if (!block.has_run()) continue;
         Kind& kind = level.kind[block.material];
         for (std::size_t i = 0; i < kind.slope.size(); ++i) {
             kind.slope[i] += block.slope[i] / double(kind.facets);
@@ -102,7 +103,11 @@ void renew_matrices(const SolveState& solve, Level& level, std::vector<Block>& b
         }
     }
     for_each_index(
-        blocks.size(), [&](std::size_t b) { linearise(solve, level, blocks[b]); }, 16);
+        blocks.size(),
+        [&](std::size_t b) {
+            if (blocks[b].has_run()) linearise(solve, level, blocks[b]);
+        },
+        16);
 }
 
 void correct(SolveState& solve, const Level& level) {

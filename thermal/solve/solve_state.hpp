@@ -192,6 +192,10 @@ struct SolveState {
     FilmPart part_of(std::size_t f) const {
         return input.part.empty() ? FilmPart{} : input.part[f];
     }
+    /// Whether its facets are a target's, which NetworkFacets solves.
+    bool of_target(const Block& of) const {
+        return !in_network.empty() && in_network[of.facet.front()];
+    }
     /// Whether a facet is the back of another, whose column is its too.
     bool is_back(std::size_t f) const {
         return !other_side.empty() && other_side[f] != index(no_facet) &&

@@ -179,18 +179,20 @@ ExchangeChange renew_longwave(SolveState& solve, const Level& level, SolveReport
 
 /// A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
 void pass_in_hours(SolveState& solve, const std::vector<MaterialId>& materials, std::size_t stride,
-                   Level& fine, SolveReport& report) {
+                   Level& fine, NetworkFacets& targets, SolveReport& report) {
     const bool neighbours = !solve.excess.empty();
-    const int passes = neighbours ? 4 : 2;
+    const int passes = neighbours ? 4 : 2, most_passes = 10;
+    constexpr double alike = 1.0;  // [W m⁻²] of what targets' neighbours send from pass to pass
     Level coarse = make_level(solve, materials, stride, 1, &fine);
     renew_longwave(solve, coarse, report);
-    for (int i = 0; i < passes; ++i) {
+    for (int i = 0; i < passes || (i < most_passes && targets.moved() > alike); ++i) {
         {
             const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
             set_films(solve, coarse, i == 0 ? fine : coarse);
             pass(solve, coarse, 0.0, 0.0);
             renew_matrices(solve, coarse, solve.block);
             correct(solve, coarse);
+            targets.pass(solve, coarse);
         }
         renew_longwave(solve, coarse, report);
     }
@@ -213,6 +215,7 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     report.estimated_error = change.warmer;
     for (const Block& block : solve.block) {
         if (!options.periodic) break;
+        if (solve.of_target(block)) continue;
         report.periodic_residual = std::max(report.periodic_residual, block.residual);
         report.estimated_error =
             std::max(report.estimated_error, block.largest_move + change.warmer);
@@ -222,7 +225,7 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     const PointFacets::Summary single = points.summary();
     report.periodic_residual = std::max(report.periodic_residual, single.residual);
     report.estimated_error = std::max(report.estimated_error, single.largest_move);
-    report.estimated_error = std::max(report.estimated_error, targets.summary().residual);
+    report.estimated_error = std::max(report.estimated_error, targets.summary().error);
     // The steps of wet facets are as long as their water asks: from pass to pass they differ, and
     // with them what the neighbours get, by some hundredths of a kelvin.
     constexpr double wet_steps = 0.05;
@@ -363,7 +366,7 @@ HeatState left_by(SolveState& solve, const Level& level, const PointFacets& poin
     for (const Block& block : solve.block) {
         std::vector<double>& state = end.block.emplace_back(block.start);
         end.of_block.push_back(block.facet);
-        if (solve.options.periodic) continue;
+        if (solve.options.periodic || solve.of_target(block)) continue;
         for (std::size_t i = 0; i < state.size(); ++i) state[i] += block.change[i];
     }
     return end;
@@ -388,17 +391,15 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     if (options.exchange && exchanging(input)) {
         state.excess.assign(state.instant.size() * state.facets, 0.0f);
     }
+    NetworkFacets targets(state);
+    if (input.from) targets.set_out_from(input.from->network);
     if (const std::size_t stride = coarse_stride(state); options.periodic && stride > 1) {
-        pass_in_hours(state, materials, stride, fine, report);
+        pass_in_hours(state, materials, stride, fine, targets, report);
     } else {
         renew_longwave(state, fine, report);
     }
     PointFacets points(state);
-    NetworkFacets targets(state);
-    if (input.from) {
-        points.set_out_from(input.from->point);
-        targets.set_out_from(input.from->network);
-    }
+    if (input.from) points.set_out_from(input.from->point);
     pass_until_settled(state, fine, points, targets, report);
     HeatFluxField heat = record_heat(state, fine, points, targets);
     tell_steps(state, points, targets, report);

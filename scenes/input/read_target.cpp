@@ -3,76 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <map>
-#include <optional>
 
 #include "materials/base/document.hpp"
+#include "scenes/input/read_contact.hpp"
+#include "scenes/input/read_hours.hpp"
 
 namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0, water_heat_capacity = 4186.0;
-
-/// "05:30-06:10 0.3", with a date before it if it is of one day: hours and the share of the heat.
-std::optional<ClockHours::Window> window_of(const std::string& text) {
-    int year = 0, month = 0, date = 0, used = 0;
-    std::string rest = text;
-    ClockHours::Window window{};
-    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%n", &year, &month, &date, &used) == 3 &&
-        used == 10) {
-        const std::chrono::year_month_day on{std::chrono::year{year},
-                                             std::chrono::month{unsigned(month)},
-                                             std::chrono::day{unsigned(date)}};
-        if (!on.ok()) return std::nullopt;
-        window.day = std::chrono::sys_days{on}.time_since_epoch().count();
-        rest = text.substr(10);
-    }
-    int h1 = 0, m1 = 0, h2 = 0, m2 = 0, hours_end = 0, share_end = 0;
-    if (std::sscanf(rest.c_str(), " %2d:%2d-%2d:%2d%n", &h1, &m1, &h2, &m2, &hours_end) != 4) {
-        return std::nullopt;
-    }
-    if (std::sscanf(rest.c_str() + hours_end, " %lf%n", &window.share, &share_end) != 1) {
-        window.share = 1.0;
-        share_end = 0;
-    }
-    if (std::size_t(hours_end + share_end) != rest.size()) return std::nullopt;
-    window.from = 3600.0 * h1 + 60.0 * m1;
-    window.to = 3600.0 * h2 + 60.0 * m2;
-    const bool good = m1 < 60 && m2 < 60 && window.from < day && window.to <= day &&
-                      window.from != window.to && window.share >= 0.0 && window.share <= 100.0;
-    if (window.to < window.from) window.to += day;  // over midnight
-    return good ? std::optional(window) : std::nullopt;
-}
-
-std::vector<ClockHours::Window> windows_of(const Section& section, const char* key,
-                                           const std::vector<std::string>& texts) {
-    std::vector<ClockHours::Window> hours;
-    for (const std::string& text : texts) {
-        if (const auto window = window_of(text)) {
-            hours.push_back(*window);
-        } else {
-            section.mistake(key, fmt::format("found '{}', expected hours and a share as "
-                                             "05:30-06:10 0.3",
-                                             text.substr(0, 60)));
-        }
-    }
-    return hours;
-}
-
-std::vector<ClockHours::Window> read_hours(const Section& section) {
-    return windows_of(
-        section, "hours",
-        section.texts_or(
-            "hours",
-            "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
-            "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
-            "05:30-06:10\"; a temperature is held then, and is the air's else",
-            {std::vector<std::string>{}, "always"}));
-}
+constexpr double water_heat_capacity = 4186.0;
 
 bool read_runs(const Section& section) {
     const bool runs = section.flag_or(
@@ -267,6 +209,12 @@ void read_tables(const Section& root, const Names& materials, TargetInput& targe
          root.sections("stream", "fluid that carries heat from one to another, one way")) {
         target.stream.push_back(read_stream(section, target));
     }
+    std::vector<std::string> parts;
+    for (const PartInput& part : target.part) parts.push_back(part.name);
+    for (const Section& section :
+         root.sections("contact", "outer faces of a part that lie on the ground or on a part")) {
+        target.contact.push_back(read_contact(section, parts));
+    }
 }
 
 /// Which of the parts each part of the mesh is.
@@ -361,10 +309,12 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
             }
         }
     }
-    if (target.part.empty() && (!target.lump.empty() || !target.enclosure.empty() ||
-                                !target.link.empty() || !target.stream.empty())) {
-        object.mistake("part", "missing, expected at least one: lumps and enclosures act on parts",
-                       "[[object.part]] with name = \"*\" is all of the mesh");
+    if (target.part.empty() &&
+        (!target.lump.empty() || !target.enclosure.empty() || !target.link.empty() ||
+         !target.stream.empty() || !target.contact.empty())) {
+        object.mistake(
+            "part", "missing, expected at least one: lumps, enclosures and contacts act on parts",
+            "[[object.part]] with name = \"*\" is all of the mesh");
     }
     read_running(object, target);
     match_parts(object, mesh, target);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "materials/base/section.hpp"
+#include "scenes/input/read_contact.hpp"
 #include "terrain/objects/mesh_file.hpp"
 #include "thermal/solve/clock_hours.hpp"
 
@@ -60,6 +61,7 @@ struct TargetInput {
     std::vector<LumpInput> lump;
     std::vector<LinkInput> link;
     std::vector<StreamInput> stream;
+    std::vector<ContactInput> contact;
     std::filesystem::path file{};  // that told of them; "": the scene
     /// (part of the mesh) into `part`, −1 where none names it: it conducts, and no more.
     std::vector<int> part_of;

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "materials/base/error.hpp"
+#include "scenes/world/contacts.hpp"
 #include "scenes/world/objects.hpp"
 #include "terrain/visibility/two_sides.hpp"
 
@@ -59,13 +60,17 @@ class Builder {
         object_.name = input_.name;
     }
 
-    NetworkObject build() {
+    /// taken  (facet of the scene) that a target has
+    NetworkObject build(const World& world, const Scene& scene, std::vector<bool>& taken) {
         add_lumps();
         add_facets();
         join_edges();
         furnish_enclosures();
         add_sources();
         refuse_closed_lumps();
+        std::vector<int> part;
+        for (const std::size_t of : part_) part.push_back(input_.target.part_of[of]);
+        join_contacts(world, scene, input_, part, object_, taken);
         return std::move(object_);
     }
 
@@ -373,8 +378,9 @@ TargetFacets target_facets(const ObjectInput& input, std::size_t object, ObjectI
 
 std::vector<NetworkObject> targets(const World& world, const Scene& scene) {
     std::vector<NetworkObject> all;
+    std::vector<bool> taken(world.surfaces().size());
     for (const TargetFacets& target : world.targets) {
-        all.push_back(Builder(world, scene, target).build());
+        all.push_back(Builder(world, scene, target).build(world, scene, taken));
     }
     return all;
 }

@@ -229,6 +229,100 @@ film_W_m2K = 20.0
     CHECK(on.kelvin("05:50", "lid") == Approx(300.0).margin(0.05));
 }
 
+TEST_CASE("a hot plate warms the ground that it lies on", "[scenes][target]") {
+    // A box whose floor is held at 340 K, 1 cm over level ground, 20 W/m2K between them; nothing
+    // but a film of 10 W/m2K to 290 K besides. Ground that it covers by a share s goes to where 20
+    // s (340 - T) = 10 (1 - s) (T - 290): plates of a millimetre are there within hours.
+    const over_plain::Given given{
+        .mesh = box(4, 0.5), .height = 0.01, .albedo = 1.0, .black = 0.0, .ground_edge = 1.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "*"
+[[object.part]]
+name = "floor"
+welded = false
+temperature_K = 340.0
+[[object.contact]]
+between = ["floor", "ground"]
+conductance_W_m2K = 20.0
+)");
+    const FacetSet& facets = on.prepared.world.facets;
+    const std::vector<float> all =
+        on.result.temperature.interpolate(parse_instant("2026-03-20T12:00:00Z"));
+    std::size_t covered = 0, partly = 0;
+    double worst = 0.0;
+    for (std::size_t f = 0; f < on.prepared.world.ground_facets; ++f) {
+        constexpr int fine = 1000;
+        int within = 0, points = 0;
+        std::array<Eigen::Vector3d, 3> corner;
+        for (std::size_t k = 0; k < 3; ++k) {
+            corner[k] = facets.vertex[facets.corner[f][k]].cast<double>();
+        }
+        if (corner[0].head<2>().norm() > 20.0) continue;
+        for (int i = 0; i < fine; ++i) {
+            for (int j = 0; i + j < fine; ++j) {
+                const double a = (i + 1.0 / 3.0) / fine, b = (j + 1.0 / 3.0) / fine;
+                const Eigen::Vector3d p =
+                    corner[0] + a * (corner[1] - corner[0]) + b * (corner[2] - corner[0]);
+                within += std::abs(p.x()) < 2.0 && std::abs(p.y()) < 2.0 ? 1 : 0;
+                ++points;
+            }
+        }
+        const double share = double(within) / points;
+        covered += share == 1.0;
+        partly += share > 0.0 && share < 1.0;
+        const double expected = (20.0 * share * 340.0 + 10.0 * (1.0 - share) * 290.0) /
+                                (20.0 * share + 10.0 * (1.0 - share));
+        worst = std::max(worst, std::abs(double(all[f]) - expected));
+    }
+    CAPTURE(covered, partly);
+    CHECK(covered + partly > 4);
+    CHECK(worst < 0.05);  // shares by points: 0.1 % of 50 K
+    CHECK(on.result.report.worst_energy_closure < 1e-8);
+    CHECK(on.result.report.converged);
+}
+
+TEST_CASE("a part takes heat from the one that it lies on", "[scenes][target]") {
+    // A block on a box's lid held at 340 K, 5 mm apart, 20 W/m2K between them; the block's foot
+    // loses 10 W/m2K to 290 K at its inner face, and nothing outside, being covered: (20 340 + 10
+    // 290) / 30 = 323.3 K. The uncovered part of the lid is as hot as it is held.
+    std::string mesh = box(4, 0.5) + "g upper\n";
+    mesh += over_plain::block(-1.0, 1.0, -1.0, 1.0, 1.0);
+    const std::string foot = "g upper\n";
+    std::size_t at = mesh.find(foot);
+    // Its lowest corners half a metre and 5 mm up; its foot a group of its own.
+    for (int i = 0; i < 4; ++i) {
+        at = mesh.find(" 0\n", at);
+        mesh.replace(at, 3, " 0.505\n");
+    }
+    const std::string down = "f -5 -6 -7 -8\n";
+    mesh.replace(mesh.rfind(down), down.size(), "");
+    mesh += "g foot\n" + down;
+    const over_plain::Given given{
+        .mesh = mesh, .height = 2.0, .albedo = 1.0, .black = 0.0, .ground_edge = 5.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "*"
+[[object.part]]
+name = "lid"
+welded = false
+temperature_K = 340.0
+[[object.part]]
+name = "foot"
+welded = false
+[[object.lump]]
+name = "sink"
+temperature_K = 290.0
+[[object.link]]
+between = ["sink", "foot"]
+film_W_m2K = 10.0
+[[object.contact]]
+between = ["foot", "lid"]
+conductance_W_m2K = 20.0
+)");
+    CHECK(on.kelvin("12:00", "foot") == Approx(970.0 / 3.0).margin(0.05));
+    CHECK(on.kelvin("12:00", "lid") == Approx(340.0).margin(0.05));
+    CHECK(on.result.report.converged);
+}
+
 TEST_CASE("heat goes on over the edge of a sheet", "[scenes][target]") {
     // Lid, sides and floor of one sheet, 2 mm of 200 W/mK, 10 W/m2K outside: m = sqrt(10 / 0.4) = 5
     // /m. The lid gets 200 W/m2; all of it leaves somewhere: sum of A (T - 290) = 20 A_lid. Over

@@ -117,6 +117,52 @@ TEST_CASE("two slabs in contact", "[thermal][network]") {
     CHECK(stepper.state.node[stepper.system().node_of(1)] == Approx(630.0 - surface).margin(0.05));
 }
 
+TEST_CASE("two half-spaces that lie on each other part at their effusivities' mean",
+          "[thermal][network]") {
+    // Carslaw & Jaeger 2.15: concrete of 340 K on soil of 290 K meet at (e1 T1 + e2 T2) / (e1 +
+    // e2), e = sqrt(k rho c), at once and for as long as neither feels its other end. What one
+    // loses the other has: two facets of the one, different in size, on one of the other.
+    const Layer concrete{
+        .thickness = 1.0, .conductivity = 1.5, .density = 2300.0, .heat_capacity = 880.0};
+    const Layer soil{
+        .thickness = 1.0, .conductivity = 0.4, .density = 1600.0, .heat_capacity = 1000.0};
+    HeatNetwork slabs;
+    const GridOptions fine{.period = 3600.0, .first = 0.02, .growth = 0.1};
+    slabs.column = {network_column({concrete}, FixedFlux{0.0}, fine),
+                    network_column({soil}, FixedFlux{0.0}, fine)};
+    slabs.facet = {NetworkFacet{.column = 0, .area = 0.3, .open = 0.0},
+                   NetworkFacet{.column = 0, .area = 0.2, .open = 0.0},
+                   NetworkFacet{.column = 1, .area = 0.5, .open = 0.0}};
+    slabs.edges = 2;
+    constexpr double film = 1e5;
+    slabs.touch = {{0, 0, 2.0 * film * 0.3},
+                   {1, 1, 2.0 * film * 0.2},
+                   {2, 0, 2.0 * film * 0.3},
+                   {2, 1, 2.0 * film * 0.2}};
+    NetworkStepper stepper(slabs);
+    stepper.settle(290.0);
+    const NetworkSystem& system = stepper.system();
+    for (std::size_t k = 0; k <= system.last_of(1); ++k) stepper.state.node[k] = 340.0;
+    for (int i = 0; i < 120; ++i) stepper.advance(30.0, {});
+    const double e1 = std::sqrt(1.5 * 2300.0 * 880.0), e2 = std::sqrt(0.4 * 1600.0 * 1000.0);
+    const double meet = (e1 * 340.0 + e2 * 290.0) / (e1 + e2);
+    for (std::size_t f = 0; f < 3; ++f) {
+        CHECK(stepper.state.node[system.node_of(f)] == Approx(meet).margin(0.05));
+    }
+    double heat = 0.0, moved = 0.0;
+    for (std::size_t f = 0; f < 3; ++f) {
+        for (std::size_t k = system.node_of(f); k <= system.last_of(f); ++k) {
+            const double j = slabs.facet[f].area *
+                             slabs.grid_of(f).capacity[k - system.node_of(f)] *
+                             (stepper.state.node[k] - (f < 2 ? 340.0 : 290.0));
+            heat += j;
+            moved += std::abs(j);
+        }
+    }
+    CHECK(std::abs(heat) < 1e-8 * moved);
+    CHECK(stepper.count.worst_closure < 1e-8);
+}
+
 TEST_CASE("two planes face each other across an enclosure", "[thermal][network]") {
     // q = sigma (T1^4 - T2^4) / (1 / e1 + 1 / e2 - 1); 300 W/m2 into the one, the other loses them
     // through a film of 20 to 280 K: T2 = 295 K.

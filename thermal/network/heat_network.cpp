@@ -6,6 +6,13 @@
 
 namespace diurna {
 
+std::size_t HeatNetwork::first_touch(std::size_t f) const {
+    const auto first =
+        std::lower_bound(touch.begin(), touch.end(), f,
+                         [](const HeatTouch& one, std::size_t of) { return one.facet < of; });
+    return std::size_t(first - touch.begin());
+}
+
 SidewaysFlow sideways_flow(const std::array<double, 3>& side, double area) {
     // Flux basis (x − corner a) / 2A of unit outflow through side a. ∫(x − a)·(x − b) is
     // A ((c − a)·(c − b) + (l0² + l1² + l2²) / 36), c the centroid; dot products by the cosine law.

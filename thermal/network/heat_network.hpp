@@ -44,6 +44,13 @@ struct NetworkFacet {
     double film = 0.0;     // [W m⁻² K⁻¹] to the air behind
     double radiant = 0.0;  // 0 to 1 and a little more: of σ T⁴, see radiant_share
     double contact = 0.0;  // [W m⁻² K⁻¹] to what it touches
+    double open = 1.0;     // share of its outer face that nothing lies on: what exchanges
+};
+
+/// An outer end that lies on another: heat goes to an edge between them, which the other has too.
+struct HeatTouch {
+    std::uint32_t facet, edge;
+    double conductance;  // [W K⁻¹] to the edge, twice that of the contact
 };
 
 /// One temperature. Without a capacity it is in balance at any time; a fixed one is given.
@@ -65,10 +72,13 @@ struct HeatNetwork {
     std::vector<NetworkColumn> column;
     std::vector<NetworkFacet> facet;
     std::uint32_t edges = 0;
+    std::vector<HeatTouch> touch;  // facet by facet, ascending
     std::vector<HeatLump> lump;
     std::vector<HeatLink> link;
     std::vector<HeatStream> stream;
 
+    /// Where a facet's touches begin; those of the last end with `touch`.
+    std::size_t first_touch(std::size_t f) const;
     const ColumnGrid& grid_of(std::size_t f) const { return column[facet[f].column].grid; }
 };
 

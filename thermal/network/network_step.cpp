@@ -77,7 +77,11 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
             pass(area * grid.conductance[j - at] * (state.node[j] - state.node[j + 1]),
                  missing_.node[j], missing_.node[j + 1]);
         }
-        into(area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
+        into(facet.open * area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
+        for (const HeatTouch& touch : system_.touches_of(f)) {
+            pass(touch.conductance * (state.node[at] - state.edge[touch.edge]), missing_.node[at],
+                 missing_.edge[touch.edge]);
+        }
         into(area * (faces_.inner[f] + loads_.inner[f] + grid.below_flux +
                      grid.conductance.back() * (grid.below_temperature - state.node[last])),
              missing_.node[last]);

@@ -33,7 +33,9 @@ NetworkSystem::NetworkSystem(const HeatNetwork& network)
     first_.push_back(0);
     for (std::size_t f = 0; f < network.facet.size(); ++f) {
         first_.push_back(first_.back() + network.grid_of(f).size());
+        touch_.push_back(network.first_touch(f));
     }
+    touch_.push_back(network.touch.size());
     pivot_.resize(nodes());
     follows_.resize(nodes());
 }
@@ -52,6 +54,8 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
             c.to[b] = facet.lump[b] == no_number ? 0.0 : films[b] * facet.area;
             to_lumps += c.to[b];
         }
+        double touched = 0.0;
+        for (const HeatTouch& touch : touches_of(f)) touched += touch.conductance;
         const std::array<double, 3> sums = Sideways{facet.sideways}.sums();
         const double all = sums[0] + sums[1] + sums[2];
         for (int end = 0; end < 2; ++end) {
@@ -60,10 +64,10 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
         // From the inner end outward: d_j = own_j + k_j + k_{j−1} − k_j² / d_{j+1}.
         for (std::size_t j = n; j-- > 0;) {
             double own = grid.capacity[j] / tau;
-            if (j == 0) own -= ends.outer_slope[f];
+            if (j == 0) own -= facet.open * ends.outer_slope[f];
             if (j + 1 == n) own += grid.conductance[j] - ends.inner_slope[f];
             double d = facet.area * own;
-            if (j == 0) d += c.spread[0] * all;
+            if (j == 0) d += c.spread[0] * all + touched;
             if (j + 1 == n) d += c.spread[1] * all + to_lumps;
             if (j > 0) d += facet.area * grid.conductance[j - 1];
             if (j + 1 < n) {
@@ -99,6 +103,12 @@ void NetworkSystem::factorise(double tau, const Ends& ends) {
 
 void NetworkSystem::prepare() {
     const std::size_t lumps = network_.edges;
+    struct Join {
+        std::size_t at;
+        double way;
+        int end;
+    };
+    std::vector<Join> joins;
     std::vector<Eigen::Triplet<float>> entry;
     const auto add = [&](std::size_t row, std::size_t column, double value) {
         if (row >= column) entry.emplace_back(int(row), int(column), float(value));
@@ -109,10 +119,7 @@ void NetworkSystem::prepare() {
         const Sideways flow{facet.sideways};
         const auto sums = flow.sums();
         // All that the facet joins: its way to an end, and which end.
-        std::array<std::size_t, 6 + behinds> at{};
-        std::array<double, 6 + behinds> way{};
-        std::array<int, 6 + behinds> of{};
-        std::size_t n = 0;
+        joins.clear();
         for (int end = 0; end < 2; ++end) {
             if (c.spread[end] == 0.0) continue;
             for (std::size_t a = 0; a < 3; ++a) {
@@ -122,22 +129,22 @@ void NetworkSystem::prepare() {
                 for (std::size_t b = 0; b < 3; ++b) {
                     add(facet.edge[end][b], facet.edge[end][a], c.spread[end] * column[b]);
                 }
-                at[n] = facet.edge[end][a];
-                way[n] = c.spread[end] * sums[a];
-                of[n++] = end;
+                joins.push_back({facet.edge[end][a], c.spread[end] * sums[a], end});
             }
         }
         for (std::size_t k = 0; k < behinds; ++k) {
             if (c.to[k] == 0.0 || network_.lump[facet.lump[k]].fixed) continue;
-            at[n] = lumps + facet.lump[k];
-            way[n] = c.to[k];
-            of[n++] = 1;
+            joins.push_back({lumps + facet.lump[k], c.to[k], 1});
             add(lumps + facet.lump[k], lumps + facet.lump[k], c.to[k]);
         }
-        for (std::size_t a = 0; a < n; ++a) {
-            for (std::size_t b = 0; b < n; ++b) {
-                const double inverse = of[a] != of[b] ? c.across : of[a] == 0 ? c.outer : c.inner;
-                add(at[b], at[a], -way[a] * way[b] * inverse);
+        for (const HeatTouch& touch : touches_of(f)) {
+            joins.push_back({touch.edge, touch.conductance, 0});
+            add(touch.edge, touch.edge, touch.conductance);
+        }
+        for (const Join& a : joins) {
+            for (const Join& b : joins) {
+                const double inverse = a.end != b.end ? c.across : a.end == 0 ? c.outer : c.inner;
+                add(b.at, a.at, -a.way * b.way * inverse);
             }
         }
     }
@@ -185,6 +192,8 @@ void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) 
         for (std::size_t b = 0; b < behinds; ++b) {
             if (c.to[b] != 0.0) into[1] += c.to[b] * lump(facet.lump[b]);
         }
+        const auto touches = touches_of(f);
+        for (const HeatTouch& touch : touches) into[0] += touch.conductance * x[touch.edge];
         const double moved[2]{c.outer * into[0] + c.across * into[1],
                               c.across * into[0] + c.inner * into[1]};
         for (int end = 0; end < 2; ++end) {
@@ -193,6 +202,9 @@ void NetworkSystem::apply(const std::vector<double>& x, std::vector<double>& y) 
             for (int s = 0; s < 3; ++s) {
                 y[facet.edge[end][s]] += c.spread[end] * (flux[s] - sums[s] * moved[end]);
             }
+        }
+        for (const HeatTouch& touch : touches) {
+            y[touch.edge] += touch.conductance * (x[touch.edge] - moved[0]);
         }
         for (std::size_t b = 0; b < behinds; ++b) {
             if (c.to[b] == 0.0) continue;
@@ -302,6 +314,7 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
             if (c.to[k] == 0.0 || network_.lump[facet.lump[k]].fixed) continue;
             b[lumps + facet.lump[k]] += c.to[k] * ends[1];
         }
+        for (const HeatTouch& touch : touches_of(f)) b[touch.edge] += touch.conductance * ends[0];
     }
     const int iterations = network_.stream.empty() ? conjugate_gradients(b, x, relative_error)
                                                    : stabilised(b, x, relative_error);
@@ -325,6 +338,7 @@ int NetworkSystem::solve(Residual& residual, double relative_error) {
         for (std::size_t k = 0; k < behinds; ++k) {
             if (c.to[k] != 0.0) into[1] += c.to[k] * lump(facet.lump[k]);
         }
+        for (const HeatTouch& touch : touches_of(f)) into[0] += touch.conductance * x[touch.edge];
         double up = into[1];
         node[at + n - 1] += up;
         for (std::size_t j = n - 1; j > 0; --j) {

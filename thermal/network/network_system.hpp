@@ -28,6 +28,11 @@ class NetworkSystem {
     std::size_t node_of(std::size_t facet) const { return first_[facet]; }
     std::size_t last_of(std::size_t facet) const { return first_[facet + 1] - 1; }
 
+    /// The touches of a facet.
+    std::span<const HeatTouch> touches_of(std::size_t f) const {
+        return std::span(network_.touch).subspan(touch_[f], touch_[f + 1] - touch_[f]);
+    }
+
     /// What an implicit stage asks of each facet's ends, at the present temperatures.
     struct Ends {
         std::span<const double> outer_slope, inner_slope;  // (facet) d(flux)/dT [W m⁻² K⁻¹]
@@ -60,6 +65,7 @@ class NetworkSystem {
 
     const HeatNetwork& network_;
     std::vector<std::size_t> first_;  // (facet + 1) node
+    std::vector<std::size_t> touch_;  // (facet + 1) its first
     double tau_ = 1.0;
     std::vector<double> pivot_;    // (node) of the columns' elimination from the inner end outward
     std::vector<double> follows_;  // (node) δ of it per δ of the node before it

@@ -1,11 +1,11 @@
 #include "thermal/solve/network_facets.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "materials/base/parallel.hpp"
+#include "thermal/solve/network_period.hpp"
 
 namespace diurna {
 
@@ -14,6 +14,7 @@ namespace {
 constexpr double longest_step = 300.0;  // [s]
 constexpr double repeats = 3e-3;        // [K] of a period that is found
 constexpr double usual_loss = 20.0;     // [W m⁻² K⁻¹] radiation and air together
+constexpr double about_alike = 5.0;     // [W m⁻²] of neighbours' heat
 constexpr double soon_done = 1.0;  // [W m⁻²] of neighbours' heat, where a run may be the last
 
 std::vector<double> flat(const NetworkState& state) {
@@ -29,33 +30,6 @@ void set_out(const std::vector<double>& all, NetworkStepper& stepper) {
     std::copy(lumps, all.end(), state.lump.begin());
     stepper.begin();
 }
-
-/// The start of a period from those tried so far and what came of them: Anderson's mixing of the
-/// last few (1965), which settles what is slower than the period.
-class PeriodSearch {
- public:
-    std::vector<double> next(const std::vector<double>& start, const std::vector<double>& end) {
-        start_.push_back(
-            Eigen::Map<const Eigen::VectorXd>(start.data(), Eigen::Index(start.size())));
-        end_.push_back(Eigen::Map<const Eigen::VectorXd>(end.data(), Eigen::Index(end.size())));
-        const std::size_t n = end_.size(), used = std::min<std::size_t>(n - 1, 3);
-        Eigen::VectorXd mixed = end_.back();
-        if (used > 0) {
-            Eigen::MatrixXd change(mixed.size(), Eigen::Index(used)), moved = change;
-            const Eigen::VectorXd missing = end_.back() - start_.back();
-            for (std::size_t k = 0; k < used; ++k) {
-                const std::size_t a = n - 1 - k, b = a - 1;
-                moved.col(Eigen::Index(k)) = end_[a] - end_[b];
-                change.col(Eigen::Index(k)) = (end_[a] - start_[a]) - (end_[b] - start_[b]);
-            }
-            mixed -= moved * change.colPivHouseholderQr().solve(missing);
-        }
-        return {mixed.data(), mixed.data() + mixed.size()};
-    }
-
- private:
-    std::vector<Eigen::VectorXd> start_, end_;
-};
 
 }  // namespace
 
@@ -147,13 +121,14 @@ void NetworkFacets::put_down(std::size_t i, const NetworkStepper& stepper,
     around.follow(i, outer, inner);
 }
 
-void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
+void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper, DeepColumns& deep,
                           Target& target) const {
     const std::size_t values = (around.steps() + 1) * target.object->size();
     target.kelvin.resize(values);
     target.back_kelvin.resize(values);
     target.excess.clear();
     around.begin();
+    deep.begin();
     std::vector<double> outer(target.object->size()), inner(outer);
     stepper.ends(outer, inner);
     constexpr int reflections = 2;
@@ -169,6 +144,7 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
         }
+        deep.add(stepper.state);
         put_down(i + 1, stepper, around, target);
     }
 }
@@ -177,7 +153,11 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const double open = target.stride == level.stride ? moved(target) : 1e9;
     const bool in_hours = level.stride > 1;
     // While neighbours still change, once each time, from the start that the time before has found.
-    const bool once = !target.kelvin.empty() && open > usual_loss * repeats;
+    const bool first = target.start.empty();
+    const bool once =
+        !target.kelvin.empty() && open > (in_hours ? about_alike : usual_loss * repeats);
+    // What was found under other neighbours tells nothing of this period.
+    if (open > about_alike) target.search = {};
     const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
@@ -188,24 +168,28 @@ void NetworkFacets::run(const Level& level, Target& target) const {
         guess(target, around, stepper);
         target.start = flat(stepper.state);
     }
-    PeriodSearch search;
+    DeepColumns deep(target.object->network, stepper.system());
     for (int i = 0; i < most_marches; ++i) {
         stepper.count = {};
         set_out(target.start, stepper);
-        march(around, stepper, target);
+        march(around, stepper, deep, target);
         target.end = flat(stepper.state);
         if (!solve_.options.periodic) break;
         const double before = std::exchange(target.residual, 0.0);
-        for (std::size_t k = 0; k < target.end.size(); ++k) {
-            target.residual = std::max(target.residual, std::abs(target.end[k] - target.start[k]));
+        std::vector<double> onward = target.end;
+        deep.settle(onward);
+        for (std::size_t k = 0; k < onward.size(); ++k) {
+            target.residual = std::max(target.residual, std::abs(onward[k] - target.start[k]));
         }
-        constexpr double most_left = 0.99;
-        if (i > 0) {
+        constexpr double most_left = 0.9;
+        if (first && i > 0) {
             const double left = std::min(most_left, target.residual / before);
-            target.left_of_it = i == 1 ? left : std::max(left, target.left_of_it);
+            target.left_of_it = std::max(left, target.left_of_it);
         }
+        const std::vector<double> start = std::exchange(target.start, onward);
+        if (target.residual <= 0.1 * repeats) break;
+        target.start = target.search.next(start, onward);
         if (target.residual <= repeats) break;
-        target.start = search.next(target.start, target.end);
     }
     target.count = stepper.count;
 }

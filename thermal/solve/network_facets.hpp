@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "thermal/network/network_step.hpp"
+#include "thermal/solve/network_period.hpp"
 #include "thermal/solve/network_surroundings.hpp"
 #include "thermal/solve/solve_state.hpp"
 
@@ -46,13 +47,15 @@ class NetworkFacets {
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
         std::vector<float> excess{};         // (instant of that, facet, side) under which it ran
         std::vector<double> start{}, end{};  // [K] nodes, then lumps
-        double residual = 0.0;               // [K] |P(T) − T|
-        double left_of_it = 0.0;             // what a day leaves of it, at most
+        NetworkPeriod search{};
+        double residual = 0.0;    // [K] |P(T) − T|
+        double left_of_it = 0.0;  // what a day leaves of it, at most
         NetworkCount count{};
         bool closed = false;  // to the last digit, as the last run has to be
     };
     void run(const Level& level, Target& target) const;
-    void march(NetworkSurroundings& around, NetworkStepper& stepper, Target& target) const;
+    void march(NetworkSurroundings& around, NetworkStepper& stepper, DeepColumns& deep,
+               Target& target) const;
     void put_down(std::size_t i, const NetworkStepper& stepper, NetworkSurroundings& around,
                   Target& target) const;
     void guess(const Target& target, NetworkSurroundings& around, NetworkStepper& stepper) const;

@@ -92,14 +92,18 @@ void renew_matrices(const SolveState& solve, Level& level, std::vector<Block>& b
         std::fill(kind.slope.begin(), kind.slope.end(), 0.0);
         std::fill(kind.back_slope.begin(), kind.back_slope.end(), 0.0);
     }
+    std::vector<double> run(level.kind.size(), 0.0);  // (kind) facets
+    for (const Block& block : blocks) {
+        if (block.has_run()) run[block.material] += double(block.facet.size());
+    }
     for (const Block& block : blocks) {
         if (!block.has_run()) continue;
         Kind& kind = level.kind[block.material];
         for (std::size_t i = 0; i < kind.slope.size(); ++i) {
-            kind.slope[i] += block.slope[i] / double(kind.facets);
+            kind.slope[i] += block.slope[i] / run[block.material];
         }
         for (std::size_t i = 0; i < kind.back_slope.size(); ++i) {
-            kind.back_slope[i] += block.back_slope[i] / double(kind.facets);
+            kind.back_slope[i] += block.back_slope[i] / run[block.material];
         }
     }
     for_each_index(

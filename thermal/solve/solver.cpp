@@ -58,7 +58,7 @@ void tell_heights(const SolveState& solve, Block& block) {
 std::vector<MaterialId> group_by_material(SolveState& solve) {
     std::map<std::size_t, std::size_t> place_of;
     std::vector<MaterialId> materials;
-    std::map<std::tuple<std::size_t, std::size_t, bool, bool>, std::size_t>
+    std::map<std::tuple<std::size_t, std::size_t, bool, bool, bool>, std::size_t>
         open;  // still taking facets
     for (std::size_t f = 0; f < solve.facets; ++f) {
         if (solve.is_back(f)) continue;
@@ -72,8 +72,9 @@ std::vector<MaterialId> group_by_material(SolveState& solve) {
         const std::size_t m = place->second;
         if (is_new) materials.push_back(id);
         const bool modes = in_modes(solve.options, surface);
+        const bool target = !solve.in_network.empty() && solve.in_network[f];
         const auto [last, none] =
-            open.try_emplace({m, slice_of(solve, f, modes), sheet, sheltered}, 0);
+            open.try_emplace({m, slice_of(solve, f, modes), sheet, sheltered, target}, 0);
         if (none || solve.block[last->second].facet.size() == solve.block[last->second].stride) {
             last->second = solve.block.size();
             Block& block = solve.block.emplace_back();

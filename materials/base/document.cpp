@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <system_error>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -37,6 +40,68 @@ void note_unasked(DocumentState& state, const toml::table& table, const std::str
             }
         }
     }
+}
+
+std::vector<std::string> words_of(const std::string& path) {
+    std::vector<std::string> words{""};
+    for (const char c : path) {
+        if (c == '.') {
+            words.emplace_back();
+        } else {
+            words.back() += c;
+        }
+    }
+    return words;
+}
+
+std::string name_of(const toml::node& node) {
+    const toml::table* table = node.as_table();
+    const toml::node* name = table != nullptr ? table->get("name") : nullptr;
+    return name != nullptr && name->is_string() ? name->as_string()->get() : "";
+}
+
+/// What a word of a path leads to: a key of a table; of an array the element of that name or
+/// number. Null where there is none.
+toml::node* inner(toml::node& node, const std::string& word) {
+    if (toml::table* table = node.as_table()) return table->get(word);
+    toml::array* array = node.as_array();
+    if (array == nullptr) return nullptr;
+    for (toml::node& element : *array) {
+        if (!word.empty() && name_of(element) == word) return &element;
+    }
+    std::size_t number = 0;
+    const char* end = word.data() + word.size();
+    const auto [read, error] = std::from_chars(word.data(), end, number);
+    const bool whole = error == std::errc{} && read == end;
+    return whole && number < array->size() ? &(*array)[number] : nullptr;
+}
+
+/// The table that a path's last word is a key of; tables that are not there are added.
+std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::string& path,
+                                              const std::string& where) {
+    const std::vector<std::string> words = words_of(path);
+    toml::table* table = &state.root;
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+        table->insert(words[i], toml::table{});  // does nothing where the key is there
+        toml::node* node = table->get(words[i]);
+        if (const toml::array* array = node->as_array(); array != nullptr) {
+            if (++i + 1 >= words.size()) {
+                throw InputError(where,
+                                 fmt::format("names no key of one of '{}', expected {}.NAME.key",
+                                             words[i - 1], words[i - 1]));
+            }
+            node = inner(*node, words[i]);
+            if (node == nullptr) {
+                std::vector<std::string> names;
+                for (const toml::node& element : *array) names.push_back(name_of(element));
+                throw InputError(where, fmt::format("no {} \"{}\"", words[i - 1], words[i]),
+                                 did_you_mean(words[i], names));
+            }
+        }
+        table = node->as_table();
+        if (table == nullptr) throw InputError(where, "'" + words[i] + "' is not a table");
+    }
+    return {table, words.back()};
 }
 
 std::function<void(std::span<const Key>)>& watcher() {
@@ -77,17 +142,24 @@ void Document::set(const std::string& setting) {
     } catch (const toml::parse_error&) {
         parsed.insert_or_assign("value", value);
     }
-    toml::table* table = &state_->root;
-    std::string rest = setting.substr(0, equals);
-    for (std::size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
-        const std::string key = rest.substr(0, dot);
-        table->insert(key, toml::table{});  // does nothing where the key is there
-        table = table->get(key)->as_table();
-        if (table == nullptr) throw InputError("--set " + setting, "'" + key + "' is not a table");
-        rest = rest.substr(dot + 1);
-    }
-    table->insert_or_assign(rest, std::move(*parsed.get("value")));
+    const auto [table, key] = table_at(*state_, setting.substr(0, equals), "--set " + setting);
+    table->insert_or_assign(key, std::move(*parsed.get("value")));
 }
+
+void Document::move_value(const std::string& from, const std::string& to) {
+    toml::node* value = &state_->root;
+    for (const std::string& word : words_of(from)) {
+        if (value != nullptr) value = inner(*value, word);
+    }
+    if (value == nullptr) throw InputError(state_->file, "no value at " + from);
+    const toml::source_region source = value->source();
+    const auto [table, key] = table_at(*state_, to, state_->place(source, to));
+    value->visit([&table = table, &key = key, &source](auto& held) {
+        table->insert_or_assign(toml::key(key, source), std::move(held));
+    });
+}
+
+void Document::drop(const std::string& key) { state_->root.erase(key); }
 
 Section Document::root() const { return {state_, &state_->root, "", ""}; }
 

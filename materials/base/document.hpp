@@ -24,8 +24,17 @@ class Document {
     static Document from_text(const std::string& text, const std::string& file);
 
     /// Puts a value in place of what the file says, or adds it: "time.step_s=300". What is no TOML
-    /// value counts as a text. Throws InputError if a table on the way is none.
+    /// value counts as a text. Of several tables [[observer]] one is called by its name or its
+    /// number from 0: "observer.east.width=320". Throws InputError if there is none, or if what is
+    /// on the way is no table.
     void set(const std::string& setting);
+    /// The same with a value that stands elsewhere in the file, which is gone from there: mistakes
+    /// are told of that place.
+    ///
+    /// - from: its path, "sweep.axis.0.values.2"
+    void move_value(const std::string& from, const std::string& to);
+    /// Takes a key of the root away.
+    void drop(const std::string& key);
 
     Section root() const;
     void finish() const;

@@ -31,6 +31,7 @@ struct Key {
         numbers,
         texts,
         rows,
+        values,
         table,
         tables
     };

@@ -31,6 +31,12 @@ std::string shown(const toml::node& node) {
     return text.str().substr(0, 60);
 }
 
+std::string json(const toml::node& node) {
+    std::ostringstream text;
+    text << toml::json_formatter{node};
+    return text.str();
+}
+
 /// Integers count as numbers; nan and inf do not.
 bool finite_number(const toml::node& node, double& value) {
     if (!node.is_number()) return false;
@@ -365,6 +371,33 @@ std::vector<std::vector<double>> Section::rows(const std::string& key, const cha
             return {};
         }
         found.push_back(std::move(values));
+    }
+    return found;
+}
+
+std::vector<std::vector<std::string>> Section::values(const std::string& key, const char* says,
+                                                      std::size_t width) const {
+    ask(key, says, Key::Kind::values, {.required = true});
+    const toml::node* node = node_of(table_, key);
+    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+    if (array == nullptr || array->empty()) {
+        mistake(key, (node == nullptr ? "missing" : "found " + shown(*node)) +
+                         ", expected an array of one value or more");
+        return {};
+    }
+    std::vector<std::vector<std::string>> found;
+    for (const toml::node& element : *array) {
+        const toml::array* row = element.as_array();
+        if (width > 1 && (row == nullptr || row->size() != width)) {
+            state_->note(element.source(),
+                         fmt::format("{}[{}]", joined_path(path_, key), found.size()),
+                         fmt::format("found {}, expected an array of {} values, one for each key",
+                                     shown(element), width));
+            return {};
+        }
+        std::vector<std::string>& texts = found.emplace_back();
+        for (std::size_t i = 0; i < width; ++i)
+            texts.push_back(json(width > 1 ? (*row)[i] : element));
     }
     return found;
 }

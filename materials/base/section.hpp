@@ -105,6 +105,10 @@ class Section {
     /// An array of arrays of `width` numbers, such as the corners of a polygon.
     std::vector<std::vector<double>> rows(const std::string& key, const char* says,
                                           std::size_t width, std::size_t least_count = 1) const;
+    /// An array of values of any kind, as JSON; with a `width` above 1 of arrays of that many. At
+    /// least one, or a mistake.
+    std::vector<std::vector<std::string>> values(const std::string& key, const char* says,
+                                                 std::size_t width) const;
     /// A table; an empty one where it is absent.
     Section section(const std::string& key, const char* says) const;
     /// The same, its absence a mistake: that of the keys in it is none then.

@@ -1,5 +1,9 @@
 #include "materials/matter/read_library.hpp"
 
+#include <filesystem>
+#include <map>
+#include <mutex>
+
 #include "materials/base/files.hpp"
 #include "materials/matter/read_material.hpp"
 
@@ -22,7 +26,13 @@ MaterialLibrary load_material_library(const std::filesystem::path& file) {
 }
 
 MaterialLibrary default_material_library() {
-    return load_material_library(data_folder() / "library.toml");
+    static std::mutex guard;
+    static std::map<std::filesystem::path, MaterialLibrary> known;
+    const std::filesystem::path file = data_folder() / "library.toml";
+    const std::lock_guard lock(guard);
+    auto found = known.find(file);
+    if (found == known.end()) found = known.emplace(file, load_material_library(file)).first;
+    return found->second;
 }
 
 }  // namespace diurna

@@ -15,7 +15,7 @@ MaterialLibrary load_material_library(const std::filesystem::path& file);
 /// The same of a document, which is finished.
 MaterialLibrary read_material_library(const Document& document);
 
-/// The library that comes with the program: data_folder() / "library.toml".
+/// The library that comes with the program: data_folder() / "library.toml". Read once.
 MaterialLibrary default_material_library();
 
 }  // namespace diurna

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -17,6 +18,9 @@
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/job.hpp"
+#include "scenes/sweep/run_sweep.hpp"
+#include "scenes/sweep/sweep_plan.hpp"
+#include "scenes/sweep/variants.hpp"
 
 namespace diurna {
 
@@ -57,18 +61,85 @@ void check_converged(const std::string& not_converged) {
     if (!not_converged.empty()) throw std::runtime_error(not_converged);
 }
 
+/// What `run` has besides a scene: of a sweep, which variants.
+struct RunArguments {
+    JobOptions job;
+    std::string shard, only;
+};
+
+/// "2/4"
+void read_shard(const std::string& text, SweepOptions& options) {
+    int used = 0;
+    if (std::sscanf(text.c_str(), "%zu/%zu%n", &options.shard, &options.shards, &used) != 2 ||
+        std::size_t(used) != text.size() || options.shard < 1 || options.shard > options.shards) {
+        throw InputError("--shard",
+                         fmt::format("found '{}', expected I/N with I from 1 to N", text));
+    }
+}
+
+void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle style) {
+    SweepOptions options{.out = run.job.out, .resume = run.job.resume, .progress = style};
+    if (!run.shard.empty()) read_shard(run.shard, options);
+    const SweepReport report = run_sweep(sweep, options);
+    fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
+               report.rendered, report.kept, report.solved, options.out.string());
+    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", note);
+    if (report.missing > 0) {
+        fmt::print(stderr,
+                   "note: {} variants are not there yet: whichever shard ends last writes "
+                   "annotations.json and manifest.json of all\n",
+                   report.missing);
+    }
+    if (!report.not_converged.empty()) {
+        throw std::runtime_error(fmt::format("{}", fmt::join(report.not_converged, "\n")));
+    }
+}
+
+/// One variant as a scene of its own.
+Scene only_variant(const Sweep& sweep, const std::string& name, JobOptions& job) {
+    std::vector<std::string> names;
+    for (const Variant& variant : sweep.variants) {
+        names.push_back(variant.name);
+        if (variant.name == name) {
+            job.settings.push_back("variant " + name);  // counts in the run's key
+            return scene_of(sweep, variant);
+        }
+    }
+    throw InputError("--only", fmt::format("no variant '{}', expected {} to {}, or base", name,
+                                           names.front(), names.back()));
+}
+
 void check_verb(const SceneArguments& a) {
-    const Prepared prepared = prepare(a.read());
+    Scene scene = a.read();
+    if (!scene.sweep.axes.empty()) {
+        fmt::print("{}: {}\n", a.scene.string(),
+                   count_told(read_sweep_variants(a.scene, a.settings)));
+    }
+    const Prepared prepared = prepare(std::move(scene));
     check_start(prepared);
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.surfaces().size(), prepared.sequences.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
 }
 
-void run_verb(const SceneArguments& a, JobOptions job) {
+void run_verb(const SceneArguments& a, RunArguments run) {
+    Scene scene = a.read();
+    JobOptions& job = run.job;
     job.settings = a.settings;
     job.progress = a.style();
-    const JobReport report = run_job(a.read(), job);
+    if (scene.sweep.axes.empty()) {
+        for (const auto& [option, text] : {std::pair{"--shard", run.shard}, {"--only", run.only}}) {
+            if (!text.empty()) throw InputError(option, "the scene has no [sweep]");
+        }
+    } else if (run.only != "base") {
+        const Sweep sweep = read_sweep_variants(a.scene, a.settings);
+        if (run.only.empty()) {
+            run_sweep_verb(sweep, run, a.style());
+            return;
+        }
+        scene = only_variant(sweep, run.only, job);
+    }
+    const JobReport report = run_job(std::move(scene), job);
     double seconds = 0.0;
     for (const auto& stage : report.stages) seconds += stage.seconds;
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
@@ -79,8 +150,15 @@ void run_verb(const SceneArguments& a, JobOptions job) {
     check_converged(report.not_converged);
 }
 
+/// Of verbs that know no variants.
+void tell_of_sweep(const Scene& scene) {
+    if (scene.sweep.axes.empty()) return;
+    fmt::print(stderr, "note: the scene as it stands; its [sweep] is for run\n");
+}
+
 void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const Prepared prepared = prepare(a.read());
+    tell_of_sweep(prepared.scene);
     Progress progress(a.style());
     progress.stage("sky view");
     const Stages stages(prepared);
@@ -97,6 +175,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,
                  const std::filesystem::path& out) {
     const Prepared prepared = prepare(a.read());
+    tell_of_sweep(prepared.scene);
     const TemperatureField field = load_temperature_field(temperatures);
     if (field.facets != prepared.world.surfaces().size()) {
         throw InputError(temperatures.string(),
@@ -122,6 +201,9 @@ void add_plan_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("plan", "what would be computed and what is skipped");
     verb->callback([a = scene_arguments(*verb)] {
         const Prepared prepared = prepare(a->read());
+        if (!prepared.scene.sweep.axes.empty()) {
+            fmt::print("{}", describe(read_sweep_variants(a->scene, a->settings), prepared.plan));
+        }
         fmt::print("{}", describe(prepared.plan));
         for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
     });
@@ -130,10 +212,13 @@ void add_plan_verb(CLI::App& app) {
 void add_run_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("run", "the whole job: temperatures, frames, report");
     const auto a = scene_arguments(*verb);
-    const auto job = std::make_shared<JobOptions>();
-    verb->add_option("--out", job->out, "folder for the results (default: out)");
-    verb->add_flag("--resume", job->resume, "keep what an earlier run of the same inputs left");
-    verb->callback([a, job] { run_verb(*a, *job); });
+    const auto run = std::make_shared<RunArguments>();
+    verb->add_option("--out", run->job.out, "folder for the results (default: out)");
+    verb->add_flag("--resume", run->job.resume, "keep what an earlier run of the same inputs left");
+    verb->add_option("--shard", run->shard, "I/N: of a sweep, this part of its variants");
+    verb->add_option("--only", run->only,
+                     "of a sweep, this variant as a run by itself; base: the scene as it stands");
+    verb->callback([a, run] { run_verb(*a, *run); });
 }
 
 void add_solve_verb(CLI::App& app) {

@@ -13,6 +13,7 @@
 #include "scenes/input/read_observer.hpp"
 #include "scenes/input/read_output.hpp"
 #include "scenes/input/read_plumes.hpp"
+#include "scenes/input/read_sweep.hpp"
 #include "scenes/input/read_terrain.hpp"
 #include "scenes/input/read_textures.hpp"
 #include "scenes/input/read_time.hpp"
@@ -53,6 +54,7 @@ struct Scene {
     TextureUses texture_uses;
     std::vector<TrajectoryInput> trajectories;
     std::vector<ObserverInput> observers;
+    SweepInput sweep;
     int sky_rays = 64;          // per facet of the ground
     int object_sky_rays = 256;  // per facet of buildings and objects
     int sun_samples = 4;        // per facet and instant

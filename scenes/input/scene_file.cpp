@@ -145,6 +145,8 @@ Scene read_scene(const Document& document) {
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");
     }
+    scene.sweep = read_sweep(
+        root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
     scene.texture_uses = std::move(reading.texture_uses);
     const std::vector<SeenRange> seen = seen_ranges(scene);
     check_table_bands(atmosphere, scene.air, seen);

@@ -54,6 +54,8 @@ std::string type_of(const KeyEntry& entry) {
             return "texts";
         case Key::Kind::rows:
             return fmt::format("rows of {} numbers", entry.count);
+        case Key::Kind::values:
+            return "values";
         default:
             return "";
     }

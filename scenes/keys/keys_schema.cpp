@@ -86,6 +86,8 @@ Json value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& entry) {
             return array_of({{"type", "string"}}, 0);
         case Key::Kind::rows:
             return array_of(array_of(number, entry.count), 0);
+        case Key::Kind::values:
+            return {{"type", "array"}};
         case Key::Kind::table:
             return table_schema(entries, entry.path());
         case Key::Kind::tables:

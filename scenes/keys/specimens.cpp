@@ -107,6 +107,12 @@ projection = "equisolid"
 projection = "panorama"
 [[observer]]
 projection = "orthographic"
+[sweep]
+draw = 1
+[[sweep.axis]]
+key = "observer.east.height_above_ground_m"
+[[sweep.axis]]
+keys = ["time.start", "weather.file"]
 )"};
 
 const std::vector<std::string> column_specimens{R"(

@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 #include <map>
+#include <vector>
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
@@ -79,6 +80,28 @@ TEST_CASE("a setting takes the place of what the file says", "[materials][docume
     CHECK_THROWS_WITH(document.finish(), Catch::Contains("--set time.frames: found \"many\""));
     CHECK_THROWS_AS(document.set("time"), InputError);
     CHECK_THROWS_AS(document.set("time.step_s.x=1"), InputError);
+}
+
+TEST_CASE("a setting finds one of several tables by name or number", "[materials][document]") {
+    Document document = Document::from_text(
+        "[[eye]]\nname = \"east\"\nwidth = 1\n[[eye]]\nname = \"west\"\n"
+        "[list]\nvalues = [7, [8, \"x\"]]\n",
+        "hill.toml");
+    document.set("eye.west.width=20");
+    document.set("eye.0.width=10");
+    document.move_value("list.values.1.0", "eye.west.height");
+    CHECK_THROWS_WITH(document.set("eye.wst.width=1"), Catch::Contains("did you mean 'west'?"));
+    CHECK_THROWS_AS(document.set("eye.2.width=1"), InputError);
+    CHECK_THROWS_AS(document.set("eye.west=1"), InputError);
+    CHECK_THROWS_AS(document.move_value("list.values.5", "eye.west.width"), InputError);
+    document.drop("list");
+    const std::vector<Section> eyes = document.root().sections("eye", "an eye");
+    for (const Section& eye : eyes) eye.text("name", "its name");
+    CHECK(eyes[0].number("width", "of it") == 10.0);
+    CHECK(eyes[1].number("width", "of it") == 20.0);
+    // A value that was moved is told of where it stood: line 7, column 15.
+    eyes[1].number("height", "of it", {.least = 9.0});
+    CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye[1].height"));
 }
 
 TEST_CASE("a document tells what was asked of it, and how", "[materials][document]") {

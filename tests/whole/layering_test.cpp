@@ -39,7 +39,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
      {"weather", "weather_file", "column", "surface", "kernels", "steppers", "network", "point",
       "covered_facets", "heat_flux_field", "netcdf_output", "temperature_field", "solve"}},
     {"render", {"picture", "view", "light", "path", "eye", "rays", "tracer"}},
-    {"scenes", {"input", "keys", "world", "plan", "labels", "report", "run", "commands"}},
+    {"scenes", {"input", "keys", "world", "plan", "labels", "report", "run", "sweep", "commands"}},
 };
 
 // Units that still include each other, directly or around. To become empty.
@@ -77,7 +77,8 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"openssl/", {"scenes/run/digest.cpp"}},
     {"nlohmann/",
      {"scenes/labels/attribute_json.hpp", "scenes/labels/coco.cpp", "scenes/keys/keys_schema.cpp",
-      "scenes/run/manifest.cpp", "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp"}},
+      "scenes/run/manifest.cpp", "scenes/sweep/records.cpp", "scenes/sweep/merged_labels.cpp",
+      "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp"}},
     {"CLI/",
      {"scenes/commands/main.cpp", "scenes/commands/column_command.cpp",
       "scenes/commands/doctor_command.cpp", "scenes/commands/keys_command.cpp",

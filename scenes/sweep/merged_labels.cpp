@@ -1,0 +1,159 @@
+#include "scenes/sweep/merged_labels.hpp"
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "materials/base/files.hpp"
+#include "scenes/labels/split.hpp"
+#include "scenes/sweep/records.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Of one variant, as label_frames() wrote it.
+struct Part {
+    std::string variant, folder;
+    Json coco;
+};
+
+Json empty_set() {
+    return {{"info", {{"description", "diurna " DIURNA_VERSION}, {"version", "1.0"}}},
+            {"licenses", Json::array()},
+            {"images", Json::array()},
+            {"annotations", Json::array()},
+            {"categories", Json::array()}};
+}
+
+/// Names of all classes, in alphabetical order as in each part.
+std::vector<std::string> classes_of(const std::vector<Part>& parts, bool& alike) {
+    std::set<std::string> names;
+    for (const Part& part : parts) {
+        for (const Json& category : part.coco["categories"]) names.insert(category["name"]);
+    }
+    alike = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
+        return part.coco["categories"].size() == names.size();
+    });
+    return {names.begin(), names.end()};
+}
+
+/// Whether the pictures of an instant or a variant, by its name, are for validation.
+std::map<std::string, bool> drawn_split(const Sweep& sweep, const std::vector<Part>& parts,
+                                        SweepSplit by) {
+    std::set<std::string> names;
+    for (const Part& part : parts) {
+        if (by == SweepSplit::variants) names.insert(part.variant);
+        if (by == SweepSplit::variants) continue;
+        for (const Json& image : part.coco["images"]) names.insert(image["date_captured"]);
+    }
+    const std::vector<bool> chosen =
+        validation_instants(names.size(), sweep.base.labels.validation_share, sweep.base.seed);
+    std::map<std::string, bool> split;
+    std::size_t next = 0;
+    for (const std::string& name : names) split[name] = chosen[next++];
+    return split;
+}
+
+/// All sets with their ids run through: 0 training, 1 validation, 2 both.
+struct Sets {
+    Json coco[3] = {empty_set(), empty_set(), empty_set()};
+    std::string list[2];
+
+    void add(const Part& part, const std::map<std::string, bool>& split, SweepSplit by,
+             const std::vector<std::string>& classes) {
+        std::map<int, int> category;
+        for (const Json& c : part.coco["categories"]) {
+            const std::string name = c["name"];
+            category[c["id"]] =
+                1 + int(std::lower_bound(classes.begin(), classes.end(), name) - classes.begin());
+        }
+        struct At {
+            std::size_t side, in_side, in_all;
+        };
+        std::map<int, At> at;
+        for (const Json& image : part.coco["images"]) {
+            const std::string instant = image["date_captured"];
+            const bool validation = split.at(by == SweepSplit::variants ? part.variant : instant);
+            const std::size_t side = validation ? 1 : 0;
+            Json moved = image;
+            for (const char* key : {"file_name", "planes"}) {
+                moved[key] = part.folder + "/" + image[key].get<std::string>();
+            }
+            moved["split"] = validation ? "validation" : "train";
+            moved["variant"] = part.variant;
+            list[side] += "./" + moved["file_name"].get<std::string>() + "\n";
+            at[image["id"]] = {side, coco[side]["images"].size() + 1, coco[2]["images"].size() + 1};
+            for (const std::size_t set : {side, std::size_t{2}}) {
+                moved["id"] = coco[set]["images"].size() + 1;
+                coco[set]["images"].push_back(moved);
+            }
+        }
+        for (const Json& annotation : part.coco["annotations"]) {
+            const At& image = at.at(annotation["image_id"]);
+            Json moved = annotation;
+            moved["category_id"] = category.at(annotation["category_id"]);
+            for (const std::size_t set : {image.side, std::size_t{2}}) {
+                moved["id"] = coco[set]["annotations"].size() + 1;
+                moved["image_id"] = set == 2 ? image.in_all : image.in_side;
+                coco[set]["annotations"].push_back(moved);
+            }
+        }
+    }
+};
+
+}  // namespace
+
+MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
+    std::vector<Part> parts;
+    for (const Variant& variant : sweep.variants) {
+        const std::string folder = "variants/" + variant.name;
+        parts.push_back({variant.name, folder,
+                         Json::parse(read_text(out / folder / "annotations.json", 1u << 30))});
+    }
+    MergedLabels merged;
+    SweepSplit by = sweep.base.sweep.split;
+    std::map<std::string, bool> split = drawn_split(sweep, parts, by);
+    if (by == SweepSplit::instants && split.size() < 2) {
+        by = SweepSplit::variants;
+        split = drawn_split(sweep, parts, by);
+        merged.notes.emplace_back(
+            "labels: all pictures are of one instant, variants are drawn for validation");
+    }
+    bool alike = false;
+    const std::vector<std::string> classes = classes_of(parts, alike);
+    Sets sets;
+    for (const Part& part : parts) sets.add(part, split, by, classes);
+    const auto write = [&](const std::string& name, const std::string& text) {
+        write_whole_file(out / name, text);
+        merged.files.push_back(name);
+    };
+    const char* names[] = {"annotations_train.json", "annotations_validation.json",
+                           "annotations.json"};
+    for (std::size_t set = 0; set < 3; ++set) {
+        for (std::size_t c = 0; c < classes.size(); ++c) {
+            sets.coco[set]["categories"].push_back(
+                {{"id", c + 1}, {"name", classes[c]}, {"supercategory", "object"}});
+        }
+        write(names[set], sets.coco[set].dump() + "\n");
+    }
+    if (!alike) {
+        merged.notes.emplace_back(
+            "labels: variants differ in their classes, so that numbers of classes in labels/*.txt "
+            "do; no lists for YOLO");
+        return merged;
+    }
+    const fs::path first = out / parts.front().folder;
+    write("data.yaml", read_text(first / "data.yaml"));
+    write("classes.txt", read_text(first / "classes.txt"));
+    write("train.txt", sets.list[0]);
+    write("validation.txt", sets.list[1]);
+    return merged;
+}
+
+}  // namespace diurna

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scenes/sweep/variants.hpp"
+
+/// What tells, in a sweep's folder, how far it is: a file written when a variant or the heat of
+/// some is done. Whole or not at all, so that a sweep that was ended anywhere can go on.
+namespace diurna {
+
+/// "heat/h2/done.json"
+struct HeatRecord {
+    std::string key;  // of all it depends on
+    std::string start, not_converged;
+    std::vector<std::string> notes;
+};
+/// "variants/v07/variant.json"
+struct VariantRecord {
+    std::string key;
+    bool done = false;                           // else its pictures are being made
+    std::map<std::string, std::string> outputs;  // SHA-256 by name, relative to its folder
+};
+
+std::filesystem::path heat_folder(const std::filesystem::path& out, const std::string& heat);
+std::filesystem::path variant_folder(const std::filesystem::path& out, const std::string& variant);
+
+/// Empty where there is none.
+HeatRecord read_heat_record(const std::filesystem::path& folder);
+VariantRecord read_variant_record(const std::filesystem::path& folder);
+
+void write_heat_record(const std::filesystem::path& folder, const HeatRecord& record);
+/// With the variant's values.
+void write_variant_record(const std::filesystem::path& folder, const Sweep& sweep,
+                          const Variant& variant, const VariantRecord& record);
+
+/// "manifest.json" of the whole: axes, variants with their values, folders and outputs, heats. The
+/// same bytes, however the work was divided.
+void write_sweep_manifest(const std::filesystem::path& out, const Sweep& sweep,
+                          const std::map<std::string, std::string>& outputs);
+
+}  // namespace diurna

@@ -1,0 +1,203 @@
+#include "scenes/sweep/run_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "materials/base/error.hpp"
+#include "scenes/labels/label_frames.hpp"
+#include "scenes/plan/frame_files.hpp"
+#include "scenes/plan/prepared.hpp"
+#include "scenes/run/digest.hpp"
+#include "scenes/run/frames.hpp"
+#include "scenes/run/heat.hpp"
+#include "scenes/run/manifest.hpp"
+#include "scenes/sweep/merged_labels.hpp"
+#include "scenes/sweep/records.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Variants of one heat, and what they share.
+struct Group {
+    const Sweep& sweep;
+    const SweepOptions& options;
+    std::span<const Variant> variants;
+    std::string key;  // of all that their temperatures depend on
+
+    fs::path folder() const { return heat_folder(options.out, variants.front().heat); }
+    std::string key_of(const Variant& variant) const {
+        std::string text = key + variant.name;
+        const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
+        for (std::size_t a = 0; a < axes.size(); ++a) {
+            for (const std::string& value : axes[a].values[variant.choice[a]]) {
+                text.append(1, '\n').append(value);
+            }
+        }
+        return sha256(text);
+    }
+    /// Those that an earlier run has not left whole.
+    std::vector<const Variant*> pending() const {
+        std::vector<const Variant*> left;
+        for (const Variant& variant : variants) {
+            const VariantRecord record =
+                read_variant_record(variant_folder(options.out, variant.name));
+            const bool kept = options.resume && record.done && record.key == key_of(variant);
+            if (!kept) left.push_back(&variant);
+        }
+        return left;
+    }
+};
+
+/// Of what the variants of a heat share: the scene's files, the settings, the values that touch
+/// heat.
+std::string heat_key(const Sweep& sweep, const Variant& variant) {
+    return job_key(heat_scene_of(sweep, variant), heat_settings(sweep, variant));
+}
+
+void tell_once(std::vector<std::string>& notes, const std::string& note) {
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+void tell(const HeatRecord& record, const std::string& heat, SweepReport& report) {
+    if (!record.not_converged.empty()) {
+        report.not_converged.push_back(fmt::format("heat {}: {}", heat, record.not_converged));
+    }
+    for (const std::string& note : record.notes) tell_once(report.notes, note);
+}
+
+/// Temperatures of a group: kept, or solved and written.
+TemperatureField temperatures(const Group& group, const Prepared& prepared, const FacetViews& views,
+                              Progress& progress, SweepReport& report) {
+    const fs::path folder = group.folder(), file = folder / "temperatures.nc";
+    HeatRecord record = read_heat_record(folder);
+    std::optional<TemperatureField> field;
+    if (group.options.resume && record.key == group.key && fs::exists(file)) {
+        field = load_temperature_field(file);
+    } else {
+        fs::create_directories(folder);
+        fs::remove(folder / "done.json");
+        SpanResult result = solve_scene(prepared, views, progress);
+        progress.stage("write temperatures");
+        write_heat(prepared, result, file);
+        record = {group.key, result.start, not_converged(result.report), result.notes};
+        write_heat_record(folder, record);
+        ++report.solved;
+        field = std::move(result.temperature);
+    }
+    tell(record, group.variants.front().heat, report);
+    return std::move(*field);
+}
+
+/// Pictures and labels of one variant, and its record.
+void run_variant(const Group& group, const Variant& variant, const Prepared& prepared,
+                 const FacetViews& views, const TemperatureField& field, Progress& progress) {
+    const fs::path folder = variant_folder(group.options.out, variant.name);
+    VariantRecord record{.key = group.key_of(variant), .done = false, .outputs = {}};
+    const std::vector<std::string> pictures =
+        frame_files(prepared.scene.observers, prepared.plan.frames);
+    if (!group.options.resume || read_variant_record(folder).key != record.key) {
+        for (const std::string& file : pictures) fs::remove(folder / file);
+    }
+    for (const char* inner : {"frames", "images", "labels", "kitti"}) {
+        fs::create_directories(folder / inner);
+    }
+    write_variant_record(folder, group.sweep, variant, record);
+    render_frames(prepared, views, field, folder, progress);
+    progress.stage("labels of " + variant.name);
+    for (const std::string& file : label_frames(prepared, folder)) {
+        record.outputs[file] = sha256_of_file(folder / file);
+    }
+    for (const std::string& file : pictures) record.outputs[file] = sha256_of_file(folder / file);
+    record.done = true;
+    write_variant_record(folder, group.sweep, variant, record);
+}
+
+/// A variant's scene stands; what is wrong with it is told with its name.
+Prepared prepare_variant(const Sweep& sweep, const Variant& variant) {
+    try {
+        Prepared prepared = prepare(scene_of(sweep, variant));
+        check_start(prepared);
+        return prepared;
+    } catch (const InputError& error) {
+        std::vector<Mistake> mistakes = error.mistakes();
+        for (Mistake& mistake : mistakes) {
+            mistake.problem += fmt::format(" (in variant {})", variant.name);
+        }
+        throw InputError(std::move(mistakes));
+    }
+}
+
+void run_group(Group group, Progress& progress, SweepReport& report) {
+    group.key = heat_key(group.sweep, group.variants.front());
+    const std::vector<const Variant*> pending = group.pending();
+    report.kept += group.variants.size() - pending.size();
+    if (pending.empty()) {
+        tell(read_heat_record(group.folder()), group.variants.front().heat, report);
+        return;
+    }
+    progress.stage(fmt::format("heat {}: terrain", group.variants.front().heat));
+    std::optional<Prepared> prepared = prepare_variant(group.sweep, *pending.front());
+    for (const std::string& note : prepared->notes) tell_once(report.notes, note);
+    progress.stage("sky view");
+    const FacetViews views = scene_sky_view(*prepared);
+    const TemperatureField field = temperatures(group, *prepared, views, progress, report);
+    for (const Variant* variant : pending) {
+        if (variant != pending.front()) {
+            progress.stage(fmt::format("variant {}: terrain", variant->name));
+            prepared = std::nullopt;  // before the next is there: they are large
+            prepared.emplace(prepare_variant(group.sweep, *variant));
+        }
+        run_variant(group, *variant, *prepared, views, field, progress);
+        ++report.rendered;
+    }
+}
+
+/// Manifest and labels of the whole, once every variant is there.
+void merge(const Sweep& sweep, const SweepOptions& options, SweepReport& report) {
+    Group group{sweep, options, {}, ""};
+    for (const Variant& variant : sweep.variants) {
+        if (group.variants.empty() || group.variants.front().heat != variant.heat) {
+            group.variants = {&variant, 1};
+            group.key = heat_key(sweep, variant);
+        }
+        const VariantRecord record = read_variant_record(variant_folder(options.out, variant.name));
+        report.missing += record.done && record.key == group.key_of(variant) ? 0 : 1;
+    }
+    if (report.missing > 0) return;
+    MergedLabels labels = merge_labels(sweep, options.out);
+    for (std::string& note : labels.notes) report.notes.push_back(std::move(note));
+    std::map<std::string, std::string> outputs;
+    for (const std::string& file : labels.files) {
+        outputs[file] = sha256_of_file(options.out / file);
+    }
+    write_sweep_manifest(options.out, sweep, outputs);
+}
+
+}  // namespace
+
+SweepReport run_sweep(const Sweep& sweep, const SweepOptions& options) {
+    SweepReport report;
+    Progress progress(options.progress);
+    const VariantRange part = part_of(sweep.variants.size(), options.shard, options.shards);
+    const std::span<const Variant> all(sweep.variants);
+    for (std::size_t first = part.first; first < part.last;) {
+        std::size_t last = first;
+        while (last < part.last && all[last].heat == all[first].heat) ++last;
+        run_group({sweep, options, all.subspan(first, last - first), ""}, progress, report);
+        first = last;
+    }
+    progress.stage("labels of all variants");
+    merge(sweep, options, report);
+    progress.finish();
+    return report;
+}
+
+}  // namespace diurna

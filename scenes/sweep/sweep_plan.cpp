@@ -1,0 +1,38 @@
+#include "scenes/sweep/sweep_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace diurna {
+
+std::string count_told(const Sweep& sweep) {
+    const SweepInput& input = sweep.base.sweep;
+    const std::size_t solves = sweep.solves();
+    return fmt::format("{} variants{}, {} {} of the heat balance", sweep.variants.size(),
+                       input.draw ? fmt::format(" drawn of {:g} combinations", input.grid()) : "",
+                       solves, solves == 1 ? "solve" : "solves");
+}
+
+std::string describe(const Sweep& sweep, const Plan& base) {
+    double heat = 0.0, pictures = 0.0;
+    for (const PlannedStage& stage : base.stages) {
+        const bool of_pictures =
+            stage.name == "views" || stage.name == "frames" || stage.name == "report";
+        (of_pictures ? pictures : heat) += stage.seconds;
+    }
+    std::string text = fmt::format("sweep       {}\n", count_told(sweep));
+    for (const SweepAxis& axis : sweep.base.sweep.axes) {
+        const bool shared = std::all_of(axis.keys.begin(), axis.keys.end(), for_pictures_alone);
+        text += fmt::format("  {:<32} {:>4} values{}\n", axis.name, axis.values.size(),
+                            shared ? ", temperatures shared" : "");
+    }
+    const double solves = double(sweep.solves()), variants = double(sweep.variants.size());
+    text += fmt::format(
+        "  time of all {:>12.1f} s   heat {:.1f} s, pictures {:.1f} s a variant; each as the scene "
+        "stands, which follows, and without its terrain\n",
+        solves * heat + variants * pictures, heat, pictures);
+    return text;
+}
+
+}  // namespace diurna

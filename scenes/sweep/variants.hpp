@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+
+namespace diurna {
+
+/// One combination of the values of a sweep's axes.
+struct Variant {
+    std::string name;                 // of its folder: "v07", by its number in the grid
+    std::vector<std::size_t> choice;  // (axis) of its values
+    std::string heat;                 // whose temperatures it has: "h2"
+};
+
+/// The variants of a scene, those of the same heat side by side.
+struct Sweep {
+    std::filesystem::path file;
+    std::vector<std::string> settings;  // "key=value" of the command line, for all variants
+    Scene base;                         // as the file says, and with the settings
+    std::vector<Variant> variants;
+
+    std::size_t solves() const;
+};
+
+/// Of a scene with axes. Every value of every axis is tried by itself in the scene; throws
+/// InputError with all mistakes, told where the values stand.
+Sweep read_sweep_variants(const std::filesystem::path& file,
+                          const std::vector<std::string>& settings);
+
+/// What touches pictures alone: two variants that differ only there have the same temperatures.
+bool for_pictures_alone(const std::string& key);
+
+/// The scene that a variant is.
+Scene scene_of(const Sweep& sweep, const Variant& variant);
+
+/// The scene with those of its values that touch heat: the same for all variants of one heat.
+Scene heat_scene_of(const Sweep& sweep, const Variant& variant);
+/// The command line's settings and those values, as "key=value".
+std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& variant);
+
+/// The part of `shard` (1 to `shards`) in the variants: [first, last). Parts are in the order of
+/// the variants, so that few heats are in two.
+struct VariantRange {
+    std::size_t first, last;
+};
+VariantRange part_of(std::size_t variants, std::size_t shard, std::size_t shards);
+
+}  // namespace diurna

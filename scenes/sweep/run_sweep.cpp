@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "materials/base/error.hpp"
@@ -135,6 +136,20 @@ Prepared prepare_variant(const Sweep& sweep, const Variant& variant) {
     }
 }
 
+/// Temperatures of another variant of the heat serve this one: same facets, and all its instants
+/// among those kept, for what lies between is not solved for.
+void check_shared(const Variant& variant, const Prepared& prepared, const TemperatureField& field) {
+    const bool facets = field.facets == prepared.world.surfaces().size();
+    const std::vector<Instant>& frames = prepared.plan.frames;
+    const bool instants = std::all_of(frames.begin(), frames.end(), [&](Instant when) {
+        return std::binary_search(field.instant.begin(), field.instant.end(), when);
+    });
+    if (facets && instants) return;
+    throw std::runtime_error(
+        fmt::format("variant {} has other {} than those it was to share temperatures with",
+                    variant.name, facets ? "instants of pictures" : "facets"));
+}
+
 void run_group(Group group, Progress& progress, SweepReport& report) {
     group.key = heat_key(group.sweep, group.variants.front());
     const std::vector<const Variant*> pending = group.pending();
@@ -155,6 +170,7 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
             prepared = std::nullopt;  // before the next is there: they are large
             prepared.emplace(prepare_variant(group.sweep, *variant));
         }
+        check_shared(*variant, *prepared, field);
         run_variant(group, *variant, *prepared, views, field, progress);
         ++report.rendered;
     }

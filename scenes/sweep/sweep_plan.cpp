@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace diurna {
 
 std::string count_told(const Sweep& sweep) {
@@ -23,7 +21,7 @@ std::string describe(const Sweep& sweep, const Plan& base) {
     }
     std::string text = fmt::format("sweep       {}\n", count_told(sweep));
     for (const SweepAxis& axis : sweep.base.sweep.axes) {
-        const bool shared = std::all_of(axis.keys.begin(), axis.keys.end(), for_pictures_alone);
+        const bool shared = !touches_heat(sweep, axis);
         text += fmt::format("  {:<32} {:>4} values{}\n", axis.name, axis.values.size(),
                             shared ? ", temperatures shared" : "");
     }

@@ -31,10 +31,6 @@ Document document_of(const Sweep& sweep) {
     return document;
 }
 
-bool touches_heat(const SweepAxis& axis) {
-    return !std::all_of(axis.keys.begin(), axis.keys.end(), for_pictures_alone);
-}
-
 /// With a variant's values of those axes that count.
 template <class Counts>
 Scene scene_with(const Sweep& sweep, const Variant& variant, const Counts& counts) {
@@ -71,6 +67,18 @@ void check_values(const Sweep& sweep) {
     if (!mistakes.empty()) throw InputError(std::move(mistakes));
 }
 
+/// Whether the ground's mesh follows the observers (terrain.coarsest_m), in any variant.
+bool ground_by_observers(const Scene& base) {
+    bool follows = base.terrain.coarsest > base.terrain.tolerance;
+    for (const SweepAxis& axis : base.sweep.axes) {
+        for (const std::string& key : axis.keys) {
+            follows = follows || key == "terrain" || key == "terrain.coarsest_m" ||
+                      (key == "terrain.tolerance_m" && base.terrain.coarsest > 0.0);
+        }
+    }
+    return follows;
+}
+
 /// Numbers of the grid, ascending: all, or drawn one after the other.
 std::vector<std::uint64_t> chosen_numbers(const SweepInput& sweep, std::uint64_t seed) {
     const auto grid = static_cast<std::uint64_t>(sweep.grid());
@@ -93,7 +101,8 @@ std::size_t digits(std::uint64_t count) {
 }
 
 /// Of the grid, the last axis running fastest.
-Variant variant_of(const SweepInput& sweep, std::uint64_t number) {
+Variant variant_of(const Sweep& whole, std::uint64_t number) {
+    const SweepInput& sweep = whole.base.sweep;
     Variant variant{.name = fmt::format("v{:0{}}", number, digits(std::uint64_t(sweep.grid()))),
                     .choice = std::vector<std::size_t>(sweep.axes.size()),
                     .heat = ""};
@@ -104,7 +113,7 @@ Variant variant_of(const SweepInput& sweep, std::uint64_t number) {
     }
     std::uint64_t heat = 0, heats = 1;
     for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
-        if (!touches_heat(sweep.axes[a])) continue;
+        if (!touches_heat(whole, sweep.axes[a])) continue;
         heat = heat * sweep.axes[a].values.size() + variant.choice[a];
         heats *= sweep.axes[a].values.size();
     }
@@ -120,9 +129,13 @@ std::size_t Sweep::solves() const {
     return heats.size();
 }
 
-bool for_pictures_alone(const std::string& key) {
-    const std::string_view first = std::string_view(key).substr(0, key.find('.'));
-    return first == "observer" || first == "labels";
+bool touches_heat(const Sweep& sweep, const SweepAxis& axis) {
+    return !std::all_of(axis.keys.begin(), axis.keys.end(), [&](const std::string& key) {
+        const std::size_t last = key.rfind('.') + 1;  // of no dot: 0
+        if (key.starts_with("labels.")) return true;
+        return key.starts_with("observer.") && !key.substr(last).starts_with("frame") &&
+               !sweep.ground_by_observers;
+    });
 }
 
 Sweep read_sweep_variants(const std::filesystem::path& file,
@@ -130,8 +143,9 @@ Sweep read_sweep_variants(const std::filesystem::path& file,
     Sweep sweep{
         .file = file, .settings = settings, .base = read_scene(file, settings), .variants = {}};
     check_values(sweep);
+    sweep.ground_by_observers = ground_by_observers(sweep.base);
     for (const std::uint64_t number : chosen_numbers(sweep.base.sweep, sweep.base.seed)) {
-        sweep.variants.push_back(variant_of(sweep.base.sweep, number));
+        sweep.variants.push_back(variant_of(sweep, number));
     }
     std::stable_sort(sweep.variants.begin(), sweep.variants.end(),
                      [](const Variant& a, const Variant& b) { return a.heat < b.heat; });
@@ -143,7 +157,8 @@ Scene scene_of(const Sweep& sweep, const Variant& variant) {
 }
 
 Scene heat_scene_of(const Sweep& sweep, const Variant& variant) {
-    return scene_with(sweep, variant, touches_heat);
+    return scene_with(sweep, variant,
+                      [&](const SweepAxis& axis) { return touches_heat(sweep, axis); });
 }
 
 std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& variant) {
@@ -151,7 +166,7 @@ std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& varian
     const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         for (std::size_t k = 0; k < axes[a].keys.size(); ++k) {
-            if (!touches_heat(axes[a])) continue;
+            if (!touches_heat(sweep, axes[a])) continue;
             settings.push_back(axes[a].keys[k] + "=" + axes[a].values[variant.choice[a]][k]);
         }
     }

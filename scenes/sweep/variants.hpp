@@ -21,6 +21,7 @@ struct Sweep {
     std::filesystem::path file;
     std::vector<std::string> settings;  // "key=value" of the command line, for all variants
     Scene base;                         // as the file says, and with the settings
+    bool ground_by_observers = false;   // is finer where they look: they touch heat
     std::vector<Variant> variants;
 
     std::size_t solves() const;
@@ -31,8 +32,9 @@ struct Sweep {
 Sweep read_sweep_variants(const std::filesystem::path& file,
                           const std::vector<std::string>& settings);
 
-/// What touches pictures alone: two variants that differ only there have the same temperatures.
-bool for_pictures_alone(const std::string& key);
+/// Whether two variants that differ there have temperatures of their own. Else the axis is of
+/// pictures alone: of observers, but for when they look, and of labels.
+bool touches_heat(const Sweep& sweep, const SweepAxis& axis);
 
 /// The scene that a variant is.
 Scene scene_of(const Sweep& sweep, const Variant& variant);

@@ -9,12 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "tests/support/scratch_folder.hpp"
+#include "tests/support/small_scene.hpp"
 
 using namespace diurna;
 
@@ -78,17 +80,16 @@ double middle(const Frame& frame, const std::string& plane, const std::string& a
 /// Heat of the whole day, and pictures of it, made once.
 struct Day {
     ScratchFolder folder{"crossover"};
-    Prepared prepared = prepare(scene({}));
+    Prepared prepared = prepare(scene());
     FacetViews views = scene_sky_view(prepared);
     SpanResult heat;
     std::map<std::string, std::vector<double>> apparent;  // (frame) [K] 8-12, by name of the plate
 
-    /// - close: cameras in place of the drone
-    static Scene scene(const std::vector<ObserverInput>& close) {
+    /// With the drone alone, in one band.
+    static Scene scene() {
         Scene scene = read_scene(DIURNA_SOURCE_DIR "/scenes/crossover/scene.toml");
         scene.observers.resize(1);
         scene.observers[0].bands = {"8-12"};
-        if (!close.empty()) scene.observers = close;
         return scene;
     }
     Day() {
@@ -251,24 +252,26 @@ TEST_CASE("heat that enters sand and water leads their temperature as in closed 
 TEST_CASE("a bare sheet by night shows its own heat and the sky above", "[scenes][crossover]") {
     // L = ε B(T) + (1 − ε) L(zenith), ε = 0.050 in 8-12 um 10° from the normal (ECOSTRESS:
     // weathered aluminium), over the 2.4 m of air between.
-    ObserverInput down;
-    down.name = "down";
-    down.place = {5.0, -5.0};
-    down.height_above_ground = 3.0;
-    down.elevation_deg = -90.0;
-    down.horizontal_fov_deg = 10.0;
-    down.width = down.height = 8;
-    down.bands = {"8-12"};
-    ObserverInput up = down;
-    up.name = "up";
-    up.place = {0.0, 20.0};
-    up.elevation_deg = 90.0;
-    Scene scene = Day::scene({down, up});
-    const Instant midnight = scene.time.start;
-    scene.time.frames = {later(midnight, 2 * 3600.0), later(midnight, 4 * 3600.0),
-                         later(midnight, 22.5 * 3600.0)};
-    const Prepared prepared = prepare(std::move(scene));
+    const std::string source = DIURNA_SOURCE_DIR "/scenes/crossover/";
+    std::string text = read_text(source + "scene.toml");
+    text.erase(text.find("[[observer]]"));
+    text = with(text, "\"level.asc\"", "\"" + source + "level.asc\"");
+    text = with(text, "../jacksboro", DIURNA_SOURCE_DIR "/scenes/jacksboro");
+    for (std::size_t at = 0; (at = text.find("\"plate.obj", at)) != std::string::npos;) {
+        text.insert(at + 1, source);
+    }
+    text = with(text, "frame_every_s = 1800.0",
+                "frames = [\"02:00-04:00 every 2 h\", \"22:30-23:00 every 1 h\"]");
+    const auto camera = [](const std::string& name, const std::string& place, double elevation) {
+        return "[[observer]]\nname = \"" + name + "\"\nplace_m = " + place +
+               "\nheight_above_ground_m = 3.0\nazimuth_deg = 0.0\nelevation_deg = " +
+               std::to_string(elevation) +
+               "\nhorizontal_fov_deg = 10.0\nwidth = 8\nheight = 8\nbands = [\"8-12\"]\n";
+    };
     const ScratchFolder folder("sheet");
+    write_text(folder.path / "scene.toml",
+               text + camera("down", "[5.0, -5.0]", -90.0) + camera("up", "[0.0, 20.0]", 90.0));
+    const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     std::filesystem::create_directories(folder.path / "frames");
     Progress progress(ProgressStyle::silent);
     render_frames(prepared, day().views, day().heat.temperature, folder.path, progress);

@@ -264,6 +264,9 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     }
     object.target = read_target(section, part_file(section, object, model, reading), object.mesh,
                                 reading.materials);
+    if (!object.trajectory.empty() && !object.target.contact.empty()) {
+        section.mistake("trajectory", "not of an object in contact with the ground or with itself");
+    }
     object.material = part_materials(section, object, reading);
     if (object.target.given() && section.has("texture")) {
         section.mistake("part", "not on an object with a texture");

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
+#include "materials/base/units.hpp"
 #include "scenes/input/checked_names.hpp"
 #include "scenes/input/read_frames.hpp"
 
@@ -135,8 +137,6 @@ void read_pointing(const Section& section, const ObserverReading& reading,
         observer.elevation_deg =
             section.number("elevation_deg", "it looks, above the horizon", {-90.0, 90.0});
     }
-    observer.roll_deg =
-        section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
 }
 
 /// The scene's instants, or its own; of one that goes, those within its way.
@@ -181,6 +181,44 @@ AdaptiveOptions read_adaptive(const Section& section) {
         section.mistake("to", fmt::format("{} is less than from, {}", options.to, options.from));
     }
     return options;
+}
+
+/// Where its eye is, and what it looks at.
+void read_stand(const Section& section, ObserverInput& observer) {
+    observer.place = place(section, "place_m", "[east, north] of its eye");
+    observer.height_above_ground =
+        section.number("height_above_ground_m", "of its eye", {0.1, 50000.0});
+    if (section.has("look_at_m")) {
+        observer.look_at = place(section, "look_at_m",
+                                 "[east, north] of the point of the ground in the middle of the "
+                                 "picture; or azimuth_deg and elevation_deg");
+    } else {
+        observer.azimuth_deg =
+            section.number("azimuth_deg", "it looks, clockwise from north", {-360.0, 360.0});
+        observer.elevation_deg =
+            section.number("elevation_deg", "it looks, above the horizon", {-90.0, 90.0});
+    }
+}
+
+/// Both from an object.
+void read_aspect(const Section& section, const TerrainInput& terrain, ObserverInput& observer) {
+    observer.around = read_around(
+        section.section("around",
+                        "in place of place_m, height_above_ground_m and where it looks: "
+                        "from a sphere about an object"),
+        terrain);
+    observer.place = observer.around->eye();
+    observer.height_above_ground =
+        std::max(0.1, observer.around->range * std::sin(radians(observer.around->elevation_deg)));
+    for (const char* key : {"place_m", "height_above_ground_m", "look_at_m", "look_at", "mount_deg",
+                            "trajectory", "azimuth_deg", "elevation_deg"}) {
+        if (section.has(key)) section.mistake(key, "stands beside around, which says it");
+    }
+    for (const ObjectInput& object : terrain.objects) {
+        if (object.name != observer.around->object || object.trajectory.empty()) continue;
+        section.mistake("around", "is for objects that stand, this one goes along a trajectory",
+                        "look_at follows it");
+    }
 }
 
 /// How often each pixel is sampled.
@@ -234,8 +272,14 @@ void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& 
 ObserverInput read_observer(const Section& section, const ObserverReading& reading) {
     ObserverInput observer;
     observer.name = section.text("name", "of the observer, in the names of its pictures");
-    read_stand(section, reading, observer);
-    read_pointing(section, reading, observer);
+    if (section.has("around")) {
+        read_aspect(section, reading.terrain, observer);
+    } else {
+        read_stand(section, reading, observer);
+        read_pointing(section, reading, observer);
+    }
+    observer.roll_deg =
+        section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
     observer.width = section.integer_or("width", "pixels", 640, {1, 16384});
     observer.height = section.integer_or("height", "pixels", 512, {1, 16384});
     read_projection(section, observer);

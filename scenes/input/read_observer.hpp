@@ -8,6 +8,7 @@
 #include "render/view/adaptive.hpp"
 #include "render/view/observer.hpp"
 #include "scenes/input/bands.hpp"
+#include "scenes/input/read_around.hpp"
 #include "scenes/input/read_time.hpp"
 #include "scenes/input/read_trajectory.hpp"
 
@@ -17,6 +18,7 @@ struct ObserverInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     double height_above_ground = 2.0;
+    std::optional<Around> around;            // in place of those two and where it looks
     std::string trajectory;                  // that it goes, in place of place and height
     std::optional<Eigen::Vector2d> look_at;  // a point of the ground,
     std::string look_at_object;              // or the middle of an object,
@@ -45,6 +47,7 @@ struct ObserverInput {
 struct ObserverReading {
     const std::vector<BandInput>& bands;
     const std::vector<CubeInput>& cubes;
+    const TerrainInput& terrain;
     const std::vector<TrajectoryInput>& trajectories;
     const TimeInput& time;
     Names objects;

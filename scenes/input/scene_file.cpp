@@ -135,6 +135,7 @@ Scene read_scene(const Document& document) {
     const ObserverReading seen_by{
         .bands = scene.bands,
         .cubes = scene.cubes,
+        .terrain = scene.terrain,
         .trajectories = scene.trajectories,
         .time = scene.time,
         .objects = {.what = "object",

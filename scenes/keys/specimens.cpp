@@ -100,6 +100,8 @@ frame_every_s = 0.5
 [[observer]]
 look_at = "runway"
 [[observer]]
+around = {}
+[[observer]]
 projection = "equidistant"
 [[observer]]
 projection = "equisolid"

@@ -8,6 +8,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
+#include "scenes/plan/aspect_place.hpp"
 #include "scenes/world/ground_point.hpp"
 #include "scenes/world/ways.hpp"
 #include "terrain/place/trajectory.hpp"
@@ -120,6 +121,10 @@ Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& 
     }
     const std::string where = fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
     Observer observer = camera_of(input);
+    if (input.around) {
+        sequence.pose = {placed_around(observer, *input.around, world)};
+        return sequence;
+    }
     observer.position = ground_point(dem, world.site, input.place, where) +
                         Eigen::Vector3d(0.0, 0.0, input.height_above_ground);
     if (!target.goes()) {

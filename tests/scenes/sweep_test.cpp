@@ -1,5 +1,4 @@
-#include <sys/wait.h>
-
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -10,9 +9,11 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -142,6 +143,13 @@ values = [1, 2, 3, 4]
     CHECK(sweep.solves() == 4);
     CHECK(order.size() == 4);
     for (const auto& [heat, seeds] : seeds_of_heat) CHECK(seeds.size() == 1);
+    // Ground that is finer where observers look is another for each.
+    const std::string axis =
+        "[[sweep.axis]]\nkey = \"observer.east.height_above_ground_m\"\nvalues = [400.0, 450.0]\n";
+    CHECK(read(folder, swept(axis)).solves() == 1);
+    CHECK(read(folder,
+               with(swept(axis), "tolerance_m = 10.0", "tolerance_m = 10.0\ncoarsest_m = 30.0"))
+              .solves() == 2);
 }
 
 TEST_CASE("variants are drawn evenly, each once, and more of them keep the first",
@@ -289,6 +297,71 @@ TEST_CASE("a sweep's manifest and labels tell of all variants", "[scenes][sweep]
         parts += Json::parse(read_text(out / name))["annotations"].size();
     }
     CHECK(parts == expected);
+}
+
+TEST_CASE("cameras of an aspect sphere stand where they were asked to, and look at the middle",
+          "[scenes][sweep][around]") {
+    const ScratchFolder folder("sphere");
+    std::string text = with(small_scene(), "frame_every_s = 21600.0", "frame_every_s = 86400.0");
+    text = with(text,
+                "place_m = [2000.0, 1100.0]\nheight_above_ground_m = 450.0\nlook_at_m = "
+                "[0.0, 0.0]\n",
+                "around = { object = \"hangar\" }\n");
+    text += R"([sweep]
+[[sweep.axis]]
+key = "observer.east.around.range_m"
+values = [500.0, 1500.0]
+[[sweep.axis]]
+keys = ["observer.east.around.aspect_deg", "observer.east.around.elevation_deg"]
+values = [[90.0, 30.0], [-135.0, 60.0]]
+)";
+    text = with(text, "object = \"hangar\"", "object = \"hangar\", range_m = 1000.0");
+    SweepOptions options;
+    options.out = folder.path / "out";
+    const SweepReport report = run_sweep(read(folder, text), options);
+    CHECK(report.solved == 1);
+    const Json coco = Json::parse(read_text(options.out / "annotations.json"));
+    const Json manifest = Json::parse(read_text(options.out / "manifest.json"));
+    std::map<std::string, Json> values;
+    for (const Json& variant : manifest["variants"]) values[variant["name"]] = variant["values"];
+    std::map<std::pair<double, double>, Eigen::Vector3d> eye;  // (range, aspect)
+    std::map<int, Json> image_of;
+    for (const Json& image : coco["images"]) {
+        const auto at = image["camera"]["position_m"].get<std::vector<double>>();
+        const Json& asked = values.at(image["variant"]);
+        eye[{asked["observer.east.around.range_m"], asked["observer.east.around.aspect_deg"]}] = {
+            at[0], at[1], at[2]};
+        image_of[image["id"]] = image;
+    }
+    REQUIRE(eye.size() == 4);
+    // 1000 m further along the ray from the middle; the hangar faces 45 degrees from north.
+    for (const auto& [aspect, elevation] : {std::pair{90.0, 30.0}, {-135.0, 60.0}}) {
+        const double azimuth = (45.0 + aspect) * std::numbers::pi / 180.0,
+                     up = elevation * std::numbers::pi / 180.0;
+        const Eigen::Vector3d ray(std::cos(up) * std::sin(azimuth),
+                                  std::cos(up) * std::cos(azimuth), std::sin(up));
+        CHECK((eye[{1500.0, aspect}] - eye[{500.0, aspect}] - 1000.0 * ray).norm() < 1e-3);
+        // The middle lies over the middle of the plan.
+        const Eigen::Vector3d middle = eye[{500.0, aspect}] - 500.0 * ray;
+        CHECK((middle.head<2>() - Eigen::Vector2d(53.0, -88.4)).norm() < 1.0);
+    }
+    std::size_t hangars = 0;
+    for (const Json& label : coco["annotations"]) {
+        if (label["instance"]["name"] != "hangar") continue;
+        ++hangars;
+        const Json& asked = values.at(image_of.at(label["image_id"])["variant"]);
+        CHECK(label["range_m"].get<double>() ==
+              Approx(asked["observer.east.around.range_m"].get<double>()).epsilon(1e-4));
+        CHECK(label["aspect"]["azimuth_deg"].get<double>() ==
+              Approx(asked["observer.east.around.aspect_deg"].get<double>()).margin(0.01));
+        CHECK(label["aspect"]["elevation_deg"].get<double>() ==
+              Approx(asked["observer.east.around.elevation_deg"].get<double>()).margin(0.01));
+        // In the middle of 64 x 48 pixels, perspective aside.
+        const Json& box = label["amodal_bbox"];
+        CHECK(box[0].get<double>() + 0.5 * box[2].get<double>() == Approx(32.0).margin(2.0));
+        CHECK(box[1].get<double>() + 0.5 * box[3].get<double>() == Approx(24.0).margin(2.0));
+    }
+    CHECK(hangars == 4 * 2);
 }
 
 TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") {

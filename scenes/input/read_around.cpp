@@ -1,0 +1,42 @@
+#include "scenes/input/read_around.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+Eigen::Vector2d Around::eye() const {
+    const double azimuth = radians(heading_deg + aspect_deg);
+    const double level = range * std::cos(radians(elevation_deg));
+    return place + level * Eigen::Vector2d(std::sin(azimuth), std::cos(azimuth));
+}
+
+Around read_around(const Section& section, const TerrainInput& terrain) {
+    Names known{.what = "object or building", .known = {}};
+    for (const ObjectInput& object : terrain.objects) known.known.push_back(object.name);
+    for (const Building& building : terrain.buildings) known.known.push_back(building.name);
+    Around around{
+        .object = section.name("object", "or building, whose middle it looks at", known),
+        .range = section.number("range_m", "to that middle", {0.1, 200000.0}),
+        .aspect_deg = section.number_or("aspect_deg",
+                                        "from where: 0 before its front, 90 on its right-hand side",
+                                        0.0, {-360.0, 360.0}),
+        .elevation_deg = section.number_or("elevation_deg", "above its level", 0.0, {-90.0, 90.0})};
+    for (const ObjectInput& object : terrain.objects) {
+        if (object.name != around.object) continue;
+        around.heading_deg = object.placing.heading_deg;
+        around.place = object.place;
+        return around;
+    }
+    for (const Building& building : terrain.buildings) {
+        if (building.name != around.object) continue;
+        around.heading_deg = building.heading_deg;
+        around.place = building.place;
+        break;
+    }
+    return around;
+}
+
+}  // namespace diurna

@@ -297,6 +297,20 @@ TEST_CASE("a sweep's manifest and labels tell of all variants", "[scenes][sweep]
         parts += Json::parse(read_text(out / name))["annotations"].size();
     }
     CHECK(parts == expected);
+
+    // And a reader of its own finds them to be what planes and pictures show.
+    if (std::system("python3 --version > /dev/null 2>&1") != 0) {
+        WARN("passed over: no python3");
+        return;
+    }
+    const std::string read = printed(
+        "python3 '" DIURNA_SOURCE_DIR "/tests/support/coco_reader.py' '" + out.string() + "' 2>&1");
+    CAPTURE(read);
+    for (const char* line : {"images 16\n", "wrong_ids 0\n", "wrong_grey 0\n", "wrong_mask 0\n",
+                             "wrong_box 0\n", "wrong_yolo 0\n", "precision_of_truth 1.0"}) {
+        CAPTURE(line);
+        CHECK(read.find(line) != std::string::npos);
+    }
 }
 
 TEST_CASE("cameras of an aspect sphere stand where they were asked to, and look at the middle",

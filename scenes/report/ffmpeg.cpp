@@ -1,0 +1,141 @@
+#include "scenes/report/ffmpeg.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+extern char** environ;
+
+namespace diurna {
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void note_interrupt(int) { interrupted = 1; }
+
+/// Interrupts are noted, and a pipe that nobody reads is an error of write().
+void take_signals() {
+    struct sigaction action {};
+    action.sa_handler = note_interrupt;  // without SA_RESTART: write() comes back
+    for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);
+}
+
+/// Reads what comes through `input`; in a process group of its own, so that an interrupt is ours.
+pid_t start(std::vector<std::string> words, int input) {
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawnattr_init(&attributes);
+    posix_spawn_file_actions_adddup2(&actions, input, 0);
+    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawnattr_setpgroup(&attributes, 0);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    pid_t child = -1;
+    const int code = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
+    if (code == 0) return child;
+    if (code == ENOENT) {
+        throw std::runtime_error("ffmpeg is not on the PATH, a movie needs it (Debian: ffmpeg)");
+    }
+    throw std::runtime_error(fmt::format("ffmpeg cannot be started: {}", std::strerror(code)));
+}
+
+}  // namespace
+
+FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, double pictures_per_second)
+    : file_(file), part_(file.string() + ".part") {
+    take_signals();
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
+    pipe_ = ends[1];
+    try {
+        child_ = start({"ffmpeg",
+                        "-hide_banner",
+                        "-loglevel",
+                        "error",
+                        "-y",
+                        "-f",
+                        "image2pipe",
+                        "-c:v",
+                        "png",
+                        "-framerate",
+                        fmt::format("{:g}", pictures_per_second),
+                        "-i",
+                        "-",
+                        "-vf",
+                        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                        "-c:v",
+                        "libx264",
+                        "-crf",
+                        "16",
+                        "-pix_fmt",
+                        "yuv420p",
+                        "-movflags",
+                        "+faststart",
+                        "-f",
+                        "mp4",
+                        std::filesystem::absolute(part_).string()},
+                       ends[0]);
+    } catch (...) {
+        ::close(ends[0]);
+        ::close(ends[1]);
+        throw;
+    }
+    ::close(ends[0]);
+}
+
+FfmpegMovie::~FfmpegMovie() {
+    if (pipe_ >= 0) ::close(pipe_);
+    if (child_ > 0) {
+        ::kill(-child_, SIGKILL);
+        int status = 0;
+        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
+        }
+    }
+    std::error_code none;
+    std::filesystem::remove(part_, none);
+}
+
+void FfmpegMovie::add(std::span<const std::byte> png) {
+    while (!png.empty()) {
+        if (interrupted) throw std::runtime_error("interrupted: no movie was written");
+        const ssize_t written = ::write(pipe_, png.data(), png.size());
+        if (written >= 0) {
+            png = png.subspan(static_cast<std::size_t>(written));
+        } else if (errno != EINTR) {
+            throw std::runtime_error("ffmpeg has ended before the pictures: no movie was written");
+        }
+    }
+}
+
+void FfmpegMovie::finish() {
+    ::close(pipe_);
+    pipe_ = -1;
+    int status = 0;
+    while (::waitpid(child_, &status, 0) < 0) {
+        if (interrupted) throw std::runtime_error("interrupted: no movie was written");
+    }
+    child_ = -1;
+    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+        throw std::runtime_error("ffmpeg has failed: no movie was written");
+    }
+    std::filesystem::rename(part_, file_);
+}
+
+}  // namespace diurna

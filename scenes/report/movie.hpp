@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+#include "render/picture/colour_scale.hpp"
+
+namespace diurna {
+
+struct MovieOptions {
+    std::filesystem::path folder;  // of a run
+    std::string observer, band;    // "": the only one
+    std::filesystem::path file;    // "": OBSERVER_BAND.mp4 in the folder
+    double pictures_per_second = 10.0;
+};
+
+struct MovieReport {
+    std::filesystem::path file;
+    std::size_t pictures = 0;
+    ColourScale scale{};  // of all of them
+    std::string plane, unit;
+};
+
+/// The pictures of an observer in a band one after the other as MP4, all on one scale of colours:
+/// the widest of theirs. Throws InputError where the folder has no such pictures, or several
+/// observers or bands and none is said; std::runtime_error without ffmpeg.
+MovieReport write_movie(const MovieOptions& options);
+
+}  // namespace diurna

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/base/files.hpp"
+#include "render/picture/exr.hpp"
+#include "tests/support/small_scene.hpp"
+
+// `diurna movie` with a program in place of ffmpeg that keeps what it is given.
+
+using namespace diurna;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ran {
+    int code;
+    std::string out;
+};
+
+/// With the folder `bin` before the PATH, or as all of it.
+Ran movie(const fs::path& bin, bool alone, const std::string& arguments,
+          const std::string& before = "") {
+    const std::string command = fmt::format("PATH=\"{}{}\" {} '" DIURNA_BINARY "' movie {} 2>&1",
+                                            bin.string(), alone ? "" : ":$PATH", before, arguments);
+    FILE* pipe = popen(command.c_str(), "r");
+    REQUIRE(pipe != nullptr);
+    Ran ran{0, ""};
+    std::array<char, 4096> block{};
+    while (const std::size_t count = fread(block.data(), 1, block.size(), pipe)) {
+        ran.out.append(block.data(), count);
+    }
+    ran.code = WEXITSTATUS(pclose(pipe));
+    return ran;
+}
+
+/// A run's folder with three pictures of a cold half and a warm one.
+struct RunFolder {
+    ScratchFolder folder{"movie"};
+    fs::path bin = folder.path / "bin", run = folder.path / "run";
+
+    RunFolder() {
+        fs::create_directories(bin);
+        fs::create_directories(run / "frames");
+        const std::vector<float> warm = {300.0f, 320.0f, 300.0f};
+        for (int i = 0; i < 3; ++i) {
+            Frame frame;
+            frame.width = 64;
+            frame.height = 48;
+            std::vector<float> kelvin(64 * 48, 280.0f);
+            std::fill(kelvin.begin() + 64 * 24, kelvin.end(), warm[std::size_t(i)]);
+            frame.planes = {{"apparent_temperature.8-12", "K", kelvin},
+                            {"temperature", "K", kelvin}};
+            write_exr(run / "frames" / fmt::format("east_8-12_2026071{}T000000Z.exr", i), frame);
+        }
+    }
+    /// A shell script by the name of ffmpeg; $last is the file that it is to write.
+    void ffmpeg(const std::string& does) const {
+        write_text(bin / "ffmpeg", fmt::format("#!/bin/sh\nfor last; do :; done\n{}\n", does));
+        fs::permissions(bin / "ffmpeg", fs::perms::owner_all);
+    }
+    std::string argument() const { return fmt::format("'{}'", run.string()); }
+    fs::path made() const { return run / "east_8-12.mp4"; }
+    bool nothing() const { return !fs::exists(made()) && !fs::exists(made().string() + ".part"); }
+};
+
+}  // namespace
+
+TEST_CASE("a movie's pictures come in order on one scale", "[scenes][movie]") {
+    const RunFolder folder;
+    folder.ffmpeg("cat > \"$last\"");
+    const Ran ran = movie(folder.bin, false, folder.argument());
+    INFO(ran.out);
+    REQUIRE(ran.code == 0);
+    CHECK(ran.out.find("3 pictures, apparent_temperature.8-12 from 6 to 47 °C") !=
+          std::string::npos);
+    const std::string signature = "\x89PNG\r\n\x1a\n", all = read_text(folder.made());
+    std::vector<std::string> picture;
+    for (std::size_t at = all.find(signature); at != std::string::npos;) {
+        const std::size_t next = all.find(signature, at + 1);
+        picture.push_back(all.substr(at, next - at));
+        at = next;
+    }
+    REQUIRE(picture.size() == 3);
+    // On a scale of its own each would be as dark below and as light above as the others.
+    CHECK((picture[0] == picture[2]));
+    CHECK((picture[0] != picture[1]));
+}
+
+TEST_CASE("without ffmpeg, or where it fails, a movie is told of and not there",
+          "[scenes][movie]") {
+    const RunFolder folder;
+    Ran ran = movie(folder.bin, true, folder.argument());
+    CHECK(ran.code == 1);
+    CHECK(ran.out == "diurna: ffmpeg is not on the PATH, a movie needs it (Debian: ffmpeg)\n");
+    CHECK(folder.nothing());
+    folder.ffmpeg("cat > \"$last\"; exit 3");
+    CHECK(movie(folder.bin, false, folder.argument()).code == 1);
+    CHECK(folder.nothing());
+    // Interrupted while it works.
+    folder.ffmpeg("cat > \"$last\"; sleep 20");
+    ran = movie(folder.bin, false, folder.argument(), "timeout -s INT 1");
+    CHECK(ran.out.find("interrupted: no movie was written") != std::string::npos);
+    CHECK(folder.nothing());
+}
+
+TEST_CASE("a movie of several observers asks which", "[scenes][movie]") {
+    const RunFolder folder;
+    folder.ffmpeg("cat > \"$last\"");
+    fs::copy(folder.run / "frames/east_8-12_20260710T000000Z.exr",
+             folder.run / "frames/west_8-12_20260710T000000Z.exr");
+    const Ran ran = movie(folder.bin, false, folder.argument());
+    CHECK(ran.code == 2);
+    CHECK(ran.out.find("--observer east --band 8-12; --observer west --band 8-12") !=
+          std::string::npos);
+    CHECK(movie(folder.bin, false, folder.argument() + " --observer east").code == 0);
+    CHECK(movie(folder.bin, false, fmt::format("'{}'", folder.bin.string())).code == 2);
+}

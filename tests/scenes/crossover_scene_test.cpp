@@ -158,9 +158,7 @@ const Day& day() {
     return once;
 }
 
-}  // namespace
-
-TEST_CASE("soil and sand cross water after dawn and near sunset", "[scenes][crossover]") {
+void check_crossings() {
     const SunTimes sun = sun_times();
     for (const char* name : {"soil plate", "sand plate"}) {
         const std::vector<double> crossed = day().crossings(name, "pond");
@@ -177,7 +175,7 @@ TEST_CASE("soil and sand cross water after dawn and near sunset", "[scenes][cros
     CHECK(std::abs(sheet[1] - sun.set) < 1.0 * hour);
 }
 
-TEST_CASE("who is warm by day and by night is as the text books say", "[scenes][crossover]") {
+void check_order() {
     const auto& curves = day().apparent;
     const SunTimes sun = sun_times();
     for (std::size_t i = 0; i < curves.at("pond").size(); ++i) {
@@ -225,8 +223,7 @@ TEST_CASE("who is warm by day and by night is as the text books say", "[scenes][
     CHECK(asphalt > 5.0 * day().range("pond") / 0.94);
 }
 
-TEST_CASE("heat that enters sand and water leads their temperature as in closed form",
-          "[scenes][crossover]") {
+void check_inertia() {
     // T / G = coth(q d) / (k q), q² = iω / a (Carslaw & Jaeger 1959, 2.6 and 3.5): dry sand of 0.27
     // W/mK is endless for a day (q d = 4, what follows changes e⁻⁸); a stirred pond of 2 m is not.
     struct Layer {
@@ -249,7 +246,7 @@ TEST_CASE("heat that enters sand and water leads their temperature as in closed 
     }
 }
 
-TEST_CASE("a bare sheet by night shows its own heat and the sky above", "[scenes][crossover]") {
+void check_bare_sheet() {
     // L = ε B(T) + (1 − ε) L(zenith), ε = 0.050 in 8-12 um 10° from the normal (ECOSTRESS:
     // weathered aluminium), over the 2.4 m of air between.
     const std::string source = DIURNA_SOURCE_DIR "/scenes/crossover/";
@@ -292,8 +289,7 @@ TEST_CASE("a bare sheet by night shows its own heat and the sky above", "[scenes
     }
 }
 
-TEST_CASE("painted sheet by night is between the air and a body that only radiates",
-          "[scenes][crossover]") {
+void check_painted_sheet() {
     // At 4 h: air 291.76 K, vapour 18.2 hPa, so a sky of emissivity 0.83 (Prata 1996, Q. J. R.
     // Meteorol. Soc. 122, 1127); the lower side sees meadow.
     const Day& d = day();
@@ -308,4 +304,19 @@ TEST_CASE("painted sheet by night is between the air and a body that only radiat
     CAPTURE(sky, radiating, kelvin[sheet]);
     CHECK(kelvin[sheet] < air - 1.0);
     CHECK(kelvin[sheet] > radiating);
+}
+
+}  // namespace
+
+// Sections of one case, so that the day is made once.
+TEST_CASE("plates in a meadow cross as text books and closed forms say", "[scenes][crossover]") {
+    SECTION("soil and sand cross water after dawn and near sunset") { check_crossings(); }
+    SECTION("who is warm by day and by night is as the text books say") { check_order(); }
+    SECTION("heat that enters sand and water leads their temperature as in closed form") {
+        check_inertia();
+    }
+    SECTION("a bare sheet by night shows its own heat and the sky above") { check_bare_sheet(); }
+    SECTION("painted sheet by night is between the air and a body that only radiates") {
+        check_painted_sheet();
+    }
 }

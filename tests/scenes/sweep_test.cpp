@@ -116,6 +116,129 @@ const Whole& whole() {
     return once;
 }
 
+void check_by_hand() {
+    const ScratchFolder folder("hand");
+    std::string text = with(small_scene(), "frame_every_s = 21600.0", "frame_every_s = 43200.0");
+    text = with(text, "roof = \"painted_steel\"", "roof = \"concrete\"");
+    text = with(text, "height_above_ground_m = 450.0", "height_above_ground_m = 300.0");
+    text = with(text, "look_at_m = [0.0, 0.0]", "look_at_m = [53.0, -88.4]");
+    write_text(folder.path / "scene.toml", text);
+    JobOptions options;
+    options.out = folder.path / "out";
+    run_job(read_scene(folder.path / "scene.toml"), options);
+    const auto by_hand = contents(folder.path / "out");
+    const auto of_sweep = contents(whole().out / "variants/v3");
+    CHECK(
+        (contents(whole().out / "heat/h1").at("temperatures.nc") == by_hand.at("temperatures.nc")));
+    std::size_t pictures = 0;
+    for (const auto& [name, bytes] : by_hand) {
+        if (!name.starts_with("frames/") && !name.starts_with("images/")) continue;
+        CAPTURE(name);
+        REQUIRE(of_sweep.contains(name));
+        CHECK((of_sweep.at(name) == bytes));
+        ++pictures;
+    }
+    CHECK(pictures == 2 * 2 * 3);
+    CHECK((of_sweep.at("annotations.json") == by_hand.at("annotations.json")));
+    // And the other materials and places are others.
+    CHECK(
+        (contents(whole().out / "heat/h0").at("temperatures.nc") != by_hand.at("temperatures.nc")));
+}
+
+void check_shards() {
+    const ScratchFolder folder("shards");
+    SweepOptions options;
+    options.out = folder.path / "out";
+    options.shards = 3;  // four variants of two heats: the second heat is in two of them
+    std::size_t rendered = 0;
+    for (const std::size_t shard : {3u, 1u, 2u}) {
+        options.shard = shard;
+        const SweepReport report = run_sweep(whole().sweep, options);
+        rendered += report.rendered;
+        CHECK(report.missing == 4 - rendered);
+        CHECK(fs::exists(options.out / "manifest.json") == (rendered == 4));
+    }
+    check_same(whole().out, options.out);
+
+    // Killed at several moments, then taken up.
+    const std::string command = "'" DIURNA_BINARY "' run '" +
+                                (whole().folder.path / "scene.toml").string() + "' --out '" +
+                                (folder.path / "killed").string() + "' --resume --progress none";
+    for (const char* seconds : {"0.5", "1.5", "2.5"}) {
+        printed(std::string("timeout -s KILL ") + seconds + " " + command + " 2>&1");
+    }
+    CHECK(printed(command + " 2>/dev/null").find("4 variants, 2 solves") != std::string::npos);
+    check_same(whole().out, folder.path / "killed");
+    CHECK(printed(command + " 2>/dev/null").find("0 variants rendered, 4 kept, 0 heats solved") !=
+          std::string::npos);
+}
+
+void check_manifest() {
+    const fs::path& out = whole().out;
+    const Json manifest = Json::parse(read_text(out / "manifest.json"));
+    CHECK(whole().report.rendered == 4);
+    CHECK(whole().report.solved == 2);
+    REQUIRE(manifest["variants"].size() == 4);
+    const Json& last = manifest["variants"][3];
+    CHECK(last["name"] == "v3");
+    CHECK(last["heat"] == "h1");
+    CHECK(last["values"]["building.hangar.roof"] == "concrete");
+    CHECK(last["values"]["observer.east.height_above_ground_m"] == 300.0);
+    CHECK(last["values"]["observer.east.look_at_m"] == Json({53.0, -88.4}));
+    for (const Json& variant : manifest["variants"]) {
+        const fs::path folder = out / variant["folder"].get<std::string>();
+        const std::string some = "annotations.json";
+        const std::string sum = printed("sha256sum '" + (folder / some).string() + "'");
+        CHECK(sum.substr(0, 64) == variant["outputs"][some].get<std::string>());
+        for (const auto& [name, digest] : variant["outputs"].items()) {
+            CHECK(fs::is_regular_file(folder / name));
+        }
+    }
+
+    const Json coco = Json::parse(read_text(out / "annotations.json"));
+    CHECK(coco["images"].size() == 4 * 2 * 2);  // variants, instants, bands
+    std::set<int> images, labels;
+    std::map<std::string, std::set<std::string>> sides;
+    std::size_t expected = 0;
+    for (const Json& image : coco["images"]) {
+        images.insert(image["id"].get<int>());
+        CHECK(fs::is_regular_file(out / image["file_name"].get<std::string>()));
+        CHECK(fs::is_regular_file(out / image["planes"].get<std::string>()));
+        sides[image["date_captured"]].insert(image["split"].get<std::string>());
+    }
+    CHECK(images.size() == coco["images"].size());
+    for (const Json& variant : manifest["variants"]) {
+        const fs::path folder = out / variant["folder"].get<std::string>();
+        expected += Json::parse(read_text(folder / "annotations.json"))["annotations"].size();
+    }
+    for (const Json& label : coco["annotations"]) {
+        labels.insert(label["id"].get<int>());
+        CHECK(images.contains(label["image_id"].get<int>()));
+    }
+    CHECK(labels.size() == expected);
+    CHECK(expected >= 8);
+    for (const auto& [instant, split] : sides) CHECK(split.size() == 1);
+    std::size_t parts = 0;
+    for (const char* name : {"annotations_train.json", "annotations_validation.json"}) {
+        parts += Json::parse(read_text(out / name))["annotations"].size();
+    }
+    CHECK(parts == expected);
+
+    // And a reader of its own finds them to be what planes and pictures show.
+    if (std::system("python3 --version > /dev/null 2>&1") != 0) {
+        WARN("passed over: no python3");
+        return;
+    }
+    const std::string read = printed(
+        "python3 '" DIURNA_SOURCE_DIR "/tests/support/coco_reader.py' '" + out.string() + "' 2>&1");
+    CAPTURE(read);
+    for (const char* line : {"images 16\n", "wrong_ids 0\n", "wrong_grey 0\n", "wrong_mask 0\n",
+                             "wrong_box 0\n", "wrong_yolo 0\n", "precision_of_truth 1.0"}) {
+        CAPTURE(line);
+        CHECK(read.find(line) != std::string::npos);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("a grid has every combination once, those of one heat together", "[scenes][sweep]") {
@@ -187,129 +310,6 @@ TEST_CASE("shards share out all variants", "[scenes][sweep]") {
             }
             CHECK(next == variants);
         }
-    }
-}
-
-TEST_CASE("a variant is what a run of that scene by hand is", "[scenes][sweep]") {
-    const ScratchFolder folder("hand");
-    std::string text = with(small_scene(), "frame_every_s = 21600.0", "frame_every_s = 43200.0");
-    text = with(text, "roof = \"painted_steel\"", "roof = \"concrete\"");
-    text = with(text, "height_above_ground_m = 450.0", "height_above_ground_m = 300.0");
-    text = with(text, "look_at_m = [0.0, 0.0]", "look_at_m = [53.0, -88.4]");
-    write_text(folder.path / "scene.toml", text);
-    JobOptions options;
-    options.out = folder.path / "out";
-    run_job(read_scene(folder.path / "scene.toml"), options);
-    const auto by_hand = contents(folder.path / "out");
-    const auto of_sweep = contents(whole().out / "variants/v3");
-    CHECK(
-        (contents(whole().out / "heat/h1").at("temperatures.nc") == by_hand.at("temperatures.nc")));
-    std::size_t pictures = 0;
-    for (const auto& [name, bytes] : by_hand) {
-        if (!name.starts_with("frames/") && !name.starts_with("images/")) continue;
-        CAPTURE(name);
-        REQUIRE(of_sweep.contains(name));
-        CHECK((of_sweep.at(name) == bytes));
-        ++pictures;
-    }
-    CHECK(pictures == 2 * 2 * 3);
-    CHECK((of_sweep.at("annotations.json") == by_hand.at("annotations.json")));
-    // And the other materials and places are others.
-    CHECK(
-        (contents(whole().out / "heat/h0").at("temperatures.nc") != by_hand.at("temperatures.nc")));
-}
-
-TEST_CASE("shards make the bytes of the whole, in any order and after any end", "[scenes][sweep]") {
-    const ScratchFolder folder("shards");
-    SweepOptions options;
-    options.out = folder.path / "out";
-    options.shards = 3;  // four variants of two heats: the second heat is in two of them
-    std::size_t rendered = 0;
-    for (const std::size_t shard : {3u, 1u, 2u}) {
-        options.shard = shard;
-        const SweepReport report = run_sweep(whole().sweep, options);
-        rendered += report.rendered;
-        CHECK(report.missing == 4 - rendered);
-        CHECK(fs::exists(options.out / "manifest.json") == (rendered == 4));
-    }
-    check_same(whole().out, options.out);
-
-    // Killed at several moments, then taken up.
-    const std::string command = "'" DIURNA_BINARY "' run '" +
-                                (whole().folder.path / "scene.toml").string() + "' --out '" +
-                                (folder.path / "killed").string() + "' --resume --progress none";
-    for (const char* seconds : {"0.5", "1.5", "2.5"}) {
-        printed(std::string("timeout -s KILL ") + seconds + " " + command + " 2>&1");
-    }
-    CHECK(printed(command + " 2>/dev/null").find("4 variants, 2 solves") != std::string::npos);
-    check_same(whole().out, folder.path / "killed");
-    CHECK(printed(command + " 2>/dev/null").find("0 variants rendered, 4 kept, 0 heats solved") !=
-          std::string::npos);
-}
-
-TEST_CASE("a sweep's manifest and labels tell of all variants", "[scenes][sweep]") {
-    const fs::path& out = whole().out;
-    const Json manifest = Json::parse(read_text(out / "manifest.json"));
-    CHECK(whole().report.rendered == 4);
-    CHECK(whole().report.solved == 2);
-    REQUIRE(manifest["variants"].size() == 4);
-    const Json& last = manifest["variants"][3];
-    CHECK(last["name"] == "v3");
-    CHECK(last["heat"] == "h1");
-    CHECK(last["values"]["building.hangar.roof"] == "concrete");
-    CHECK(last["values"]["observer.east.height_above_ground_m"] == 300.0);
-    CHECK(last["values"]["observer.east.look_at_m"] == Json({53.0, -88.4}));
-    for (const Json& variant : manifest["variants"]) {
-        const fs::path folder = out / variant["folder"].get<std::string>();
-        const std::string some = "annotations.json";
-        const std::string sum = printed("sha256sum '" + (folder / some).string() + "'");
-        CHECK(sum.substr(0, 64) == variant["outputs"][some].get<std::string>());
-        for (const auto& [name, digest] : variant["outputs"].items()) {
-            CHECK(fs::is_regular_file(folder / name));
-        }
-    }
-
-    const Json coco = Json::parse(read_text(out / "annotations.json"));
-    CHECK(coco["images"].size() == 4 * 2 * 2);  // variants, instants, bands
-    std::set<int> images, labels;
-    std::map<std::string, std::set<std::string>> sides;
-    std::size_t expected = 0;
-    for (const Json& image : coco["images"]) {
-        images.insert(image["id"].get<int>());
-        CHECK(fs::is_regular_file(out / image["file_name"].get<std::string>()));
-        CHECK(fs::is_regular_file(out / image["planes"].get<std::string>()));
-        sides[image["date_captured"]].insert(image["split"].get<std::string>());
-    }
-    CHECK(images.size() == coco["images"].size());
-    for (const Json& variant : manifest["variants"]) {
-        const fs::path folder = out / variant["folder"].get<std::string>();
-        expected += Json::parse(read_text(folder / "annotations.json"))["annotations"].size();
-    }
-    for (const Json& label : coco["annotations"]) {
-        labels.insert(label["id"].get<int>());
-        CHECK(images.contains(label["image_id"].get<int>()));
-    }
-    CHECK(labels.size() == expected);
-    CHECK(expected >= 8);
-    for (const auto& [instant, split] : sides) CHECK(split.size() == 1);
-    std::size_t parts = 0;
-    for (const char* name : {"annotations_train.json", "annotations_validation.json"}) {
-        parts += Json::parse(read_text(out / name))["annotations"].size();
-    }
-    CHECK(parts == expected);
-
-    // And a reader of its own finds them to be what planes and pictures show.
-    if (std::system("python3 --version > /dev/null 2>&1") != 0) {
-        WARN("passed over: no python3");
-        return;
-    }
-    const std::string read = printed(
-        "python3 '" DIURNA_SOURCE_DIR "/tests/support/coco_reader.py' '" + out.string() + "' 2>&1");
-    CAPTURE(read);
-    for (const char* line : {"images 16\n", "wrong_ids 0\n", "wrong_grey 0\n", "wrong_mask 0\n",
-                             "wrong_box 0\n", "wrong_yolo 0\n", "precision_of_truth 1.0"}) {
-        CAPTURE(line);
-        CHECK(read.find(line) != std::string::npos);
     }
 }
 
@@ -411,4 +411,13 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
                    "[[sweep.axis]]\nkeys = [\"scene.seed\", \"time.step_s\"]\nvalues = "
                    "[[1, 600.0], [2]]\n")
               .find("an array of 2 values") != std::string::npos);
+}
+
+// Sections of one case, so that the sweep is run once.
+TEST_CASE("a sweep is its variants, however it is run", "[scenes][sweep]") {
+    SECTION("a variant is what a run of that scene by hand is") { check_by_hand(); }
+    SECTION("shards make the bytes of the whole, in any order and after any end") {
+        check_shards();
+    }
+    SECTION("a sweep's manifest and labels tell of all variants") { check_manifest(); }
 }

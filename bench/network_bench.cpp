@@ -12,6 +12,7 @@
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/sun_exposure.hpp"
 #include "scenes/world/stepping.hpp"
 #include "scenes/world/targets.hpp"

@@ -183,24 +183,7 @@ AdaptiveOptions read_adaptive(const Section& section) {
     return options;
 }
 
-/// Where its eye is, and what it looks at.
-void read_stand(const Section& section, ObserverInput& observer) {
-    observer.place = place(section, "place_m", "[east, north] of its eye");
-    observer.height_above_ground =
-        section.number("height_above_ground_m", "of its eye", {0.1, 50000.0});
-    if (section.has("look_at_m")) {
-        observer.look_at = place(section, "look_at_m",
-                                 "[east, north] of the point of the ground in the middle of the "
-                                 "picture; or azimuth_deg and elevation_deg");
-    } else {
-        observer.azimuth_deg =
-            section.number("azimuth_deg", "it looks, clockwise from north", {-360.0, 360.0});
-        observer.elevation_deg =
-            section.number("elevation_deg", "it looks, above the horizon", {-90.0, 90.0});
-    }
-}
-
-/// Both from an object.
+/// Where its eye is and which way it looks, from an object.
 void read_aspect(const Section& section, const TerrainInput& terrain, ObserverInput& observer) {
     observer.around = read_around(
         section.section("around",

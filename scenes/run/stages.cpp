@@ -1,5 +1,7 @@
 #include "scenes/run/stages.hpp"
 
+#include <algorithm>
+
 #include "scenes/run/scene_sky_view.hpp"
 
 namespace diurna {
@@ -8,18 +10,25 @@ Stages::Stages(const Prepared& prepared) : prepared_(prepared) {
     own_.resize(prepared.movement.none() ? 1 : prepared.movement.stage.size());
 }
 
+Stages::Stages(const Prepared& prepared, const Stages& alike) : Stages(prepared) {
+    const std::lock_guard lock(alike.making_);
+    for (std::size_t i = 0; i < std::min(own_.size(), alike.own_.size()); ++i) {
+        own_[i].views = alike.own_[i].views;
+    }
+}
+
 SceneStage Stages::at(std::size_t stage) const {
     const std::lock_guard lock(making_);
     Own& own = own_[stage];
-    if (own.views == nullptr) {
-        if (!prepared_.movement.none()) {
-            own.prepared = std::make_unique<const Prepared>(
-                moved(prepared_, prepared_.movement.at_stage[stage]));
-        }
-        const Prepared& here = own.prepared ? *own.prepared : prepared_;
-        own.views = std::make_unique<const FacetViews>(scene_sky_view(here));
+    if (own.prepared == nullptr && !prepared_.movement.none()) {
+        own.prepared =
+            std::make_unique<const Prepared>(moved(prepared_, prepared_.movement.at_stage[stage]));
     }
-    return {own.prepared ? *own.prepared : prepared_, *own.views};
+    const Prepared& here = own.prepared ? *own.prepared : prepared_;
+    if (own.views == nullptr) {
+        own.views = std::make_shared<const FacetViews>(scene_sky_view(here));
+    }
+    return {here, *own.views};
 }
 
 }  // namespace diurna

@@ -22,6 +22,8 @@ class Stages {
  public:
     /// - prepared: to outlive it
     explicit Stages(const Prepared& prepared);
+    /// - alike: of a scene with the same surfaces in the same places: what they see is shared
+    Stages(const Prepared& prepared, const Stages& alike);
     std::size_t size() const { return own_.size(); }
     SceneStage at(std::size_t stage) const;
     const Prepared& scene() const { return prepared_; }
@@ -29,7 +31,7 @@ class Stages {
  private:
     struct Own {
         std::unique_ptr<const Prepared> prepared;  // null: the scene's
-        std::unique_ptr<const FacetViews> views;
+        std::shared_ptr<const FacetViews> views;
     };
     const Prepared& prepared_;
     mutable std::mutex making_;

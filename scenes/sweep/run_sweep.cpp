@@ -17,8 +17,10 @@
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/manifest.hpp"
+#include "scenes/run/stages.hpp"
 #include "scenes/sweep/merged_labels.hpp"
 #include "scenes/sweep/records.hpp"
+#include "scenes/world/stepping.hpp"
 
 namespace diurna {
 
@@ -75,8 +77,8 @@ void tell(const HeatRecord& record, const std::string& heat, SweepReport& report
 }
 
 /// Temperatures of a group: kept, or solved and written.
-TemperatureField temperatures(const Group& group, const Prepared& prepared, const FacetViews& views,
-                              Progress& progress, SweepReport& report) {
+TemperatureField temperatures(const Group& group, const Stages& stages, Progress& progress,
+                              SweepReport& report) {
     const fs::path folder = group.folder(), file = folder / "temperatures.nc";
     HeatRecord record = read_heat_record(folder);
     std::optional<TemperatureField> field;
@@ -85,9 +87,9 @@ TemperatureField temperatures(const Group& group, const Prepared& prepared, cons
     } else {
         fs::create_directories(folder);
         fs::remove(folder / "done.json");
-        SpanResult result = solve_scene(prepared, views, progress);
+        SpanResult result = solve_scene(stages, progress);
         progress.stage("write temperatures");
-        write_heat(prepared, result, file);
+        write_heat(stages.scene(), result, file);
         record = {group.key, result.start, not_converged(result.report), result.notes};
         write_heat_record(folder, record);
         ++report.solved;
@@ -98,12 +100,12 @@ TemperatureField temperatures(const Group& group, const Prepared& prepared, cons
 }
 
 /// Pictures and labels of one variant, and its record.
-void run_variant(const Group& group, const Variant& variant, const Prepared& prepared,
-                 const FacetViews& views, const TemperatureField& field, Progress& progress) {
+void run_variant(const Group& group, const Variant& variant, const Stages& stages,
+                 const TemperatureField& field, Progress& progress) {
+    const Prepared& prepared = stages.scene();
     const fs::path folder = variant_folder(group.options.out, variant.name);
     VariantRecord record{.key = group.key_of(variant), .done = false, .outputs = {}};
-    const std::vector<std::string> pictures =
-        frame_files(prepared.scene.observers, prepared.plan.frames);
+    const std::vector<std::string> pictures = frame_files(prepared.scene.observers);
     if (!group.options.resume || read_variant_record(folder).key != record.key) {
         for (const std::string& file : pictures) fs::remove(folder / file);
     }
@@ -111,7 +113,7 @@ void run_variant(const Group& group, const Variant& variant, const Prepared& pre
         fs::create_directories(folder / inner);
     }
     write_variant_record(folder, group.sweep, variant, record);
-    render_frames(prepared, views, field, folder, progress);
+    render_frames(stages, field, folder, progress);
     progress.stage("labels of " + variant.name);
     for (const std::string& file : label_frames(prepared, folder)) {
         record.outputs[file] = sha256_of_file(folder / file);
@@ -140,8 +142,8 @@ Prepared prepare_variant(const Sweep& sweep, const Variant& variant) {
 /// among those kept, for what lies between is not solved for.
 void check_shared(const Variant& variant, const Prepared& prepared, const TemperatureField& field) {
     const bool facets = field.facets == prepared.world.surfaces().size();
-    const std::vector<Instant>& frames = prepared.plan.frames;
-    const bool instants = std::all_of(frames.begin(), frames.end(), [&](Instant when) {
+    const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
+    const bool instants = std::all_of(wanted.begin(), wanted.end(), [&](Instant when) {
         return std::binary_search(field.instant.begin(), field.instant.end(), when);
     });
     if (facets && instants) return;
@@ -159,19 +161,23 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
         return;
     }
     progress.stage(fmt::format("heat {}: terrain", group.variants.front().heat));
-    std::optional<Prepared> prepared = prepare_variant(group.sweep, *pending.front());
-    for (const std::string& note : prepared->notes) tell_once(report.notes, note);
+    const Prepared first = prepare_variant(group.sweep, *pending.front());
+    for (const std::string& note : first.notes) tell_once(report.notes, note);
     progress.stage("sky view");
-    const FacetViews views = scene_sky_view(*prepared);
-    const TemperatureField field = temperatures(group, *prepared, views, progress, report);
+    const Stages stages(first);
+    stages.at(0);
+    const TemperatureField field = temperatures(group, stages, progress, report);
     for (const Variant* variant : pending) {
+        std::optional<Prepared> other;
+        std::optional<Stages> others;
         if (variant != pending.front()) {
             progress.stage(fmt::format("variant {}: terrain", variant->name));
-            prepared = std::nullopt;  // before the next is there: they are large
-            prepared.emplace(prepare_variant(group.sweep, *variant));
+            other.emplace(prepare_variant(group.sweep, *variant));
+            others.emplace(*other, stages);
         }
-        check_shared(*variant, *prepared, field);
-        run_variant(group, *variant, *prepared, views, field, progress);
+        const Stages& own = others ? *others : stages;
+        check_shared(*variant, own.scene(), field);
+        run_variant(group, *variant, own, field, progress);
         ++report.rendered;
     }
 }

@@ -15,6 +15,7 @@
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/stages.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -81,7 +82,7 @@ double middle(const Frame& frame, const std::string& plane, const std::string& a
 struct Day {
     ScratchFolder folder{"crossover"};
     Prepared prepared = prepare(scene());
-    FacetViews views = scene_sky_view(prepared);
+    Stages stages{prepared};
     SpanResult heat;
     std::map<std::string, std::vector<double>> apparent;  // (frame) [K] 8-12, by name of the plate
 
@@ -94,9 +95,9 @@ struct Day {
     }
     Day() {
         Progress progress(ProgressStyle::silent);
-        heat = solve_scene(prepared, views, progress);
+        heat = solve_scene(stages, progress);
         std::filesystem::create_directories(folder.path / "frames");
-        render_frames(prepared, views, heat.temperature, folder.path, progress);
+        render_frames(stages, heat.temperature, folder.path, progress);
         std::map<std::string, float> plate;
         const std::vector<std::string>& objects = prepared.world.objects;
         for (std::size_t o = 0; o < objects.size(); ++o) plate[objects[o]] = float(o);
@@ -271,7 +272,7 @@ void check_bare_sheet() {
     const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     std::filesystem::create_directories(folder.path / "frames");
     Progress progress(ProgressStyle::silent);
-    render_frames(prepared, day().views, day().heat.temperature, folder.path, progress);
+    render_frames(Stages(prepared, day().stages), day().heat.temperature, folder.path, progress);
     for (const Instant instant : prepared.plan.frames) {
         const Frame sheet = read_exr(folder.path / (frame_base("down", "8-12", instant) + ".exr"));
         const Frame sky = read_exr(folder.path / (frame_base("up", "8-12", instant) + ".exr"));

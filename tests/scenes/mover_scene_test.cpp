@@ -7,7 +7,6 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
-#include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/stages.hpp"
 #include "tests/support/small_scene.hpp"
 

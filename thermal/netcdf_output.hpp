@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -26,6 +29,7 @@ class NetcdfFile {
         }
     }
     static NetcdfFile create(const std::filesystem::path& target) {
+        remove_left_over(target);
         const std::filesystem::path temporary = target.string() + fmt::format(".{}.part", getpid());
         int id = -1;
         const int status = nc_create(temporary.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
@@ -38,6 +42,20 @@ class NetcdfFile {
         : path_(std::move(other.path_)),
           temporary_(std::exchange(other.temporary_, {})),
           id_(std::exchange(other.id_, -1)) {}
+
+    /// What runs that were killed have left of the same file: those of processes that live no more.
+    static void remove_left_over(const std::filesystem::path& target) {
+        const std::string begin = target.filename().string() + ".";
+        const auto folder = target.has_parent_path() ? target.parent_path() : ".";
+        std::error_code ignored;
+        for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+            const std::string name = entry.path().filename().string();
+            if (!name.starts_with(begin) || entry.path().extension() != ".part") continue;
+            const long process = std::strtol(name.c_str() + begin.size(), nullptr, 10);
+            const bool lives = process <= 0 || kill(pid_t(process), 0) == 0 || errno != ESRCH;
+            if (!lives) std::filesystem::remove(entry.path(), ignored);
+        }
+    }
 
     void must(int status) const {
         if (status != NC_NOERR) {

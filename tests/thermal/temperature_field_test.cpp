@@ -82,3 +82,17 @@ TEST_CASE("a file that holds no temperatures is refused in one line",
     CHECK_THROWS_AS(save_temperature_field(folder.path / "no" / "folder.nc", field, facets, Site{}),
                     std::runtime_error);
 }
+
+TEST_CASE("what a killed run has left of a file goes when it is written anew",
+          "[thermal][temperature_field]") {
+    const ScratchFolder folder("temperature_field_left");
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    // No process has the greatest number; the first has one, whoever may ask.
+    const auto dead = folder.path / "all.nc.4194304.part", alive = folder.path / "all.nc.1.part",
+               other = folder.path / "others.nc.4194304.part";
+    for (const auto& file : {dead, alive, other}) write_text(file, "half a file");
+    save_temperature_field(folder.path / "all.nc", ramp(facets.size()), facets, Site{});
+    CHECK_FALSE(std::filesystem::exists(dead));
+    CHECK(std::filesystem::exists(alive));
+    CHECK(std::filesystem::exists(other));
+}

@@ -144,9 +144,12 @@ Movement movement(const Scene& scene, const Dem& dem, const World& world,
             poses.push_back(
                 mover_pose(scene.terrain.objects[mover.object], scene, dem, world, when));
         }
-        movement.under_way.push_back(std::any_of(moves.begin(), moves.end(), [&](const Move& move) {
-            return when > move.from && when < move.to;
-        }));
+        const MoverPoses& rest = movement.at_stage[movement.stage_of(when)];
+        movement.under_way.push_back(
+            !std::equal(poses.begin(), poses.end(), rest.begin(),
+                        [](const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+                            return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() < 1e-3;
+                        }));
     }
     return movement;
 }

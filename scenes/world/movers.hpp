@@ -28,7 +28,7 @@ struct Movement {
     std::vector<MoverPoses> at_stage{};  // (stage)
     std::vector<Instant> frame{};        // ascending: of pictures
     std::vector<MoverPoses> at_frame{};  // (frame)
-    std::vector<bool> under_way{};       // (frame) whether one is between two rests then
+    std::vector<bool> under_way{};       // (frame) whether one is elsewhere than in its stage
     double longest_move = 0.0;           // [s]
 
     bool none() const { return at_stage.empty() || at_stage.front().empty(); }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/matter/read_library.hpp"
@@ -141,7 +143,13 @@ Scene read_scene(const Document& document) {
         .objects = {.what = "object",
                     .known = {reading.object_names.begin(), reading.object_names.end()}}};
     for (const Section& observer : root.sections("observer", "a camera; at least one")) {
-        scene.observers.push_back(read_observer(observer, seen_by));
+        ObserverInput input = read_observer(observer, seen_by);
+        const bool twice = std::any_of(scene.observers.begin(), scene.observers.end(),
+                                       [&](const auto& other) { return other.name == input.name; });
+        if (twice && !input.name.empty()) {
+            observer.mistake("name", fmt::format("a second observer named \"{}\"", input.name));
+        }
+        scene.observers.push_back(std::move(input));
     }
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/base/error.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "materials/matter/spectrum_notes.hpp"
 #include "materials/radiation/band.hpp"
@@ -68,6 +69,11 @@ Prepared prepare(Scene scene) {
     Weather weather = scene_weather(scene, world);
     Movement movement_of_objects =
         movement(scene, dem, world, frames_of(scene), scene_steps(scene));
+    if (scene.time.spin_up == SpanStart::steady && movement_of_objects.stage.size() > 1) {
+        throw InputError(scene.file.string() + ": time.spin_up",
+                         "found \"steady\" where objects move within the span, expected another",
+                         "the balance of a day's mean has no place for them; \"periodic\" has");
+    }
     std::vector<Sequence> pictures = sequences(scene, dem, world, rays, movement_of_objects);
     for (const Sequence& sequence : pictures) check_table(scene, world, sequence.pose);
     std::vector<Plume> plumes;

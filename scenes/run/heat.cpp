@@ -244,8 +244,15 @@ SpanResult solve_scene(const Stages& stages, Progress& progress) {
 void write_heat(const Prepared& prepared, const SpanResult& result,
                 const std::filesystem::path& temperatures) {
     const FacetSet& surfaces = prepared.world.surfaces();
-    save_temperature_field(temperatures, result.temperature, surfaces, prepared.world.site,
-                           field_notes(prepared, result.heat));
+    const FieldNotes notes = field_notes(prepared, result.heat);
+    const Site& site = prepared.world.site;
+    if (prepared.movement.none()) {
+        save_temperature_field(temperatures, result.temperature, surfaces, site, notes);
+    } else {  // where objects that go are at the span's start
+        save_temperature_field(temperatures, result.temperature,
+                               moved(prepared.world, surfaces, prepared.movement.at_stage.front()),
+                               site, notes);
+    }
     if (!prepared.scene.output.state) return;
     save_heat_state(temperatures.parent_path() / state_file,
                     {prepared.scene.time.end(), result.end},

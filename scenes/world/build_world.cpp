@@ -55,7 +55,7 @@ World build_world(Scene& scene, const Dem& dem) {
         const Geodetic here{world.site.latitude_deg, world.site.longitude_deg, 0.0};
         world.sea_level_height -= geoid_heights({&here, 1}).front();
     }
-    put_at_start(scene, dem, world);
+    put_at_begin(scene, dem, world);
     world.objects = object_names(scene);
     world.posts = dem.height.size();
     std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);

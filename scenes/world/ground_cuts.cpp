@@ -25,28 +25,24 @@ bool lies_on(const Dem& dem, const Ring& ring) {
     });
 }
 
-/// When an object's shadow is looked at: once in each of its rests within the scene's span, and, up
-/// to 32 of them, at pictures that find it on its way. [s] of its trajectory
-std::vector<double> looked_at(const TrajectoryInput& way, const Scene& scene) {
-    const double begin = seconds_between(way.start, scene.time.start);
-    const double end = seconds_between(way.start, scene.time.end());
+/// When an object's shadow falls on other ground: once in each of its rests, and each `apart` [m]
+/// of its moves, 32 times at most. Whatever the span and the pictures, so that another part of the
+/// day, or a picture alone, has the same ground. [s] of its trajectory
+std::vector<double> when_elsewhere(const TrajectoryInput& way, double apart) {
     std::vector<double> all, on_the_way;
-    double left = 0.0;
     for (const Rest& rest : rests(way.way)) {
-        if (rest.until >= begin && rest.from <= end) {
-            all.push_back(std::isfinite(rest.from) ? rest.from : rest.until);
-        }
-        for (const ObserverInput& observer : scene.observers) {
-            for (const Instant frame : observer.frames) {
-                const double when = seconds_between(way.start, frame);
-                if (std::isfinite(rest.from) && when > left && when < rest.from) {
-                    on_the_way.push_back(when);
-                }
-            }
-        }
-        left = rest.until;
+        all.push_back(std::isfinite(rest.from) ? rest.from : rest.until);
     }
-    std::sort(on_the_way.begin(), on_the_way.end());
+    double gone = 0.0;
+    const double metres = way.geodetic ? 111e3 : 1.0;  // of a degree
+    for (std::size_t i = 1; i < way.way.seconds.size(); ++i) {
+        const double length = metres * (way.way.place[i] - way.way.place[i - 1]).head<2>().norm();
+        const double from = way.way.seconds[i - 1], step = way.way.seconds[i] - from;
+        for (; gone < length && on_the_way.size() < 100000; gone += apart) {
+            on_the_way.push_back(from + step * gone / length);
+        }
+        gone -= length;
+    }
     constexpr std::size_t most = 32;
     const std::size_t count = on_the_way.size(), shown = std::min(most, count);
     for (std::size_t i = 0; i < shown; ++i) {
@@ -61,7 +57,7 @@ std::vector<Eigen::Vector2d> shadow_places(const ObjectInput& input, const Scene
     if (input.trajectory.empty()) return {input.place};
     const TrajectoryInput& way = *find_trajectory(scene.trajectories, input.trajectory);
     std::vector<Eigen::Vector2d> places;
-    for (const double when : looked_at(way, scene)) {
+    for (const double when : when_elsewhere(way, std::max(1.0, shadow_reach(input)))) {
         const Eigen::Vector3d at = place_at(way.way, when);
         const Eigen::Vector2d plan =
             way.geodetic

@@ -66,10 +66,11 @@ Eigen::Isometry3d mover_pose(const ObjectInput& object, const Scene& scene, cons
     return to;
 }
 
-void put_at_start(Scene& scene, const Dem& dem, const World& world) {
+void put_at_begin(Scene& scene, const Dem& dem, const World& world) {
     for (ObjectInput& object : scene.terrain.objects) {
         if (object.trajectory.empty()) continue;
-        const Eigen::Isometry3d pose = mover_pose(object, scene, dem, world, scene.time.start);
+        const Eigen::Isometry3d pose =
+            mover_pose(object, scene, dem, world, way_of(object, scene).begin());
         object.place = pose.translation().head<2>();
         const Eigen::Vector3d ahead = pose.linear().col(1);
         object.placing.heading_deg = degrees(std::atan2(ahead.x(), ahead.y()));

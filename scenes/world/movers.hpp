@@ -11,8 +11,9 @@
 /// Objects that go along trajectories.
 namespace diurna {
 
-/// Puts those of a scene that is to be built where they are at its span's start.
-void put_at_start(Scene& scene, const Dem& dem, const World& world);
+/// Puts those of a scene that is to be built where their ways begin: whatever its span, its facets
+/// are the same in the same order.
+void put_at_begin(Scene& scene, const Dem& dem, const World& world);
 
 /// From an object's frame (its middle in plan and lowest point; right, front, up) to the site's.
 Eigen::Isometry3d mover_pose(const ObjectInput& object, const Scene& scene, const Dem& dem,

@@ -65,9 +65,13 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
 
 double object_height(const ObjectInput& object) { return size_of(object).z(); }
 
-GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place) {
+double shadow_reach(const ObjectInput& object) {
     const Eigen::Vector3d size = size_of(object);
-    const double reach = 0.5 * size.head<2>().norm() + 2.0 * size.z();
+    return 0.5 * size.head<2>().norm() + 2.0 * size.z();
+}
+
+GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place) {
+    const double reach = shadow_reach(object);
     constexpr double least_edge = 0.15;  // [m] of small objects
     GroundPatch patch{.ring = {}, .largest_edge = std::max(least_edge, reach / 12.0)};
     for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {

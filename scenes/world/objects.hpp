@@ -24,6 +24,9 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
 /// From its lowest to its highest point [m].
 double object_height(const ObjectInput& object);
 
+/// How far a sun 27 degrees high casts its shadow from its middle [m].
+double shadow_reach(const ObjectInput& object);
+
 /// Ground around an object that shall be fine enough for its shadow: a square as far as a sun 27
 /// degrees high casts it, about 24 triangles' edges across.
 struct GroundPatch {

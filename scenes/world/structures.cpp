@@ -104,7 +104,9 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
         Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
         const auto place = std::size_t(&input - scene.terrain.objects.data());
         if (!input.trajectory.empty()) {
-            const Eigen::Isometry3d pose = mover_pose(input, scene, dem, world, scene.time.start);
+            const Eigen::Isometry3d pose =
+                mover_pose(input, scene, dem, world,
+                           find_trajectory(scene.trajectories, input.trajectory)->begin());
             ground = pose.translation();
             Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
             upright.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();

@@ -26,7 +26,7 @@ struct TargetFacets {
 struct Mover {
     std::size_t object;       // of the scene's
     ObjectId id;              // of its facets
-    Eigen::Isometry3d start;  // from the object's frame, at the span's start
+    Eigen::Isometry3d start;  // from the object's frame, at its way's begin
 };
 
 /// The scene in space: every triangle with its material, in the frame of its site. Rays, sun and
@@ -44,7 +44,7 @@ struct World {
     std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
     TextureLevels texture_levels;       // what textures make of the facets
     std::vector<TargetFacets> targets;  // objects whose facets conduct from one to the next
-    std::vector<Mover> movers;          // objects that go, where they are at the span's start
+    std::vector<Mover> movers;          // objects that go, where their ways begin
     std::vector<std::string> notes;     // what of the files was left out
 
     const FacetSet& surfaces() const {

@@ -1,6 +1,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -212,6 +213,43 @@ TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]
     // The middle of the move, half past a minute after ten, on the nearest step of twenty minutes.
     REQUIRE(prepared.movement.stage.size() == 2);
     CHECK(format_instant(prepared.movement.stage[1]) == "2026-07-15T14:00:00Z");
+}
+
+TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]") {
+    const ScratchFolder folder("mover_state");
+    write_text(folder.path / "crate.obj", crate);
+    const auto run = [&](const std::string& name, const std::string& time) {
+        std::string text =
+            with(scene_with(from_west_to_east), "frames = [\"2026-07-15T12:00:00-04:00\"]\n", time);
+        text = with(text, "start = 2026-07-15T00:00:00-04:00\n", "");
+        text = with(text, "times_s = [0.0, 36000.0, 36060.0]",
+                    "times_s = [0.0, 36000.0, 36060.0]\nstart = 2026-07-15T00:00:00-04:00");
+        write_text(folder.path / (name + ".toml"), text + "[output]\nstate = true\n");
+        const Prepared prepared = prepare(read_scene(folder.path / (name + ".toml")));
+        Progress silent(ProgressStyle::silent);
+        SpanResult result = solve_scene(Stages(prepared), silent);
+        std::filesystem::create_directories(folder.path / name);
+        write_heat(prepared, result, folder.path / name / "temperatures.nc");
+        return result;
+    };
+    const auto span = [](const char* start, const char* end, const std::string& more) {
+        return std::string("start = ") + start + "\nend = " + end + "\nframes = [\"" + end +
+               "\"]\n" + more;
+    };
+    const char* const midnight = "2026-07-15T00:00:00-04:00";
+    const char* const noon = "2026-07-15T12:00:00-04:00";
+    const char* const four = "2026-07-15T16:00:00-04:00";
+    const SpanResult whole = run("whole", span(midnight, four, "spin_up = \"periodic\"\n"));
+    run("morning", span(midnight, noon, "spin_up = \"periodic\"\n"));
+    const SpanResult on = run("on", span(noon, four, "state = \"morning/state.nc\"\n"));
+    double square = 0.0;
+    const std::vector<float> a = whole.temperature.interpolate(parse_instant(four)),
+                             b = on.temperature.interpolate(parse_instant(four));
+    REQUIRE(a.size() == b.size());
+    for (std::size_t f = 0; f < a.size(); ++f) square += std::pow(double(a[f]) - double(b[f]), 2);
+    CHECK(std::sqrt(square / double(a.size())) < 0.02);
+    CHECK_THROWS_WITH(run("steady", span(midnight, four, "spin_up = \"steady\"\n")),
+                      Catch::Contains("spin_up") && Catch::Contains("steady"));
 }
 
 TEST_CASE("what an object that goes cannot have is told", "[scenes][mover][input]") {

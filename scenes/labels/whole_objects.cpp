@@ -1,10 +1,10 @@
 #include "scenes/labels/whole_objects.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "scenes/world/upright_box.hpp"
 #include "terrain/place/site.hpp"
 
 namespace diurna {
@@ -31,17 +31,12 @@ void stand(const FacetSet& part, const Labelled& object, const Observer& observe
            WholeObject& whole) {
     const Eigen::Vector3d front = direction(object.heading_deg, 0.0);
     const Eigen::Vector3d right = direction(object.heading_deg + 90.0, 0.0);
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3f& vertex : part.vertex) {
-        const Eigen::Vector3d v = vertex.cast<double>();
-        box.extend(Eigen::Vector3d(v.dot(front), v.dot(right), v.z()));
-    }
-    whole.length = box.sizes().x();
-    whole.width = box.sizes().y();
-    whole.height = box.sizes().z();
+    const UprightBox box = *upright_box(part, part.object.front(), object.heading_deg);
+    whole.middle = box.middle;
+    whole.length = box.length;
+    whole.width = box.width;
+    whole.height = box.height;
     whole.heading_deg = object.heading_deg;
-    const Eigen::Vector3d centre = box.center();
-    whole.middle = centre.x() * front + centre.y() * right + centre.z() * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d to_eye = observer.position - whole.middle;
     whole.range = to_eye.norm();
     const double ahead = to_eye.dot(front), aside = to_eye.dot(right);

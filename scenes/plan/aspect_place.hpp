@@ -1,10 +1,15 @@
 #pragma once
 
+#include <string>
+
 #include "render/view/observer.hpp"
 #include "scenes/input/read_around.hpp"
 #include "scenes/world/world.hpp"
 
 namespace diurna {
+
+/// The middle of the upright box around an object, as labels have it [m].
+Eigen::Vector3d middle_of(const World& world, const std::string& name, double heading_deg);
 
 /// The observer at its place about an object, looking at its middle.
 Observer placed_around(Observer observer, const Around& around, const World& world);

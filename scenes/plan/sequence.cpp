@@ -33,22 +33,15 @@ Observer camera_of(const ObserverInput& input) {
             .exposure = input.exposure};
 }
 
-/// The middle of the box around an object.
-Eigen::Vector3d middle_of(const World& world, const std::string& name) {
-    const auto found = std::find(world.objects.begin(), world.objects.end(), name);
-    const auto id = static_cast<ObjectId>(found - world.objects.begin());
-    Eigen::AlignedBox3d box;
-    const FacetSet& facets = world.facets;
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-        if (facets.object[f] != id) continue;
-        for (const std::uint32_t corner : facets.corner[f]) {
-            box.extend(facets.vertex[corner].cast<double>());
-        }
+/// The way that an object or a building faces; ground has none.
+double heading_of(const TerrainInput& terrain, const std::string& name) {
+    for (const ObjectInput& object : terrain.objects) {
+        if (object.name == name) return object.placing.heading_deg;
     }
-    if (box.isEmpty()) {
-        throw InputError("observer", fmt::format("looks at \"{}\", which has no surface", name));
+    for (const Building& building : terrain.buildings) {
+        if (building.name == name) return building.heading_deg;
     }
-    return box.center();
+    return 0.0;
 }
 
 /// What an observer looks at, if it looks at something: a place, which may go.
@@ -62,7 +55,8 @@ class Target {
                 fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
             at_ = ground_point(dem, world.site, *input.look_at, where);
         } else if (!input.look_at_object.empty()) {
-            at_ = middle_of(world, input.look_at_object);
+            at_ = middle_of(world, input.look_at_object,
+                            heading_of(scene.terrain, input.look_at_object));
             for (std::size_t m = 0; m < world.movers.size(); ++m) {
                 const std::size_t object = world.movers[m].object;
                 if (scene.terrain.objects[object].name != input.look_at_object) continue;

@@ -1,0 +1,27 @@
+#include "scenes/world/upright_box.hpp"
+
+#include <Eigen/Geometry>
+
+#include "terrain/place/site.hpp"
+
+namespace diurna {
+
+std::optional<UprightBox> upright_box(const FacetSet& facets, ObjectId id, double heading_deg) {
+    const Eigen::Vector3d front = direction(heading_deg, 0.0);
+    const Eigen::Vector3d right = direction(heading_deg + 90.0, 0.0);
+    Eigen::AlignedBox3d box;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (facets.object[f] != id) continue;
+        for (const std::uint32_t corner : facets.corner[f]) {
+            const Eigen::Vector3d v = facets.vertex[corner].cast<double>();
+            box.extend(Eigen::Vector3d(v.dot(front), v.dot(right), v.z()));
+        }
+    }
+    if (box.isEmpty()) return std::nullopt;
+    const Eigen::Vector3d centre = box.center(), size = box.sizes();
+    return UprightBox{
+        centre.x() * front + centre.y() * right + centre.z() * Eigen::Vector3d::UnitZ(), size.x(),
+        size.y(), size.z()};
+}
+
+}  // namespace diurna

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "render/picture/grey_png.hpp"
+#include "render/picture/grey_picture.hpp"
 #include "scenes/labels/contrast.hpp"
 #include "scenes/labels/labelled.hpp"
 #include "scenes/labels/object_masks.hpp"
@@ -22,7 +22,7 @@ struct Label {
 
 /// One picture of a run and what is seen in it.
 struct LabelledPicture {
-    std::string file, planes;  // the grey PNG and the EXR, relative to the run's folder
+    std::string file, planes;  // the grey picture and the EXR, relative to the run's folder
     Instant instant;
     std::string observer, band;
     int width = 0, height = 0;

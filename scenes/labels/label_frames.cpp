@@ -13,8 +13,9 @@
 #include "render/picture/quicklook.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/labels/coco.hpp"
+#include "scenes/labels/kitti.hpp"
 #include "scenes/labels/split.hpp"
-#include "scenes/labels/text_labels.hpp"
+#include "scenes/labels/yolo.hpp"
 #include "scenes/plan/frame_files.hpp"
 
 namespace diurna {
@@ -49,13 +50,14 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
     const ObserverInput& input = prepared.scene.observers[task.observer];
     const Instant instant = prepared.sequences[task.observer].frame[task.frame];
     const std::string& band = task.band.name;
-    LabelledPicture picture{.file = grey_picture(input.name, band, instant),
-                            .planes = frame_base(input.name, band, instant) + ".exr",
-                            .instant = instant,
-                            .observer = input.name,
-                            .band = band,
-                            .plane = shown_plane(task.band),
-                            .unit = ""};
+    LabelledPicture picture{
+        .file = grey_picture(input.name, band, instant, prepared.scene.labels.format),
+        .planes = frame_base(input.name, band, instant) + ".exr",
+        .instant = instant,
+        .observer = input.name,
+        .band = band,
+        .plane = shown_plane(task.band),
+        .unit = ""};
     const std::array<std::string, 5> wanted = {"object", "object_behind." + band, "temperature",
                                                "apparent_temperature." + band, "radiance." + band};
     const Frame frame = read_exr(out / picture.planes, wanted);
@@ -152,8 +154,10 @@ std::vector<std::string> label_frames(const Prepared& prepared, const fs::path& 
         part[picture.validation].push_back(&picture);
         list[picture.validation] += "./" + picture.file + "\n";
         write(text_beside("labels", picture.file), yolo_text(book, picture));
-        write(text_beside("kitti", picture.file),
-              kitti_text(book, picture, prepared.sequences[task.observer].at(task.frame)));
+        const Observer& eye = prepared.sequences[task.observer].at(task.frame);
+        write(text_beside("kitti", picture.file), kitti_text(book, picture, eye));
+        const std::string calibration = kitti_calibration(eye);
+        if (!calibration.empty()) write(text_beside("kitti/calib", picture.file), calibration);
     }
     write("annotations.json", coco_json(book, all));
     write("annotations_train.json", coco_json(book, part[0]));

@@ -12,7 +12,7 @@ namespace diurna {
 ///
 ///     annotations.json, annotations_train.json, annotations_validation.json   COCO (coco.hpp)
 ///     labels/PICTURE.txt, data.yaml, train.txt, validation.txt   YOLO; the lists name pictures
-///     kitti/PICTURE.txt                                          KITTI
+///     kitti/PICTURE.txt, kitti/calib/PICTURE.txt                 KITTI
 ///     classes.txt                                                a class a line
 ///
 /// Returns their names.

@@ -17,7 +17,7 @@ namespace {
 /// What an earlier run of the same inputs has left, if it is to be kept; else makes room. Until
 /// here nothing has been written, from here on only whole files are.
 Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, bool& keep) {
-    for (const char* folder : {"frames", "images", "labels", "kitti"}) {
+    for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
         fs::create_directories(options.out / folder);
     }
     Manifest manifest{.key = job_key(prepared.scene, options.settings),
@@ -43,7 +43,7 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
         manifest.start = earlier.start;
     } else {
         for (const char* file : {"temperatures.nc", state_file}) fs::remove(options.out / file);
-        for (const std::string& file : frame_files(prepared.scene.observers)) {
+        for (const std::string& file : frame_files(prepared.scene)) {
             fs::remove(options.out / file);
         }
     }
@@ -107,7 +107,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const std::string& line : frames.notes) {
         report.notes.push_back("water in pictures, frame with most of it: " + line);
     }
-    for (std::string& file : frame_files(prepared.scene.observers)) {
+    for (std::string& file : frame_files(prepared.scene)) {
         report.files.push_back(std::move(file));
     }
 

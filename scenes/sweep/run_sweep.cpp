@@ -105,11 +105,11 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
     const Prepared& prepared = stages.scene();
     const fs::path folder = variant_folder(group.options.out, variant.name);
     VariantRecord record{.key = group.key_of(variant), .done = false, .outputs = {}};
-    const std::vector<std::string> pictures = frame_files(prepared.scene.observers);
+    const std::vector<std::string> pictures = frame_files(prepared.scene);
     if (!group.options.resume || read_variant_record(folder).key != record.key) {
         for (const std::string& file : pictures) fs::remove(folder / file);
     }
-    for (const char* inner : {"frames", "images", "labels", "kitti"}) {
+    for (const char* inner : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
         fs::create_directories(folder / inner);
     }
     write_variant_record(folder, group.sweep, variant, record);

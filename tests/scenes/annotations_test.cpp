@@ -18,6 +18,7 @@
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/labels/contrast.hpp"
+#include "scenes/labels/kitti.hpp"
 #include "scenes/labels/object_masks.hpp"
 #include "scenes/labels/split.hpp"
 #include "scenes/run/job.hpp"
@@ -212,6 +213,94 @@ TEST_CASE("a net hides nothing, a wall does, an edge cuts off", "[scenes][annota
           Approx(silhouette({6.5, -3.0}, {1.0, 2.0}, 1.5)).margin(1.0));
 }
 
+namespace {
+
+/// Left, top, right, bottom of a KITTI box's eight corners by P2, as its development kit draws
+/// them.
+Eigen::Vector4d drawn(const std::vector<double>& p2, const std::vector<double>& number) {
+    Eigen::Matrix<double, 3, 4> p;
+    for (int i = 0; i < 12; ++i) p(i / 4, i % 4) = p2[std::size_t(i)];
+    const double h = number[7], w = number[8], l = number[9], turn = number[13];
+    Eigen::Vector4d box(1e9, 1e9, -1e9, -1e9);
+    for (const double a : {-0.5 * l, 0.5 * l}) {
+        for (const double b : {-0.5 * w, 0.5 * w}) {
+            for (const double up : {0.0, h}) {
+                const Eigen::Vector4d at(number[10] + std::cos(turn) * a + std::sin(turn) * b,
+                                         number[11] - up,
+                                         number[12] - std::sin(turn) * a + std::cos(turn) * b, 1.0);
+                const Eigen::Vector3d seen = p * at;
+                const Eigen::Vector2d pixel = seen.head<2>() / seen.z();
+                box.head<2>() = box.head<2>().cwiseMin(pixel);
+                box.tail<2>() = box.tail<2>().cwiseMax(pixel);
+            }
+        }
+    }
+    return box;
+}
+
+}  // namespace
+
+TEST_CASE("KITTI's calibration draws its boxes where COCO's are, the camera rolled and inclined",
+          "[scenes][annotations]") {
+    const Json& image = yard().coco["images"][0];
+    const std::string stem = fs::path(image["file_name"].get<std::string>()).stem();
+    std::istringstream lines(read_text(yard().out / "kitti" / "calib" / (stem + ".txt")));
+    std::vector<double> p2;
+    for (std::string line; std::getline(lines, line);) {
+        std::istringstream words(line);
+        std::string name;
+        words >> name;
+        if (name != "P2:") continue;
+        for (double value = 0.0; words >> value;) p2.push_back(value);
+    }
+    REQUIRE(p2.size() == 12);
+    std::istringstream kitti(read_text(yard().out / "kitti" / (stem + ".txt")));
+    int compared = 0;
+    for (const Json& label : yard().coco["annotations"]) {
+        if (label["image_id"] != image["id"]) continue;
+        std::string type, line;
+        REQUIRE(std::getline(kitti, line));
+        if (label["instance"]["name"] == "net") continue;  // no block
+        std::istringstream words(line);
+        words >> type;
+        std::vector<double> number;
+        for (double value = 0.0; words >> value;) number.push_back(value);
+        REQUIRE(number.size() == 14);
+        CAPTURE(label["instance"]["name"]);
+        const Eigen::Vector4d box = drawn(p2, number);
+        const std::vector<double> whole = label["amodal_bbox"];
+        // KITTI counts from the middle of the first pixel, COCO from its corner. Sizes stand there
+        // to a centimetre, some 0.07 pixels.
+        CHECK(box[0] + 0.5 == Approx(whole[0]).margin(0.1));
+        CHECK(box[1] + 0.5 == Approx(whole[1]).margin(0.1));
+        CHECK(box[2] + 0.5 == Approx(whole[0] + whole[2]).margin(0.1));
+        CHECK(box[3] + 0.5 == Approx(whole[1] + whole[3]).margin(0.1));
+        ++compared;
+    }
+    CHECK(compared >= 4);
+
+    // A camera rolled and looking steeply down: a place by hand, turned about the axis.
+    Observer camera{.azimuth_deg = 90.0,
+                    .elevation_deg = -90.0,
+                    .roll_deg = 30.0,
+                    .horizontal_fov_deg = 90.0,
+                    .width = 101,
+                    .height = 51};
+    std::istringstream steep(kitti_calibration(camera));
+    std::string name;
+    Eigen::Matrix<double, 3, 4> p;
+    steep >> name;
+    for (int i = 0; i < 12; ++i) steep >> p(i / 4, i % 4);
+    // 10 m below and 2 m ahead (east): up in the picture, which is turned clockwise.
+    const Eigen::Vector3d seen = p * Eigen::Vector4d(0.0, 10.0, 2.0, 1.0);
+    const double turn = 30.0 * std::numbers::pi / 180.0, pixels = 50.5 * 2.0 / 10.0;
+    CHECK(seen.z() == Approx(10.0));
+    CHECK(seen.x() / seen.z() == Approx(50.0 - pixels * std::sin(turn)).margin(1e-6));
+    CHECK(seen.y() / seen.z() == Approx(25.0 - pixels * std::cos(turn)).margin(1e-6));
+    camera.projection = Projection::panorama;
+    CHECK(kitti_calibration(camera).empty());
+}
+
 TEST_CASE("YOLO's and KITTI's text have the boxes of COCO's labels", "[scenes][annotations]") {
     const Json& image = yard().coco["images"][0];
     const std::string stem = fs::path(image["file_name"].get<std::string>()).stem();
@@ -247,7 +336,8 @@ TEST_CASE("YOLO's and KITTI's text have the boxes of COCO's labels", "[scenes][a
         CHECK(number[8] == Approx(2.0).margin(2e-3));
         CHECK(number[9] == Approx(4.0).margin(2e-3));
         CHECK(number[10] == Approx(-4.2).margin(2e-3));
-        CHECK(std::hypot(number[11], number[12]) == Approx(std::hypot(60.0, 20.0)).margin(5e-3));
+        CHECK(number[11] == Approx(20.0).margin(2e-3));  // the frame is level, the camera not
+        CHECK(number[12] == Approx(60.0).margin(2e-3));
         CHECK(number[13] == Approx(0.0).margin(1e-3));
     }
     const Json train = Json::parse(read_text(yard().out / "annotations_train.json"));

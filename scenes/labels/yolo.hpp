@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenes/labels/label.hpp"
+
+namespace diurna {
+
+/// A picture's labels for YOLO: "CLASS X Y WIDTH HEIGHT" a line, classes from 0, middle and size of
+/// the box seen as shares of the picture. Without groups.
+std::string yolo_text(const LabelBook& book, const LabelledPicture& picture);
+
+/// The file that tells Ultralytics' YOLO of a run's folder: classes and the lists of pictures.
+std::string yolo_data(const LabelBook& book);
+
+}  // namespace diurna

@@ -10,6 +10,8 @@ LabelsInput read_labels(const Section& section) {
         "times a power of ten), or 8 between the ends of the quick-look's colours",
         16, {8, 16});
     if (labels.bits != 8 && labels.bits != 16) section.mistake("bits", "expected 8 or 16");
+    labels.format = section.choice_or("format", "of the grey pictures in images/", GreyFormat::png,
+                                      {{"png", GreyFormat::png}, {"tiff", GreyFormat::tiff}});
     labels.validation_share = section.number_or(
         "validation_share",
         "of the instants, drawn by scene.seed, whose pictures are for validation; the others are "

@@ -13,17 +13,19 @@ std::string frame_base(const std::string& observer, const std::string& band, Ins
     return "frames/" + frame_name(named, band);
 }
 
-std::string grey_picture(const std::string& observer, const std::string& band, Instant instant) {
-    return "images" + frame_base(observer, band, instant).substr(6) + ".png";
+std::string grey_picture(const std::string& observer, const std::string& band, Instant instant,
+                         GreyFormat format) {
+    return "images" + frame_base(observer, band, instant).substr(6) + extension_of(format);
 }
 
-std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant) {
+std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
+                                     GreyFormat format) {
     std::vector<std::string> files;
     for (const std::string& band : observer.bands) {
         const std::string name = frame_base(observer.name, band, instant);
         files.push_back(name + ".exr");
         files.push_back(name + ".png");
-        files.push_back(grey_picture(observer.name, band, instant));
+        files.push_back(grey_picture(observer.name, band, instant, format));
     }
     for (const std::string& cube : observer.cubes) {
         const std::string name = frame_base(observer.name, cube, instant);
@@ -32,11 +34,11 @@ std::vector<std::string> frame_files(const ObserverInput& observer, Instant inst
     return files;
 }
 
-std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers) {
+std::vector<std::string> frame_files(const Scene& scene) {
     std::vector<std::string> files;
-    for (const ObserverInput& observer : observers) {
+    for (const ObserverInput& observer : scene.observers) {
         for (const Instant instant : observer.frames) {
-            for (std::string& file : frame_files(observer, instant)) {
+            for (std::string& file : frame_files(observer, instant, scene.labels.format)) {
                 files.push_back(std::move(file));
             }
         }
@@ -45,8 +47,8 @@ std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers
 }
 
 bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,
-                    Instant instant) {
-    const std::vector<std::string> files = frame_files(observer, instant);
+                    Instant instant, GreyFormat format) {
+    const std::vector<std::string> files = frame_files(observer, instant, format);
     return std::all_of(files.begin(), files.end(), [&](const std::string& file) {
         return std::filesystem::exists(folder / file);
     });

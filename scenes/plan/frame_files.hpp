@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_observer.hpp"
+#include "scenes/input/scene.hpp"
 #include "terrain/place/instant.hpp"
 
 /// Where a job's pictures lie, relative to its folder.
@@ -14,16 +14,18 @@ namespace diurna {
 std::string frame_base(const std::string& observer, const std::string& band, Instant instant);
 
 /// "images/east_8-12_20260715T040000Z.png": the same as a plain grey picture.
-std::string grey_picture(const std::string& observer, const std::string& band, Instant instant);
+std::string grey_picture(const std::string& observer, const std::string& band, Instant instant,
+                         GreyFormat format);
 
 /// The files of one frame: for every band an EXR, a PNG beside it and a grey one; for every cube an
 /// EXR and ENVI's two.
-std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant);
+std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
+                                     GreyFormat format);
 /// Of all frames of all observers.
-std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers);
+std::vector<std::string> frame_files(const Scene& scene);
 
 /// All files of a frame are there.
 bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,
-                    Instant instant);
+                    Instant instant, GreyFormat format);
 
 }  // namespace diurna

@@ -14,7 +14,7 @@
 #include "materials/base/parallel.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
-#include "render/picture/grey_png.hpp"
+#include "render/picture/grey_picture.hpp"
 #include "render/picture/quicklook.hpp"
 #include "render/tracer.hpp"
 #include "render/view/pixel_heat.hpp"
@@ -51,16 +51,17 @@ void check_finite(const Frame& frame, const std::vector<std::string>& bands) {
 
 /// EXR, quick-look and plain grey picture of every band.
 void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
-                 int grey_bits, const CameraTags& camera) {
+                 const LabelsInput& labels, const CameraTags& camera) {
     for (const Band& band : bands) {
         const std::string name = frame_base(frame.observer, band.name, frame.instant);
         const Frame one = band_frame(frame, band.name);
         write_exr(out / (name + ".exr"), one, ExrCompression::none, &camera);
         write_quicklook(out / (name + ".png"), one, shown_plane(band));
         const std::filesystem::path grey =
-            out / grey_picture(frame.observer, band.name, frame.instant);
+            out / grey_picture(frame.observer, band.name, frame.instant, labels.format);
         std::filesystem::create_directories(grey.parent_path());
-        write_grey_png(grey, one, shown_plane(band), grey_bits);
+        write_grey_picture(grey, grey_picture_of(one, shown_plane(band), labels.bits),
+                           labels.format);
     }
 }
 
@@ -161,7 +162,7 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     facts.merge(instant_facts(prepared, instant));
     frame.attributes.insert(facts.begin(), facts.end());
     for (const Plane& plane : s.behind) frame.planes.push_back(plane);
-    write_bands(out, frame, s.bands, prepared.scene.labels.bits, camera);
+    write_bands(out, frame, s.bands, prepared.scene.labels, camera);
     for (const CubeSeries& cube : s.cubes) {
         const Frame channels = render(s.view, s.observer, cube.channels, now,
                                       {.truth = false,
@@ -299,7 +300,8 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
         const ObserverInput& input = prepared.scene.observers[o];
         std::vector<std::size_t> wanted;
         for (std::size_t i = 0; i < input.frames.size(); ++i) {
-            if (!frame_complete(out, input, input.frames[i])) wanted.push_back(i);
+            if (!frame_complete(out, input, input.frames[i], prepared.scene.labels.format))
+                wanted.push_back(i);
         }
         if (wanted.empty()) continue;
         const Told told = render_sequence(stages, o, wanted, field, out, progress);

@@ -68,6 +68,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"erfa", {"terrain/place/celestial.cpp"}},
     {"OpenEXR/", {"render/picture/exr.cpp"}},
     {"Imf", {"render/picture/exr.cpp"}},
+    {"tiffio.h", {"render/picture/grey_tiff.cpp"}},
     {"png.h", {"render/picture/grey_png.cpp", "render/picture/quicklook.cpp"}},
     {"toml++/", {"materials/base/document_state.hpp"}},
     {"netcdf",

@@ -1,0 +1,78 @@
+#include <gdal_priv.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "render/picture/grey_picture.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// Apparent temperatures of 300 to 300.5 K, one that is beyond 16 bits of 0.01 K and one that is
+/// none.
+Frame warm_frame() {
+    Frame frame;
+    frame.width = 3;
+    frame.height = 2;
+    frame.planes = {{.name = "apparent_temperature.8-12",
+                     .unit = "K",
+                     .pixel = {300.0f, 300.004f, 300.007f, 300.5f, 700.0f,
+                               std::numeric_limits<float>::quiet_NaN()}}};
+    return frame;
+}
+
+}  // namespace
+
+// Read back by a library of others.
+TEST_CASE("grey TIFFs and PNGs hold the counts and their scale", "[render]") {
+    GDALAllRegister();
+    const ScratchFolder folder("grey");
+    const GreyPicture picture = grey_picture_of(warm_frame(), "apparent_temperature.8-12", 16);
+    const std::vector<std::uint16_t> expected = {30000, 30000, 30001, 30050, 65535, 0};
+    CHECK(picture.count == expected);
+    for (const GreyFormat format : {GreyFormat::tiff, GreyFormat::png}) {
+        const auto file = folder.path / ("grey" + extension_of(format));
+        write_grey_picture(file, picture, format);
+        const std::unique_ptr<GDALDataset> set(
+            GDALDataset::FromHandle(GDALOpen(file.c_str(), GA_ReadOnly)));
+        REQUIRE(set);
+        REQUIRE(set->GetRasterXSize() == 3);
+        REQUIRE(set->GetRasterYSize() == 2);
+        REQUIRE(set->GetRasterCount() == 1);
+        GDALRasterBand* band = set->GetRasterBand(1);
+        CHECK(band->GetRasterDataType() == GDT_UInt16);
+        std::vector<std::uint16_t> count(6);
+        REQUIRE(band->RasterIO(GF_Read, 0, 0, 3, 2, count.data(), 3, 2, GDT_UInt16, 0, 0) ==
+                CE_None);
+        CHECK(count == expected);
+        const char* key = format == GreyFormat::tiff ? "TIFFTAG_IMAGEDESCRIPTION" : "Scale";
+        const char* says = set->GetMetadataItem(key);
+        REQUIRE(says != nullptr);
+        CHECK(std::string(says) == "K = 0 + 0.01 count");
+    }
+}
+
+TEST_CASE("a grey TIFF of eight bits has a byte a pixel", "[render]") {
+    GDALAllRegister();
+    const ScratchFolder folder("grey");
+    const GreyPicture picture{.width = 2,
+                              .height = 2,
+                              .bits = 8,
+                              .count = {0, 17, 200, 255},
+                              .scale = "K = 250 + 0.2 count"};
+    const auto file = folder.path / "grey.tif";
+    write_grey_picture(file, picture, GreyFormat::tiff);
+    const std::unique_ptr<GDALDataset> set(
+        GDALDataset::FromHandle(GDALOpen(file.c_str(), GA_ReadOnly)));
+    REQUIRE(set);
+    GDALRasterBand* band = set->GetRasterBand(1);
+    CHECK(band->GetRasterDataType() == GDT_Byte);
+    std::vector<std::uint8_t> count(4);
+    REQUIRE(band->RasterIO(GF_Read, 0, 0, 2, 2, count.data(), 2, 2, GDT_Byte, 0, 0) == CE_None);
+    CHECK(count == std::vector<std::uint8_t>{0, 17, 200, 255});
+}

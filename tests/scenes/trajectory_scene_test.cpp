@@ -228,6 +228,32 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
              "times_s = [0.0, 40.0]", "file = \"way.csv\"");
     CHECK_THAT(told(log), Contains("no such file"));
     CHECK_THAT(told(log, "time_s,east_m,north_m\n0,0,0\n1,0,0\n"), Contains("height_m"));
+    // Columns that contradict each other, that nobody reads, or that are there twice.
+    const std::string rows = "\n0,0,0,900,0\n9,0,0,900,9\n";
+    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,time" + rows),
+               Contains("'time' and 'time_s', expected one"));
+    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,latitude_deg" + rows),
+               Contains("'east_m' and 'latitude_deg', expected one"));
+    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,headng_deg" + rows),
+               Contains("unknown column 'headng_deg'") && Contains("heading_deg"));
+    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,height_m" + rows),
+               Contains("'height_m' twice"));
+    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,pitch_deg" + rows),
+               Contains("'pitch_deg' without 'heading_deg'"));
+    // One mistake, one line.
+    const auto lines = [](const std::string& text) {
+        return std::count(text.begin(), text.end(), '\n') + 1;
+    };
+    const std::string resting =
+        with(with(aimed, "[0.0, 0.0, 500.0]]", "[-2000.0, -2000.0, 900.0]]"),
+             "times_s = [0.0, 40.0]", "speed_m_s = 50.0");
+    CHECK_THAT(told(resting), Contains("waypoints_m") && Contains("not later"));
+    CHECK(lines(told(resting)) == 1);
+    const std::string beside =
+        with(log, "file = \"way.csv\"", "file = \"way.csv\"\nspeed_m_s = 5.0");
+    const std::string way = "time_s,east_m,north_m,height_m\n0,-2000,-2000,900\n40,0,0,500\n";
+    CHECK_THAT(told(beside, way), Contains("speed_m_s") && Contains("beside file"));
+    CHECK(lines(told(beside, way)) == 1);
     CHECK_THAT(told(log, "time_s,east_m,north_m,height_m\n0,0,0,900\n0,0,0,900\n"),
                Contains("way.csv:3:1") && Contains("not later"));
     CHECK_THAT(told(log,

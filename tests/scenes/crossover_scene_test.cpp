@@ -16,6 +16,7 @@
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/stages.hpp"
+#include "tests/support/black_band.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -45,19 +46,6 @@ SunTimes sun_times() {
         (std::cos(latitude * degree) * std::cos(declination * degree));
     const double half = std::acos(cosine) / day_frequency;
     return {noon - half, noon, noon + half};
-}
-
-/// Planck's law over 8 to 12 µm by Simpson's rule [W m⁻² sr⁻¹].
-double black_band(double kelvin) {
-    constexpr double c1 = 1.191042972e8, c2 = 1.438776877e4;  // W µm⁴ m⁻² sr⁻¹, µm K
-    double sum = 0.0;
-    constexpr int n = 400;
-    for (int i = 0; i <= n; ++i) {
-        const double um = 8.0 + 4.0 * i / n;
-        const double weight = i == 0 || i == n ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
-        sum += weight * c1 / (std::pow(um, 5) * (std::exp(c2 / (um * kelvin)) - 1.0));
-    }
-    return sum * 4.0 / n / 3.0;
 }
 
 /// The median of a plane over the pixels where `among` has this value, those at its rim left out.
@@ -279,13 +267,13 @@ void check_bare_sheet() {
         const std::size_t centre = 4 * 8 + 4;
         const double own = sheet["temperature"].pixel[centre];
         const double zenith = sky["radiance.8-12"].pixel[centre];
-        const double expected = 0.050 * black_band(own) + 0.950 * zenith;
+        const double expected = 0.050 * testing::black_band(own) + 0.950 * zenith;
         const double found = sheet["apparent_temperature.8-12"].pixel[centre];
         CAPTURE(own, zenith, expected, found);
-        CHECK(black_band(found) ==
+        CHECK(testing::black_band(found) ==
               Approx(double{sheet["radiance.8-12"].pixel[centre]}).epsilon(1e-4));
         // 1 % of radiance is 0.4 K here.
-        CHECK(black_band(found) == Approx(expected).epsilon(0.01));
+        CHECK(testing::black_band(found) == Approx(expected).epsilon(0.01));
         CHECK(found < own - 30.0);
     }
 }

@@ -55,6 +55,7 @@ struct Scene {
     std::vector<TrajectoryInput> trajectories;
     std::vector<ObserverInput> observers;
     SweepInput sweep;
+    double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground
     int object_sky_rays = 256;  // per facet of buildings and objects
     int sun_samples = 4;        // per facet and instant

@@ -99,6 +99,11 @@ Scene read_scene(const Document& document) {
     const Section root = document.root();
     Reading reading{.folder = scene.file.parent_path()};
     read_about(root.section("scene", "names, and how finely the scene is sampled"), scene);
+    scene.tolerance = root.number_or(
+        "tolerance_K",
+        "rms, that pictures may be worse by where facets stand for others that no picture sees and "
+        "whose heat none feels; 0: every facet is solved. temperatures.nc has what they stand for",
+        0.0, {0.0, 10.0});
     scene.site = read_site(
         root.section("site", "origin of the east-north-up frame; else the middle of the raster"));
     const Section materials = root.section(

@@ -13,6 +13,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/matter/passed_light.hpp"
+#include "scenes/run/needed_facets.hpp"
 #include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/state_owner.hpp"
 #include "scenes/run/sun_exposure.hpp"
@@ -179,6 +180,8 @@ class StageHeat {
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
         return sun;
     }
+    /// Shadows on these facets alone, (facet that rays know) 1.
+    void ask_for(std::vector<std::uint8_t> facets) { daily_.ask_for(std::move(facets)); }
     double shadow_seconds() const { return shadow_seconds_; }
     /// In a line each what is to be known of it.
     std::vector<std::string> told(const SolveReport& report) const {
@@ -212,9 +215,53 @@ class StageHeat {
     double shadow_seconds_ = 0.0;
 };
 
+/// Whether a scene can be solved in part: not where its heat is handed on, and not where little
+/// would be saved.
+bool can_stand_for(const Prepared& scene) {
+    constexpr std::size_t few_facets = 5000;
+    return scene.world.surfaces().size() > few_facets && !scene.scene.output.state &&
+           scene.scene.time.spin_up != SpanStart::state && !scene.sequences.empty();
+}
+
+/// The span of facets that stand for all.
+SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
+                        const Representatives& who) {
+    std::vector<std::unique_ptr<SolvedPart>> part;
+    std::vector<SpanStage> solved;
+    for (const SpanStage& stage : stages) {
+        part.push_back(std::make_unique<SolvedPart>(stage.input, who));
+        solved.push_back(
+            {stage.from, part.back()->input(), [&stage, &who](const std::vector<Instant>& when) {
+                 return solved_part(stage.exposure(when), who);
+             }});
+    }
+    SpanResult result = solve_span(solved, options);
+    spread(who, result);
+    return result;
+}
+
+/// (facet that rays know) 1 where it or a level of a texture in its place is solved.
+std::vector<std::uint8_t> solid_facets(const NeededFacets& needed, const World& world) {
+    std::vector<std::uint8_t> asked(world.facets.size(), 0);
+    for (const std::uint32_t f : needed.who.solved) {
+        asked[world.texture_levels.empty() ? f : world.texture_levels.origin[f]] = 1;
+    }
+    return asked;
+}
+
+std::string told(const NeededFacets& needed, const TemperatureField& field) {
+    const double apart = probed_difference(needed, field);
+    return fmt::format(
+        "solved: {} of {} facets, of which {} that pictures see and their neighbours, {} whose "
+        "heat those feel; {} stand for all others of their kind, from which {} that were solved "
+        "to see are {:.2f} K (rms): worth {:.1e} K in pictures",
+        needed.who.solved.size(), needed.who.place.size(), needed.seen, needed.felt, needed.kinds,
+        needed.probe.size(), apart, apart * needed.weight);
+}
+
 }  // namespace
 
-SpanResult solve_scene(const Stages& stages, Progress& progress) {
+SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance) {
     const Prepared& scene = stages.scene();
     const std::optional<HeatState> earlier = earlier_state(scene);
     progress.stage("heat balance");
@@ -229,8 +276,14 @@ SpanResult solve_scene(const Stages& stages, Progress& progress) {
         parts.push_back({i == 0 ? span.start : scene.movement.stage[i], own->input(),
                          [own](const std::vector<Instant>& when) { return own->exposure(when); }});
     }
-    SpanResult result = solve_span(parts, span);
     const StageHeat& first = *heat.front();
+    std::optional<NeededFacets> needed;
+    if (tolerance > 0.0 && can_stand_for(scene)) {
+        needed = needed_facets(stages, first.input().network, tolerance);
+        for (const auto& own : heat) own->ask_for(solid_facets(*needed, scene.world));
+    }
+    SpanResult result = needed ? solve_needed(parts, span, needed->who) : solve_span(parts, span);
+    if (needed) result.notes.push_back(told(*needed, result.temperature));
     result.start += ": " + start_told(first.input(), span, result.report);
     for (std::string& note : first.told(result.report)) {
         result.notes.push_back(std::move(note));

@@ -19,7 +19,12 @@ void check_start(const Prepared& prepared);
 
 /// Shadows and heat balance, stage by stage: temperatures alone. Throws InputError as
 /// check_start().
-SpanResult solve_scene(const Stages& stages, Progress& progress);
+/// Where a tolerance is given, facets that no picture sees and whose heat none feels are not
+/// solved: others stand for them (scenes/run/needed_facets.hpp), and a note tells how many and what
+/// of.
+///
+/// - tolerance: [K] rms that pictures may be worse by; 0: every facet is solved
+SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance = 0.0);
 
 inline constexpr const char* state_file = "state.nc";
 /// Writes temperatures with names, clock and fluxes, and beside them the state at the end, if the

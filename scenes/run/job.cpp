@@ -62,7 +62,7 @@ std::vector<std::string> heat_files(const Scene& scene) {
 TemperatureField solve_and_write(const Stages& stages, const fs::path& out, Progress& progress,
                                  Manifest& manifest, JobReport& report) {
     const Prepared& prepared = stages.scene();
-    SpanResult result = solve_scene(stages, progress);
+    SpanResult result = solve_scene(stages, progress, prepared.scene.tolerance);
     progress.stage("write temperatures");
     manifest.not_converged = not_converged(result.report);
     manifest.start = result.start;

@@ -30,18 +30,23 @@ std::span<const std::uint8_t> nothing(std::size_t, std::span<float>) { return {}
 
 /// Of facets without textures' levels.
 SunExposure cast(const Prepared& prepared, const ReliefVisibility& light,
-                 const std::vector<Instant>& instants, const TakeOver& take_over,
-                 const EdgesAround& around) {
+                 const std::vector<Instant>& instants, std::span<const std::uint8_t> asked_for,
+                 const TakeOver& take_over, const EdgesAround& around) {
     const World& world = prepared.world;
     const SunFractionOptions options{.samples = prepared.scene.sun_samples,
                                      .seed = prepared.scene.seed};
     const std::size_t facets = world.facets.size();
     SunExposure sun{.instant = instants, .fraction = {}};
     sun.fraction.assign(instants.size() * facets, 0.0f);
+    std::vector<std::uint8_t> passed_over(asked_for.size());
     for (std::size_t i = 0; i < instants.size(); ++i) {
         const std::span<float> fraction = std::span(sun.fraction).subspan(i * facets, facets);
-        light.sun_fraction(direction(prepared, instants[i]), fraction, options,
-                           take_over(i, fraction));
+        std::span<const std::uint8_t> known = take_over(i, fraction);
+        for (std::size_t f = 0; f < asked_for.size(); ++f) {
+            passed_over[f] = !asked_for[f] || (!known.empty() && known[f]);
+        }
+        if (!asked_for.empty()) known = passed_over;
+        light.sun_fraction(direction(prepared, instants[i]), fraction, options, known);
     }
     // When within a step the sun comes and goes: by rays, which answer for single facets.
     find_edges(
@@ -168,7 +173,7 @@ SunExposure DailySunExposure::found(const std::vector<Instant>& instants) {
 }
 
 SunExposure DailySunExposure::in_full(const std::vector<Instant>& instants) const {
-    return cast(prepared_, light_, instants, nothing, {});
+    return cast(prepared_, light_, instants, asked_for_, nothing, {});
 }
 
 SunExposure DailySunExposure::between_days(const std::vector<Instant>& instants, double share) {
@@ -186,7 +191,7 @@ SunExposure DailySunExposure::between_days(const std::vector<Instant>& instants,
         taken_over_ += double(std::count(known.begin(), known.end(), std::uint8_t{1}));
         return std::span<const std::uint8_t>(known);
     };
-    return cast(prepared_, light_, instants, take_over,
+    return cast(prepared_, light_, instants, asked_for_, take_over,
                 {.before = before_->edge, .after = after_->edge, .share = share});
 }
 

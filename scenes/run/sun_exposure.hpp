@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "scenes/plan/prepared.hpp"
@@ -28,6 +30,8 @@ class DailySunExposure {
 
     /// - end: of the span; nothing is kept for days after it
     DailySunExposure(const Prepared& prepared, Instant end);
+    /// Asks for some facets alone, (facet that rays know) 1; the others are in shadow. Empty: all.
+    void ask_for(std::vector<std::uint8_t> facets) { asked_for_ = std::move(facets); }
 
     /// - instants: of days that follow each other, at the same hours; others are worked out in full
     SunExposure of(const std::vector<Instant>& instants);
@@ -44,6 +48,7 @@ class DailySunExposure {
     const Prepared& prepared_;
     ReliefVisibility light_;
     Instant end_;
+    std::vector<std::uint8_t> asked_for_{};
     std::optional<SunExposure> before_, after_;  // days worked out in full
     double asked_ = 0.0, taken_over_ = 0.0;      // instants and facets
 };

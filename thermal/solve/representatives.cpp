@@ -1,0 +1,165 @@
+#include "thermal/solve/representatives.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace diurna {
+
+namespace {
+
+/// Of values for each facet those of the solved ones; none of none.
+template <class T>
+std::vector<T> chosen(const std::vector<T>& whole, const Representatives& r) {
+    std::vector<T> part;
+    if (whole.empty()) return part;
+    part.reserve(r.solved.size());
+    for (const std::uint32_t facet : r.solved) part.push_back(whole[facet]);
+    return part;
+}
+
+FacetSet chosen(const FacetSet& whole, const Representatives& r) {
+    FacetSet part;
+    part.vertex = whole.vertex;
+    part.corner = chosen(whole.corner, r);
+    part.centroid = chosen(whole.centroid, r);
+    part.normal = chosen(whole.normal, r);
+    part.area = chosen(whole.area, r);
+    part.material = chosen(whole.material, r);
+    part.object = chosen(whole.object, r);
+    return part;
+}
+
+/// Rows of solved facets; entries that one facet stands for become one.
+ViewFactors chosen(const ViewFactors& whole, const Representatives& r) {
+    ViewFactors part;
+    part.row.reserve(r.solved.size() + 1);
+    part.row.push_back(0);
+    std::vector<std::pair<std::uint32_t, float>> row;
+    for (const std::uint32_t facet : r.solved) {
+        row.clear();
+        for (std::uint32_t k = whole.row[facet]; k < whole.row[facet + 1]; ++k) {
+            row.emplace_back(r.place[index(whole.facet[k])], whole.factor[k]);
+        }
+        std::stable_sort(row.begin(), row.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        for (std::size_t i = 0; i < row.size();) {
+            const std::uint32_t seen = row[i].first;
+            double sum = 0.0;
+            for (; i < row.size() && row[i].first == seen; ++i) sum += double{row[i].second};
+            part.facet.push_back(FacetId{seen});
+            part.factor.push_back(static_cast<float>(sum));
+        }
+        part.row.push_back(static_cast<std::uint32_t>(part.facet.size()));
+    }
+    return part;
+}
+
+FacetViews chosen(const FacetViews& whole, const Representatives& r) {
+    return {.sky = chosen(whole.sky, r),
+            .below = chosen(whole.below, r),
+            .others = chosen(whole.others, r),
+            .hidden = chosen(whole.hidden, r),
+            .rays = chosen(whole.rays, r),
+            .shares = chosen(whole.shares, r)};
+}
+
+/// A target's facets by their place among the solved ones.
+NetworkObject chosen(NetworkObject object, const Representatives& r) {
+    const auto place = [&](std::uint32_t& facet) {
+        if (facet == no_number) return;
+        assert(r.of(facet) == facet);
+        facet = r.place[facet];
+    };
+    for (std::uint32_t& facet : object.facet) place(facet);
+    for (std::uint32_t& facet : object.back) place(facet);
+    return object;
+}
+
+/// Rows of so many values for each solved facet as rows for every facet.
+std::vector<float> spread(const Representatives& r, const std::vector<float>& part) {
+    const std::size_t solved = r.solved.size(), all = r.place.size();
+    std::vector<float> whole(part.size() / solved * all);
+    for (std::size_t row = 0; row * solved < part.size(); ++row) {
+        const float* const from = part.data() + row * solved;
+        float* const to = whole.data() + row * all;
+        for (std::size_t f = 0; f < all; ++f) to[f] = from[r.place[f]];
+    }
+    return whole;
+}
+
+/// What lies on solved facets lies on those that they stand for.
+CoveredFacets spread(const Representatives& r, const CoveredFacets& part) {
+    std::vector<std::uint32_t> place_in_part(r.solved.size(), no_number);
+    for (std::size_t i = 0; i < part.facet.size(); ++i) {
+        place_in_part[part.facet[i]] = static_cast<std::uint32_t>(i);
+    }
+    CoveredFacets whole;
+    std::vector<std::uint32_t> from;
+    for (std::uint32_t f = 0; f < r.place.size(); ++f) {
+        if (place_in_part[r.place[f]] == no_number) continue;
+        whole.facet.push_back(f);
+        from.push_back(place_in_part[r.place[f]]);
+    }
+    const std::size_t rows = part.empty() ? 0 : part.cover.size() / part.facet.size();
+    whole.cover.reserve(rows * from.size());
+    for (std::size_t row = 0; row < rows; ++row) {
+        for (const std::uint32_t i : from) whole.cover.push_back(part.at(row)[i]);
+    }
+    return whole;
+}
+
+}  // namespace
+
+SolvedPart::SolvedPart(const SolveInput& whole, const Representatives& r)
+    : facets_(chosen(whole.facets, r)), views_(chosen(whole.views, r)) {
+    if (whole.sunlight_views != nullptr) sunlight_views_ = chosen(*whole.sunlight_views, r);
+    std::vector<NetworkObject> network;
+    for (const NetworkObject& object : whole.network) network.push_back(chosen(object, r));
+    input_ = std::make_unique<const SolveInput>(
+        SolveInput{.facets = facets_,
+                   .views = views_,
+                   .sun = none_,
+                   .materials = whole.materials,
+                   .weather = whole.weather,
+                   .site = whole.site,
+                   .elevation = whole.elevation,
+                   .by_height = whole.by_height,
+                   .height = chosen(whole.height, r),
+                   .part = chosen(whole.part, r),
+                   .network = std::move(network),
+                   .open_above = chosen(whole.open_above, r),
+                   .clear_sky = whole.clear_sky,
+                   .measured_share = whole.measured_share,
+                   .sunlight_views = whole.sunlight_views != nullptr ? &sunlight_views_ : nullptr});
+}
+
+SunExposure solved_part(const SunExposure& whole, const Representatives& r) {
+    SunExposure part{.instant = whole.instant, .fraction = {}};
+    if (!whole.fraction.empty()) {
+        part.fraction.reserve(whole.instant.size() * r.solved.size());
+        for (std::size_t i = 0; i < whole.instant.size(); ++i) {
+            const float* const row = whole.fraction.data() + i * r.place.size();
+            for (const std::uint32_t facet : r.solved) part.fraction.push_back(row[facet]);
+        }
+    }
+    for (const ShadowEdge& edge : whole.edge) {
+        if (r.of(edge.facet) != edge.facet) continue;
+        part.edge.push_back({edge.step, r.place[edge.facet], edge.share});
+    }
+    return part;
+}
+
+void spread(const Representatives& r, SpanResult& result) {
+    if (r.everything()) return;
+    TemperatureField& field = result.temperature;
+    field.kelvin = spread(r, field.kelvin);
+    field.facets = r.place.size();
+    field.water = spread(r, field.water);
+    HeatFluxField& heat = result.heat;
+    if (heat.empty()) return;
+    for (std::vector<float>& term : heat.watts) term = spread(r, term);
+    heat.facets = r.place.size();
+}
+
+}  // namespace diurna

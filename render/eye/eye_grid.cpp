@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "materials/radiation/planck.hpp"
 
@@ -12,7 +14,11 @@ namespace {
 
 /// The greatest error of straight cells along the columns, in kelvins of the band.
 double straight_error(const Band& band, const Eigen::MatrixXd& fine) {
-    double worst = 0.0;
+    struct Bend {
+        double bend, least;  // [W m-2 sr-1] of a column
+    };
+    std::vector<Bend> columns;
+    double darkest = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < fine.cols(); ++j) {
         const double least = fine.col(j).minCoeff();
         if (!(least > 0.0)) continue;
@@ -21,8 +27,21 @@ double straight_error(const Band& band, const Eigen::MatrixXd& fine) {
             bend =
                 std::max(bend, std::abs(fine(i - 1, j) - 2.0 * fine(i, j) + fine(i + 1, j)) / 8.0);
         }
-        worst = std::max(
-            worst, bend / band_radiance_derivative(band, brightness_temperature(band, least)));
+        columns.push_back({bend, least});
+        darkest = std::min(darkest, least);
+    }
+    // A kelvin is worth least where it is darkest: so no column can be worse than its bend there,
+    // and most need no temperature of their own.
+    const auto per_kelvin = [&](double radiance) {
+        return band_radiance_derivative(band, brightness_temperature(band, radiance));
+    };
+    std::sort(columns.begin(), columns.end(),
+              [](const Bend& a, const Bend& b) { return a.bend > b.bend; });
+    double worst = 0.0;
+    const double least_per_kelvin = columns.empty() ? 1.0 : per_kelvin(darkest);
+    for (const auto& [bend, least] : columns) {
+        if (bend / least_per_kelvin <= worst) break;
+        worst = std::max(worst, bend / per_kelvin(least));
     }
     return worst;
 }

@@ -113,12 +113,14 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
     const World& world = prepared.world;
     const Luminary light = luminary(sun_over(prepared, instant), world.site, instant, lit_bands(s));
     const SunPosition& sun = light.place;
-    const std::vector<float> fraction = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples);
     const std::vector<float> temperature = field.interpolate(instant);
     const Atmosphere atmosphere = atmosphere_at(prepared.scene, world, prepared.weather, instant);
     const std::vector<SurfaceCover> cover = field.cover_at(instant);
     const std::optional<CoveredSurfaces> covered =
         covered_surfaces(world.surfaces(), prepared.scene.materials, field.water.facet, cover);
+    const std::vector<float> fraction =
+        sun_on_surfaces(prepared, sun, prepared.scene.sun_samples,
+                        covered ? std::span<const FacetId>() : s.lit.facet);
     const RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
                             .views = views,
                             .materials = covered ? covered->materials : prepared.scene.materials,

@@ -1,5 +1,8 @@
 #include "scenes/run/sun_on_surfaces.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/view_factors.hpp"
@@ -12,14 +15,27 @@ SunPosition sun_over(const Prepared& prepared, Instant instant) {
     return apparent_sun(world.site, world.sea_level_height, prepared.weather, instant);
 }
 
-std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples) {
+std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
+                                   std::span<const FacetId> wanted) {
     if (!(sun.elevation_deg > 0.0)) return {};
     const World& world = prepared.world;
-    std::vector<float> fraction(world.facets.size());
-    sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction,
-                 {.samples = samples, .seed = prepared.scene.seed});
-    if (world.texture_levels.empty()) return fraction;
-    return for_all_levels(world.texture_levels, fraction);
+    const TextureLevels& levels = world.texture_levels;
+    std::vector<float> fraction(world.facets.size(), 0.0f);
+    const SunFractionOptions options{.samples = samples, .seed = prepared.scene.seed};
+    if (wanted.empty()) {
+        sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction, options);
+    } else {
+        std::vector<std::uint32_t> chosen;
+        for (const FacetId facet : wanted) {
+            const auto f = static_cast<std::uint32_t>(facet);
+            chosen.push_back(levels.empty() ? f : levels.origin[f]);
+        }
+        std::sort(chosen.begin(), chosen.end());
+        chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+        sun_fraction(world.facets, prepared.rays, sun_direction(sun), chosen, fraction, options);
+    }
+    if (levels.empty()) return fraction;
+    return for_all_levels(levels, fraction);
 }
 
 }  // namespace diurna

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scenes/plan/prepared.hpp"
@@ -12,6 +13,9 @@ SunPosition sun_over(const Prepared& prepared, Instant instant);
 
 /// Share of each surface that the sun reaches, 0 to 1, by `samples` rays a facet; empty while the
 /// sun is down. A texture's levels on a facet are lit as the facet is.
-std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples);
+///
+/// - wanted: facets of World::surfaces(); the others are told to be in shadow. Empty: all
+std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
+                                   std::span<const FacetId> wanted = {});
 
 }  // namespace diurna

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,17 +11,10 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "materials/matter/passed_light.hpp"
 #include "scenes/run/needed_facets.hpp"
-#include "scenes/run/scene_sky_view.hpp"
+#include "scenes/run/stage_heat.hpp"
 #include "scenes/run/state_owner.hpp"
-#include "scenes/run/sun_exposure.hpp"
-#include "scenes/world/heights.hpp"
-#include "scenes/world/measured_albedo.hpp"
-#include "scenes/world/rain_cover.hpp"
 #include "scenes/world/stepping.hpp"
-#include "scenes/world/targets.hpp"
-#include "scenes/world/wind.hpp"
 #include "terrain/place/local_time.hpp"
 #include "thermal/solve/heat_state_file.hpp"
 #include "thermal/solve/start_error.hpp"
@@ -90,42 +82,6 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
     return notes;
 }
 
-/// What is and is not followed of targets.
-std::string targets_told(const SolveInput& input, const SolveReport& report) {
-    if (report.target_facets == 0) return "";
-    std::string told = fmt::format(
-        "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
-        "them",
-        report.target_facets);
-    for (const NetworkObject& object : input.network) {
-        if (object.loose_edges == 0) continue;
-        told += fmt::format(
-            "; {} edges of \"{}\" meet no other whole edge (open ends, T-junctions): no heat goes "
-            "over them",
-            object.loose_edges, object.name);
-    }
-    return told;
-}
-
-/// What was followed of the water on surfaces, and what was not.
-std::string water_told(const SolveReport& report) {
-    std::vector<std::string> parts;
-    if (report.stores > 0) {
-        parts.push_back(fmt::format(
-            "rain, dew, frost and snow are followed on {} facets (their light too; in the heat "
-            "balance the longwave emissivity stays that of the dry surface)",
-            report.stores));
-    }
-    if (report.unfollowed > 0) {
-        parts.push_back(fmt::format(
-            "on {} no rain falls and dew was left out where it is worth less than {:.2g} K of "
-            "heat, or where the ground evaporates by itself (its heat is counted, its way back, up "
-            "to {:.2g} mm, is not)",
-            report.unfollowed, std::max(0.01, report.dew_left_out), report.most_dew_unfollowed));
-    }
-    return parts.empty() ? "" : fmt::format("water: {}", fmt::join(parts, "; "));
-}
-
 }  // namespace
 
 std::string not_converged(const SolveReport& report) {
@@ -139,81 +95,6 @@ std::string not_converged(const SolveReport& report) {
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
 
 namespace {
-
-/// What the heat balance asks of a stage, made once.
-class StageHeat {
- public:
-    StageHeat(const SceneStage& stage, Instant end)
-        : prepared_(stage.prepared),
-          sunlight_views_(passes_by_spectrum(passed_light(prepared_.scene.materials))
-                              ? std::optional(scene_sky_view(prepared_, true))
-                              : std::nullopt),
-          daily_(prepared_, end),
-          albedo_(measured_albedo(prepared_.scene, prepared_.world, prepared_.weather)),
-          by_height_(air_by_height(prepared_.scene, prepared_.weather)),
-          parts_(parts_in_wind(prepared_.world, prepared_.scene.materials,
-                               prepared_.weather.wind_height)),
-          open_(open_above(prepared_.world, prepared_.scene.materials, prepared_.weather)),
-          input_{.facets = prepared_.world.surfaces(),
-                 .views = stage.views,
-                 .sun = none_,
-                 .materials = prepared_.scene.materials,
-                 .weather = prepared_.weather,
-                 .site = prepared_.world.site,
-                 .elevation = prepared_.weather.height,
-                 .by_height = &by_height_,
-                 .height = facet_heights(prepared_.world),
-                 .part = parts_,
-                 .network = targets(prepared_.world, prepared_.scene),
-                 .open_above = open_,
-                 .clear_sky = prepared_.scene.sky,
-                 .measured_share = albedo_.share,
-                 .sunlight_views = sunlight_views_ ? &*sunlight_views_ : nullptr} {}
-    StageHeat(const StageHeat&) = delete;  // the input names its members
-    StageHeat& operator=(const StageHeat&) = delete;
-
-    const SolveInput& input() const { return input_; }
-    SunExposure exposure(const std::vector<Instant>& instants) {
-        const auto begun = std::chrono::steady_clock::now();
-        SunExposure sun = daily_.of(instants);
-        shadow_seconds_ +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-        return sun;
-    }
-    /// Shadows on these facets alone, (facet that rays know) 1.
-    void ask_for(std::vector<std::uint8_t> facets) { daily_.ask_for(std::move(facets)); }
-    double shadow_seconds() const { return shadow_seconds_; }
-    /// In a line each what is to be known of it.
-    std::vector<std::string> told(const SolveReport& report) const {
-        std::vector<std::string> notes;
-        for (std::string note :
-             {lee_note(prepared_.world, parts_), targets_told(input_, report),
-              rain_note(prepared_.world, prepared_.scene.materials, prepared_.weather, open_),
-              water_told(report)}) {
-            if (!note.empty()) notes.push_back(std::move(note));
-        }
-        if (const double share = daily_.share_taken_over(); share > 0.0) {
-            notes.push_back(fmt::format(
-                "shadows: {:.0f} % of facets and instants have the share of days before and "
-                "after, up to {:g} degrees of the sun's way off, which agree within 2 %; the rest "
-                "is cast",
-                100.0 * share, DailySunExposure::furthest_deg));
-        }
-        return notes;
-    }
-
- private:
-    const Prepared& prepared_;
-    const std::optional<FacetViews> sunlight_views_;
-    const SunExposure none_{};
-    DailySunExposure daily_;
-    const MeasuredAlbedo albedo_;
-    const AirByHeight by_height_;
-    const std::vector<FilmPart> parts_;
-    const std::vector<float> open_;
-    const SolveInput input_;
-    double shadow_seconds_ = 0.0;
-};
 
 /// Whether a scene can be solved in part: not where its heat is handed on, and not where little
 /// would be saved.

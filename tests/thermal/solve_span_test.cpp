@@ -302,6 +302,29 @@ TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span
 
 // Ground that falls below freezing is solved by itself from the day on which it does, and goes on
 // from what the day before left: a front of 15 K passes in the hour before.
+// The day that repeats ends with what it began with, whatever hour the span ends at.
+TEST_CASE("a part of a day that repeats leaves the heat of its own end", "[thermal][span][state]") {
+    const World world(8);
+    const TemperatureField whole = world.run({.start = june, .keep_every = 600.0}).temperature;
+    for (const auto& [from_h, to_h] : {std::pair{0.0, 12.0}, {6.0, 13.5}}) {
+        SpanOptions options;
+        options.start = later(june, hour * from_h);
+        options.end = later(june, hour * to_h);
+        options.begin = SpanStart::periodic;
+        options.wanted = every_half_hour(from_h, to_h);
+        options.goes_on = true;
+        const SpanResult first = solve_span(input_of(world), exposure_of(world), options);
+        CAPTURE(first.start);
+        options.begin = SpanStart::state;
+        options.from = &first.end;
+        options.start = options.end;
+        options.end = later(june, hour * 20.0);
+        options.wanted = every_half_hour(to_h, 20.0);
+        const SpanResult rest = solve_span(input_of(world), exposure_of(world), options);
+        CHECK(apart_by_hour(whole, rest.temperature) < 0.05);
+    }
+}
+
 TEST_CASE("ground goes on from day to day as it begins to freeze", "[thermal][span][frost]") {
     World world(2);
     const MaterialLibrary library = default_material_library();

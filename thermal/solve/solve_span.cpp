@@ -204,8 +204,14 @@ void go_on(Instant from, Instant to, bool keeping, Walk& walk) {
 /// The span from or within a day that repeats from `first` on: that day, and what follows it.
 void go_round(Instant first, Walk& walk) {
     const Instant end = walk.options.end, next = later(first, day);
-    solve_piece({.from = first, .to = next, .periodic = true, .goes_on = next < end}, walk);
-    go_on(next, end, true, walk);
+    const bool on = next < end || walk.options.goes_on;
+    solve_piece({.from = first, .to = next, .periodic = true, .goes_on = on}, walk);
+    if (next <= end) {
+        go_on(next, end, true, walk);
+    } else if (walk.options.goes_on) {
+        // What the day ends with is what it began with, not what is there at the span's end.
+        go_on(first, end, false, walk);
+    }
 }
 
 bool known_until(const Weather& weather, Instant when) {

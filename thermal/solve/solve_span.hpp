@@ -51,7 +51,7 @@ struct SpanResult {
     SolveReport report;  // of all days: sums of passes, steps and seconds, worst of all else
     std::string start;   // in one line: how the start was found
     std::vector<std::string> notes{};  // in a line each: what else is to be known of it
-    HeatState end{};                   // of the span
+    HeatState end{};                   // of the span, where it goes on
     HeatFluxField heat{};  // at the wanted instants, straight between steps; if asked for
 };
 

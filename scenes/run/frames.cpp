@@ -4,50 +4,25 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <optional>
 #include <span>
-#include <stdexcept>
 
 #include "materials/base/parallel.hpp"
 #include "render/picture/cube.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/grey_picture.hpp"
 #include "render/picture/quicklook.hpp"
-#include "render/tracer.hpp"
-#include "render/view/pixel_heat.hpp"
-#include "render/view/pixel_sun.hpp"
 #include "scenes/plan/frame_files.hpp"
-#include "scenes/run/camera_truth.hpp"
-#include "scenes/run/covered_surfaces.hpp"
-#include "scenes/run/luminary.hpp"
+#include "scenes/run/picture.hpp"
 #include "scenes/run/series.hpp"
-#include "scenes/run/sun_on_surfaces.hpp"
-#include "scenes/world/air.hpp"
-#include "terrain/place/local_time.hpp"
-#include "terrain/place/sun.hpp"
 
 namespace diurna {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A picture with a radiance that is no number is our mistake, and not to be written.
-void check_finite(const Frame& frame, const std::vector<std::string>& bands) {
-    for (const std::string& band : bands) {
-        const std::vector<float>& radiance = frame["radiance." + band].pixel;
-        const auto bad = std::find_if_not(radiance.begin(), radiance.end(),
-                                          [](float value) { return std::isfinite(value); });
-        if (bad == radiance.end()) continue;
-        const auto pixel = bad - radiance.begin();
-        throw std::runtime_error(fmt::format("{}: radiance.{} is not finite at column {}, row {}",
-                                             frame_name(frame, band), band, pixel % frame.width,
-                                             pixel / frame.width));
-    }
-}
 
 /// EXR, quick-look and plain grey picture of every band.
 void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
@@ -74,109 +49,18 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
     write_envi(base.string() + ".img", cube);
 }
 
-/// All that a frame of an observer shows.
-std::vector<Band> lit_bands(const Series& s) {
-    std::vector<Band> all = s.bands;
-    for (const CubeSeries& cube : s.cubes) {
-        all.insert(all.end(), cube.channels.begin(), cube.channels.end());
-    }
-    return all;
-}
-
-std::string moon_note(const Luminary& light) {
-    return fmt::format(
-        "shines in the sun's place below {:g} um: azimuth {:.2f} deg, elevation {:.2f} deg, phase "
-        "{:.1f} deg, {:.0f} % lit; {:.2e} of the sun's light at 0.55 um",
-        moonlight_ends_um, light.place.azimuth_deg, light.place.elevation_deg,
-        light.moon->phase_deg, 100.0 * lit_share(*light.moon), moon_over_sun(0.55, *light.moon));
-}
-
-/// Planes "place_k": the facet in whose place the k-th surface is, another where that is a level of
-/// a texture. The weights of surfaces in one place are the texture's shares.
-void add_places(const TextureLevels& levels, int surfaces, Frame& frame) {
-    for (int k = 1; k <= surfaces; ++k) {
-        Plane plane = frame[fmt::format("facet_{}", k)];
-        plane.name = fmt::format("place_{}", k);
-        for (float& facet : plane.pixel) {
-            if (facet < 0.0f || levels.empty()) continue;
-            facet = static_cast<float>(levels.origin[static_cast<std::size_t>(facet)]);
-        }
-        frame.planes.push_back(std::move(plane));
-    }
-}
-
 /// Renders and writes the bands and cubes of one instant; returns the tables' notes of their error.
 std::map<std::string, std::string> render_instant(const Prepared& prepared, const Series& s,
                                                   const FacetViews& views,
                                                   const TemperatureField& field, Instant instant,
                                                   const fs::path& out) {
-    const World& world = prepared.world;
-    const Luminary light = luminary(sun_over(prepared, instant), world.site, instant, lit_bands(s));
-    const SunPosition& sun = light.place;
-    const std::vector<float> temperature = field.interpolate(instant);
-    const Atmosphere atmosphere = atmosphere_at(prepared.scene, world, prepared.weather, instant);
-    const std::vector<SurfaceCover> cover = field.cover_at(instant);
-    const std::optional<CoveredSurfaces> covered =
-        covered_surfaces(world.surfaces(), prepared.scene.materials, field.water.facet, cover);
-    const std::vector<float> fraction =
-        sun_on_surfaces(prepared, sun, prepared.scene.sun_samples,
-                        covered ? std::span<const FacetId>() : s.lit.facet);
-    const RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
-                            .views = views,
-                            .materials = covered ? covered->materials : prepared.scene.materials,
-                            .atmosphere = atmosphere,
-                            .temperature = temperature,
-                            .sun_fraction = fraction,
-                            .to_sun = sun_direction(sun),
-                            .sun_zenith_deg = 90.0 - sun.elevation_deg,
-                            .sun_distance_au = sun.distance_au,
-                            .ground_height_km = world.sea_level_height / 1000.0,
-                            .instant = instant,
-                            .moon = light.moon,
-                            .wind_speed = wind_at(prepared, instant)};
-    const SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
-    PixelSun pixel_sun = cast_pixel_sun(s.view, over, s.observer, s.sampling);
-    if (!light.moon) {
-        set_pixel_heat(s.view, over, prepared.scene.materials, temperature,
-                       s.sampling.texture_levels, pixel_sun);
+    const Picture picture = picture_at(prepared, s, views, field, instant);
+    write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera);
+    for (std::size_t c = 0; c < s.cubes.size(); ++c) {
+        write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
+                   picture.facts, picture.camera);
     }
-    Frame frame = render(s.view, s.observer, s.bands, now,
-                         {.truth = true,
-                          .terms = s.input.terms,
-                          .surfaces = s.input.surfaces,
-                          .lit = covered ? nullptr : &s.lit,
-                          .hops = &s.hops,
-                          .pixel_sun = &pixel_sun,
-                          .plumes = prepared.plumes});
-    check_finite(frame, s.input.bands);
-    frame.notes["local_time"] = format_local(instant, prepared.scene.time.utc_offset);
-    frame.notes["solar_time"] = format_solar_time(world.site, instant);
-    if (light.moon) frame.notes["moon"] = moon_note(light);
-    if (covered) {
-        name_as_dry(*covered, frame);
-        frame.notes["water"] = covered->note();
-    }
-    if (!field.water.empty()) add_cover_planes(s.view, field.water.facet, cover, frame);
-    if (!world.filled.empty()) frame.planes.push_back(void_plane(s.view, world));
-    add_places(world.texture_levels, s.input.surfaces, frame);
-    const CameraTags camera = camera_tags(prepared, s.observer, instant);
-    Facts facts = camera_facts(world, s.observer);
-    facts.merge(instant_facts(prepared, instant));
-    frame.attributes.insert(facts.begin(), facts.end());
-    for (const Plane& plane : s.behind) frame.planes.push_back(plane);
-    write_bands(out, frame, s.bands, prepared.scene.labels, camera);
-    for (const CubeSeries& cube : s.cubes) {
-        const Frame channels = render(s.view, s.observer, cube.channels, now,
-                                      {.truth = false,
-                                       .terms = false,
-                                       .lit = covered ? nullptr : &cube.lit,
-                                       .hops = &s.hops,
-                                       .pixel_sun = &pixel_sun,
-                                       .plumes = prepared.plumes});
-        write_cube(out / frame_base(s.input.name, cube.name, instant),
-                   cube_of(channels, cube.channels), facts, camera);
-    }
-    return frame.notes;
+    return picture.frame.notes;
 }
 
 /// Of all frames' notes of one name, which begin with a number, that of the greatest.
@@ -208,18 +92,6 @@ std::vector<std::string> error_lines(const ObserverInput& observer,
     }
     return lines;
 }
-
-}  // namespace
-
-Plane void_plane(const View& view, const World& world) {
-    Plane plane{"void", "1", std::vector<float>(view.pixels(), -1.0f)};
-    for (std::size_t p = 0; p < plane.pixel.size(); ++p) {
-        if (view.centre[p] != no_facet) plane.pixel[p] = world.filled[index(view.centre[p])];
-    }
-    return plane;
-}
-
-namespace {
 
 /// What the pictures of one observer told, frame by frame.
 using Told = std::vector<std::map<std::string, std::string>>;

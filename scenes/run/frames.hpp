@@ -29,8 +29,4 @@ struct FramesReport {
 FramesReport render_frames(const Stages& stages, const TemperatureField& field,
                            const std::filesystem::path& out, Progress& progress);
 
-/// The truth plane "void": 1 at pixels whose ground was filled in for want of elevation
-/// (World::filled, which is not empty), 0 elsewhere, −1 where it is sky.
-Plane void_plane(const View& view, const World& world);
-
 }  // namespace diurna

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -54,8 +55,17 @@ void read_projection(const Section& section, ObserverInput& observer) {
     }
 }
 
+/// Whether its pictures take their time: it goes, or turns after what goes.
+bool follows(const ObserverInput& observer, const TerrainInput& terrain) {
+    return observer.goes() ||
+           std::any_of(
+               terrain.objects.begin(), terrain.objects.end(), [&](const ObjectInput& object) {
+                   return object.name == observer.look_at_object && !object.trajectory.empty();
+               });
+}
+
 /// A camera that flies: rows read one after the other, each blurred by its exposure.
-void read_motion(const Section& section, ObserverInput& observer) {
+void read_motion(const Section& section, const TerrainInput& terrain, ObserverInput& observer) {
     if (section.has("velocity_m_s")) {
         const std::vector<double> velocity =
             section.numbers("velocity_m_s", "[east, north, up] of a camera that moves", 3);
@@ -69,23 +79,62 @@ void read_motion(const Section& section, ObserverInput& observer) {
                           0.0, {0.0, 60.0});
     observer.exposure = section.number_or(
         "exposure_s", "of one that moves: that each row is exposed and blurred", 0.0, {0.0, 60.0});
-    if (observer.goes()) {
+    if (observer.goes() || !observer.on.empty()) {
         if (section.has("velocity_m_s")) {
-            section.mistake("velocity_m_s", "stands beside a trajectory, which has its own");
+            section.mistake("velocity_m_s", observer.on.empty()
+                                                ? "stands beside a trajectory, which has its own"
+                                                : "stands beside on, whose object has its own");
         }
-        return;
     }
+    if (follows(observer, terrain)) return;
     for (const char* key : {"row_time_s", "exposure_s"}) {
         if (section.has(key) && !section.has("velocity_m_s")) {
             section.mistake(key,
                             "tells nothing of a camera that stands still, expected velocity_m_s = "
-                            "[east, north, up] or a trajectory beside it");
+                            "[east, north, up], a trajectory, or an object that goes to look at "
+                            "or to ride on beside it");
         }
+    }
+}
+
+/// On an object, which goes or stands.
+void read_ride(const Section& section, const TerrainInput& terrain, ObserverInput& observer) {
+    Names known{.what = "object", .known = {}, .where = " in [[object]]"};
+    for (const ObjectInput& object : terrain.objects) known.known.push_back(object.name);
+    observer.on = section.name(
+        "on", "object that its eye rides on, in place of place_m and height_above_ground_m", known);
+    const std::vector<double> at = section.numbers(
+        "mount_m",
+        "[right, front, up] of its eye on that object, from the middle of its plan and its lowest "
+        "point",
+        3);
+    observer.mount_place = {at[0], at[1], at[2]};
+    if (!(observer.mount_place.cwiseAbs().maxCoeff() <= 1e4)) {
+        section.mistake("mount_m", "further than 10000 m from its object");
+        observer.mount_place.setZero();
+    }
+    for (const char* key : {"place_m", "height_above_ground_m", "trajectory"}) {
+        if (section.has(key)) section.mistake(key, "stands beside on, whose object says it");
+    }
+    for (const ObjectInput& object : terrain.objects) {
+        if (object.name != observer.on) continue;
+        observer.trajectory = object.trajectory;
+        const Eigen::Rotation2Dd turn(-radians(object.placing.heading_deg));
+        observer.place = object.place + turn * Eigen::Vector2d(at[0], at[1]);
+        observer.height_above_ground = std::max(0.1, object.height_above_ground + at[2]);
     }
 }
 
 /// Where its eye is.
 void read_stand(const Section& section, const ObserverReading& reading, ObserverInput& observer) {
+    if (section.has("on")) {
+        read_ride(section, reading.terrain, observer);
+        return;
+    }
+    if (section.has("mount_m")) {
+        section.mistake("mount_m",
+                        "is for observers that ride on an object, expected on beside it");
+    }
     if (section.has("trajectory")) {
         Names ways{.what = "trajectory", .known = {}, .where = " in [[trajectory]]"};
         for (const TrajectoryInput& way : reading.trajectories) ways.known.push_back(way.name);
@@ -121,12 +170,13 @@ void read_pointing(const Section& section, const ObserverReading& reading,
     } else if (section.has("mount_deg")) {
         const std::vector<double> angles = section.numbers(
             "mount_deg",
-            "[azimuth, elevation, roll] of a camera on a trajectory, to the right of and above the "
-            "body's front: [0, -90, 0] looks down; its front is the way's, or as its file says",
+            "[azimuth, elevation, roll] of a camera on a trajectory or an object, to the right of "
+            "and above the body's front: [0, -90, 0] looks down; its front is the way's, or as its "
+            "file says",
             3);
         observer.mount = {angles[0], angles[1], angles[2]};
-        if (!observer.goes()) {
-            section.mistake("mount_deg", "is for observers on a trajectory");
+        if (!observer.goes() && observer.on.empty()) {
+            section.mistake("mount_deg", "is for observers on a trajectory or an object");
         }
         if (section.has("roll_deg")) {
             section.mistake("roll_deg", "stands beside mount_deg, whose third number it is");
@@ -147,7 +197,8 @@ void read_own_frames(const Section& section, const ObserverReading& reading,
                    .utc_offset = reading.time.utc_offset,
                    .every = 3600.0,
                    .every_said = "the pictures of [time]"};
-    if (const TrajectoryInput* way = find_trajectory(reading.trajectories, observer.trajectory)) {
+    const TrajectoryInput* way = find_trajectory(reading.trajectories, observer.trajectory);
+    if (way != nullptr && observer.on.empty()) {  // what it rides on is there before and after
         span.begin = std::max(span.begin, way->begin());
         span.end = std::min(span.end, way->end());
         if (span.end < span.begin) {
@@ -194,7 +245,7 @@ void read_aspect(const Section& section, const TerrainInput& terrain, ObserverIn
     observer.height_above_ground =
         std::max(0.1, observer.around->range * std::sin(radians(observer.around->elevation_deg)));
     for (const char* key : {"place_m", "height_above_ground_m", "look_at_m", "look_at", "mount_deg",
-                            "trajectory", "azimuth_deg", "elevation_deg"}) {
+                            "trajectory", "azimuth_deg", "elevation_deg", "on", "mount_m"}) {
         if (section.has(key)) section.mistake(key, "stands beside around, which says it");
     }
     for (const ObjectInput& object : terrain.objects) {
@@ -266,10 +317,15 @@ ObserverInput read_observer(const Section& section, const ObserverReading& readi
     observer.width = section.integer_or("width", "pixels", 640, {1, 16384});
     observer.height = section.integer_or("height", "pixels", 512, {1, 16384});
     read_projection(section, observer);
-    read_motion(section, observer);
+    read_motion(section, reading.terrain, observer);
     read_sampling(section, observer);
     read_bands_and_cubes(section, reading.bands, reading.cubes, observer);
     read_own_frames(section, reading, observer);
+    for (const char* key : {"around", "on", "trajectory", "place_m"}) {
+        if (!section.has(key)) continue;
+        observer.where = section.where(key);
+        break;
+    }
     return observer;
 }
 

@@ -18,11 +18,14 @@ struct ObserverInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     double height_above_ground = 2.0;
-    std::optional<Around> around;            // in place of those two and where it looks
-    std::string trajectory;                  // that it goes, in place of place and height
+    std::optional<Around> around;  // in place of those two and where it looks
+    std::string on;                // object that it rides on, likewise: its eye is at
+    Eigen::Vector3d mount_place = Eigen::Vector3d::Zero();  // right, front, up of its frame [m]
+    std::string trajectory;                  // that it goes, likewise; one that rides its object's
     std::optional<Eigen::Vector2d> look_at;  // a point of the ground,
     std::string look_at_object;              // or the middle of an object,
-    /// or, of one on a trajectory, azimuth to the right of the body's front, elevation, roll [deg],
+    /// or, of one on a trajectory or an object, azimuth to the right of the body's front,
+    /// elevation, roll [deg],
     std::optional<Eigen::Vector3d> mount;
     // or the two angles:
     double azimuth_deg = 0.0, elevation_deg = 0.0, roll_deg = 0.0;
@@ -39,6 +42,7 @@ struct ObserverInput {
     bool terms = false;                       // planes for the terms of the radiance, one by one
     int surfaces = 0;                         // of each pixel that have planes of their own
     std::vector<Instant> frames;              // its own, or the scene's
+    std::string where;                        // in the scene file: of where its eye is
 
     bool goes() const { return !trajectory.empty(); }
 };

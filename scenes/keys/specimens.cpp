@@ -98,6 +98,10 @@ trajectory = "approach"
 mount_deg = [0.0, -20.0, 0.0]
 frame_every_s = 0.5
 [[observer]]
+on = "car"
+mount_m = [0.0, 0.0, 3.0]
+mount_deg = [0.0, 0.0, 0.0]
+[[observer]]
 look_at = "runway"
 [[observer]]
 around = {}

@@ -4,28 +4,13 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "scenes/world/some_facets.hpp"
 #include "scenes/world/upright_box.hpp"
 #include "terrain/place/site.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// Some facets as a set of their own.
-FacetSet alone(const FacetSet& all, const std::vector<std::uint32_t>& facet) {
-    FacetSet part;
-    for (const std::uint32_t f : facet) {
-        const auto first = static_cast<std::uint32_t>(part.vertex.size());
-        for (const std::uint32_t v : all.corner[f]) part.vertex.push_back(all.vertex[v]);
-        part.corner.push_back({first, first + 1, first + 2});
-        part.centroid.push_back(all.centroid[f]);
-        part.normal.push_back(all.normal[f]);
-        part.area.push_back(all.area[f]);
-        part.material.push_back(all.material[f]);
-        part.object.push_back(all.object[f]);
-    }
-    return part;
-}
 
 void stand(const FacetSet& part, const Labelled& object, const Observer& observer,
            WholeObject& whole) {
@@ -69,7 +54,7 @@ std::map<int, WholeObject> whole_objects(const FacetSet& facets,
         if (!box) continue;
         WholeObject& whole = all[static_cast<int>(id)];
         whole.box = *box;
-        const FacetSet part = alone(facets, of_object[id]);
+        const FacetSet part = some_facets(facets, of_object[id]);
         stand(part, objects[id], observer, whole);
         const bool beside = box->right < 0.0 || box->bottom < 0.0 || box->left > observer.width ||
                             box->top > observer.height;

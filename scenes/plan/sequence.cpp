@@ -9,7 +9,9 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "scenes/plan/aspect_place.hpp"
+#include "scenes/plan/eye_check.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/movers.hpp"
 #include "scenes/world/ways.hpp"
 #include "terrain/place/trajectory.hpp"
 
@@ -47,9 +49,7 @@ double heading_of(const TerrainInput& terrain, const std::string& name) {
 /// What an observer looks at, if it looks at something: a place, which may go.
 class Target {
  public:
-    Target(const ObserverInput& input, const Scene& scene, const Dem& dem, const World& world,
-           const Movement& movement)
-        : movement_(movement) {
+    Target(const ObserverInput& input, const Scene& scene, const Dem& dem, const World& world) {
         if (input.look_at) {
             const std::string where =
                 fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
@@ -57,57 +57,98 @@ class Target {
         } else if (!input.look_at_object.empty()) {
             at_ = middle_of(world, input.look_at_object,
                             heading_of(scene.terrain, input.look_at_object));
-            for (std::size_t m = 0; m < world.movers.size(); ++m) {
-                const std::size_t object = world.movers[m].object;
-                if (scene.terrain.objects[object].name != input.look_at_object) continue;
-                mover_ = m;
-                at_ = world.movers[m].start.inverse() * *at_;
+            for (const Mover& mover : world.movers) {
+                const ObjectInput& object = scene.terrain.objects[mover.object];
+                if (object.name != input.look_at_object) continue;
+                course_.emplace(object, scene, dem, world);
+                at_ = mover.start.inverse() * *at_;
             }
         }
     }
-    bool goes() const { return mover_.has_value(); }
-    /// At an instant of a frame.
+    bool goes() const { return course_.has_value(); }
     std::optional<Eigen::Vector3d> at(Instant when) const {
-        if (!mover_) return at_;
-        return movement_.poses_at(when)[*mover_] * *at_;
+        if (!course_) return at_;
+        return course_->at(when) * *at_;
     }
 
  private:
-    const Movement& movement_;
     std::optional<Eigen::Vector3d> at_;  // of one that goes in its own frame
-    std::optional<std::size_t> mover_;
+    std::optional<ObjectCourse> course_;
 };
+
+/// The camera on a body at an instant, as it is mounted, or turned to what it looks at.
+Observer pointed(const ObserverInput& input, const PoseOnWay& body, const Target& target,
+                 Instant when) {
+    Observer observer = camera_of(input);
+    observer.position = body.place;
+    if (const auto looked_at = target.at(when)) return looking_at(observer, *looked_at);
+    if (!input.mount) return observer;
+    const Eigen::Vector3d& angle = *input.mount;
+    return turned_to(observer, body.attitude * attitude(angle.x(), angle.y(), angle.z()));
+}
 
 /// Of an observer on a way.
 std::vector<Observer> poses_on_way(const ObserverInput& input, const Way& way,
                                    const Target& target) {
-    const Observer camera = camera_of(input);
     std::vector<Observer> poses(input.frames.size());
     for_each_index(poses.size(), [&](std::size_t i) {
         const Instant when = input.frames[i];
-        const auto looked_at = target.at(when);
-        const auto pointed = [&](const PoseOnWay& body) {
-            Observer observer = camera;
-            observer.position = body.place;
-            if (looked_at) return looking_at(observer, *looked_at);
-            if (!input.mount) return observer;
-            const Eigen::Vector3d& angle = *input.mount;
-            return turned_to(observer, body.attitude * attitude(angle.x(), angle.y(), angle.z()));
-        };
-        poses[i] = pointed(way.at(when));
-        if (!camera.takes_time()) return;
-        const Way::Motion motion =
-            way.motion(when, [&](const PoseOnWay& body) { return attitude_of(pointed(body)); });
+        poses[i] = pointed(input, way.at(when), target, when);
+        if (!poses[i].takes_time()) return;
+        const Motion motion = way.motion(when, [&](const PoseOnWay& body, Instant at) {
+            return attitude_of(pointed(input, body, target, at));
+        });
         poses[i].velocity = motion.velocity;
         poses[i].turning = motion.turning;
     });
     return poses;
 }
 
+/// Of an observer on a body that is somewhere at every instant; its motion is that from 5 ms before
+/// to 5 ms after.
+template <class BodyAt>
+std::vector<Observer> poses_on(const ObserverInput& input, const BodyAt& body_at,
+                               const Target& target) {
+    constexpr double half = 5e-3;
+    std::vector<Observer> poses(input.frames.size());
+    for_each_index(poses.size(), [&](std::size_t i) {
+        const Instant when = input.frames[i];
+        poses[i] = pointed(input, body_at(when), target, when);
+        if (!poses[i].takes_time()) return;
+        const auto camera = [&](Instant at) {
+            const Observer there = pointed(input, body_at(at), target, at);
+            return PoseOnWay{there.position, attitude_of(there)};
+        };
+        const Motion motion =
+            motion_between(camera(later(when, -half)), camera(later(when, half)), 2.0 * half);
+        if (!input.on.empty()) poses[i].velocity = motion.velocity;
+        poses[i].turning = motion.turning;
+    });
+    return poses;
+}
+
+/// Where the eye of one that rides on an object is, and how that is turned.
+std::vector<Observer> poses_riding(const ObserverInput& input, const Scene& scene, const Dem& dem,
+                                   const World& world, const Target& target) {
+    const auto object = std::find_if(scene.terrain.objects.begin(), scene.terrain.objects.end(),
+                                     [&](const ObjectInput& one) { return one.name == input.on; });
+    const ObjectCourse course(*object, scene, dem, world);
+    const auto body_at = [&](Instant when) {
+        const Eigen::Isometry3d at = course.at(when);
+        return PoseOnWay{at * input.mount_place, Eigen::Quaterniond(at.linear())};
+    };
+    return poses_on(input, body_at, target);
+}
+
 Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& dem,
-                     const World& world, const Movement& movement) {
-    const Target target(input, scene, dem, world, movement);
+                     const World& world) {
+    const Target target(input, scene, dem, world);
     Sequence sequence{.frame = input.frames, .pose = {}, .goes = input.goes() || target.goes()};
+    if (!input.on.empty()) {
+        sequence.pose = poses_riding(input, scene, dem, world, target);
+        if (!sequence.goes) sequence.pose.resize(1);
+        return sequence;
+    }
     if (input.goes()) {
         const Way way(*find_trajectory(scene.trajectories, input.trajectory), dem, world);
         sequence.pose = poses_on_way(input, way, target);
@@ -126,25 +167,25 @@ Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& 
         sequence.pose = {at ? looking_at(observer, *at) : observer};
         return sequence;
     }
-    for (const Instant when : sequence.frame) {
-        sequence.pose.push_back(looking_at(observer, *target.at(when)));
-    }
+    const PoseOnWay stand{observer.position, Eigen::Quaterniond::Identity()};
+    sequence.pose = poses_on(
+        input, [&](Instant) { return stand; }, target);
     return sequence;
 }
 
 /// The first mistake of all places, with its instant.
-void check_poses(const Sequence& sequence, const World& world, const RayScene& rays) {
-    for (std::size_t i = 0; i < sequence.pose.size(); ++i) {
+void check_poses(const Sequence& sequence, const std::string& where, const EyeCheck& check,
+                 const Movement& movement) {
+    const bool many = sequence.goes || !movement.none();
+    for (std::size_t i = 0; i < (many ? sequence.frame.size() : sequence.pose.size()); ++i) {
         try {
-            check_observer(sequence.pose[i], world.facets, rays, world.ground_facets,
-                           world.objects);
+            check.check(sequence.at(i),
+                        movement.none() ? MoverPoses{} : movement.poses_at(sequence.frame[i]));
         } catch (const InputError& error) {
-            if (!sequence.goes) throw;
             const Mistake& mistake = error.mistakes().front();
-            throw InputError(
-                mistake.where,
-                fmt::format("at {}: {}", format_instant(sequence.frame[i]), mistake.problem),
-                mistake.hint);
+            const std::string when =
+                many ? fmt::format("at {}: ", format_instant(sequence.frame[i])) : "";
+            throw InputError(where, when + mistake.problem, mistake.hint);
         }
     }
 }
@@ -154,9 +195,10 @@ void check_poses(const Sequence& sequence, const World& world, const RayScene& r
 std::vector<Sequence> sequences(const Scene& scene, const Dem& dem, const World& world,
                                 const RayScene& rays, const Movement& movement) {
     std::vector<Sequence> all;
+    const EyeCheck check(world, rays);
     for (const ObserverInput& input : scene.observers) {
-        all.push_back(sequence_of(input, scene, dem, world, movement));
-        check_poses(all.back(), world, rays);
+        all.push_back(sequence_of(input, scene, dem, world));
+        check_poses(all.back(), input.where, check, movement);
     }
     return all;
 }

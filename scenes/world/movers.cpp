@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "materials/base/units.hpp"
-#include "scenes/world/ways.hpp"
+#include "scenes/world/ground_point.hpp"
+#include "terrain/place/trajectory.hpp"
 
 namespace diurna {
 
@@ -57,9 +58,20 @@ void move_object(FacetSet& facets, ObjectId id, const Eigen::Isometry3d& by) {
 
 }  // namespace
 
-Eigen::Isometry3d mover_pose(const ObjectInput& object, const Scene& scene, const Dem& dem,
-                             const World& world, Instant when) {
-    const PoseOnWay pose = Way(way_of(object, scene), dem, world).level(when);
+ObjectCourse::ObjectCourse(const ObjectInput& object, const Scene& scene, const Dem& dem,
+                           const World& world) {
+    if (!object.trajectory.empty()) {
+        way_.emplace(way_of(object, scene), dem, world);
+        return;
+    }
+    still_.linear() = attitude(object.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
+    still_.translation() = ground_point(dem, world.site, object.place, object.where) +
+                           Eigen::Vector3d(0.0, 0.0, object.height_above_ground);
+}
+
+Eigen::Isometry3d ObjectCourse::at(Instant when) const {
+    if (!way_) return still_;
+    const PoseOnWay pose = way_->level(when);
     Eigen::Isometry3d to = Eigen::Isometry3d::Identity();
     to.linear() = pose.attitude.toRotationMatrix();
     to.translation() = pose.place;
@@ -70,7 +82,7 @@ void put_at_begin(Scene& scene, const Dem& dem, const World& world) {
     for (ObjectInput& object : scene.terrain.objects) {
         if (object.trajectory.empty()) continue;
         const Eigen::Isometry3d pose =
-            mover_pose(object, scene, dem, world, way_of(object, scene).begin());
+            ObjectCourse(object, scene, dem, world).at(way_of(object, scene).begin());
         object.place = pose.translation().head<2>();
         const Eigen::Vector3d ahead = pose.linear().col(1);
         object.placing.heading_deg = degrees(std::atan2(ahead.x(), ahead.y()));
@@ -103,8 +115,10 @@ Movement movement(const Scene& scene, const Dem& dem, const World& world,
                   std::span<const Instant> frames, std::span<const Instant> steps) {
     Movement movement{.stage = {scene.time.start}};
     std::vector<Move> moves;
+    std::vector<ObjectCourse> course;  // (mover)
     for (std::size_t m = 0; m < world.movers.size(); ++m) {
         const ObjectInput& object = scene.terrain.objects[world.movers[m].object];
+        course.emplace_back(object, scene, dem, world);
         for (const Move& move : moves_of(way_of(object, scene), m, scene)) {
             moves.push_back(move);
             movement.stage.push_back(nearest_step(move.middle(), steps));
@@ -133,18 +147,14 @@ Movement movement(const Scene& scene, const Dem& dem, const World& world,
         }
         MoverPoses& poses = movement.at_stage.emplace_back();
         for (std::size_t m = 0; m < rest.size(); ++m) {
-            poses.push_back(mover_pose(scene.terrain.objects[world.movers[m].object], scene, dem,
-                                       world, rest[m]));
+            poses.push_back(course[m].at(rest[m]));
         }
     }
     if (world.movers.empty()) return movement;
     movement.frame.assign(frames.begin(), frames.end());
     for (const Instant when : frames) {
         MoverPoses& poses = movement.at_frame.emplace_back();
-        for (const Mover& mover : world.movers) {
-            poses.push_back(
-                mover_pose(scene.terrain.objects[mover.object], scene, dem, world, when));
-        }
+        for (const ObjectCourse& of : course) poses.push_back(of.at(when));
         const MoverPoses& rest = movement.at_stage[movement.stage_of(when)];
         movement.under_way.push_back(
             !std::equal(poses.begin(), poses.end(), rest.begin(),

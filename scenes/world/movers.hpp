@@ -1,10 +1,12 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/world/ways.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem.hpp"
 
@@ -15,9 +17,18 @@ namespace diurna {
 /// are the same in the same order.
 void put_at_begin(Scene& scene, const Dem& dem, const World& world);
 
-/// From an object's frame (its middle in plan and lowest point; right, front, up) to the site's.
-Eigen::Isometry3d mover_pose(const ObjectInput& object, const Scene& scene, const Dem& dem,
-                             const World& world, Instant when);
+/// Where an object is at every instant, whether it goes or stands.
+class ObjectCourse {
+ public:
+    /// - dem, world: to outlive it
+    ObjectCourse(const ObjectInput& object, const Scene& scene, const Dem& dem, const World& world);
+    /// From its own frame (its middle in plan and lowest point; right, front, up) to the site's.
+    Eigen::Isometry3d at(Instant when) const;
+
+ private:
+    std::optional<Way> way_;
+    Eigen::Isometry3d still_ = Eigen::Isometry3d::Identity();
+};
 
 /// Where the objects that go are, (mover) of World::movers.
 using MoverPoses = std::vector<Eigen::Isometry3d>;

@@ -105,8 +105,8 @@ void append_objects(World& world, Scene& scene, const Dem& dem) {
         const auto place = std::size_t(&input - scene.terrain.objects.data());
         if (!input.trajectory.empty()) {
             const Eigen::Isometry3d pose =
-                mover_pose(input, scene, dem, world,
-                           find_trajectory(scene.trajectories, input.trajectory)->begin());
+                ObjectCourse(input, scene, dem, world)
+                    .at(find_trajectory(scene.trajectories, input.trajectory)->begin());
             ground = pose.translation();
             Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
             upright.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();

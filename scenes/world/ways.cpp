@@ -26,6 +26,11 @@ Eigen::Vector3d from_geodetic(const World& world, Heights heights, const Eigen::
 
 }  // namespace
 
+Motion motion_between(const PoseOnWay& before, const PoseOnWay& after, double seconds) {
+    const Eigen::AngleAxisd turn(after.attitude * before.attitude.conjugate());
+    return {(after.place - before.place) / seconds, turn.angle() / seconds * turn.axis()};
+}
+
 Way::Way(const TrajectoryInput& input, const Dem& dem, const World& world)
     : way_(input.way),
       in_frame_(input.geodetic && input.heights != Heights::ground),

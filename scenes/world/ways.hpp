@@ -15,6 +15,12 @@ struct PoseOnWay {
     Eigen::Quaterniond attitude;  // turns its right, forward, up to east, north, up
 };
 
+/// How a body goes [m/s] and turns [rad/s].
+struct Motion {
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero(), turning = Eigen::Vector3d::Zero();
+};
+Motion motion_between(const PoseOnWay& before, const PoseOnWay& after, double seconds);
+
 /// A trajectory in the frame of a scene's site.
 class Way {
  public:
@@ -30,19 +36,17 @@ class Way {
     std::vector<Rest> rests() const { return diurna::rests(way_); }
     Instant start() const { return start_; }
 
-    /// The velocity [m/s] and the rate of turning [rad/s] at an instant: from 5 ms before to 5 ms
-    /// after, on the way.
-    struct Motion {
-        Eigen::Vector3d velocity, turning;
-    };
-    /// - attitude_of: of the body whose turning is asked for, at a pose on the way
+    /// At an instant: from 5 ms before to 5 ms after, on the way.
+    ///
+    /// - attitude_of: of the body whose turning is asked for, at a pose on the way and its instant
     template <class AttitudeOf>
     Motion motion(Instant when, const AttitudeOf& attitude_of) const {
         const auto [from, to] = around(seconds_between(start_, when));
-        const PoseOnWay before = pose(from), after = pose(to);
-        const Eigen::AngleAxisd turn(attitude_of(after) * attitude_of(before).conjugate());
-        return {(after.place - before.place) / (to - from),
-                turn.angle() / (to - from) * turn.axis()};
+        const auto body = [&](double seconds) {
+            const PoseOnWay at = pose(seconds);
+            return PoseOnWay{at.place, attitude_of(at, later(start_, seconds))};
+        };
+        return motion_between(body(from), body(to), to - from);
     }
 
  private:

@@ -9,6 +9,7 @@
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/stages.hpp"
+#include "tests/support/crate.hpp"
 #include "tests/support/small_scene.hpp"
 
 // Objects that go along trajectories: where they are in the heat balance and in pictures, and that
@@ -34,22 +35,6 @@ largest_edge_m = 2.0
 )" + stands;
 }
 
-const std::string crate = R"(v -2 -2 0
-v 2 -2 0
-v 2 2 0
-v -2 2 0
-v -2 -2 2
-v 2 -2 2
-v 2 2 2
-v -2 2 2
-f 1 4 3 2
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)";
-
 struct Solved {
     Prepared prepared;
     SpanResult result;
@@ -74,7 +59,7 @@ struct Solved {
 
 Solved solved(const std::string& stands) {
     const ScratchFolder folder("mover_scene");
-    write_text(folder.path / "crate.obj", crate);
+    write_text(folder.path / "crate.obj", crate_mesh);
     write_text(folder.path / "scene.toml", scene_with(stands));
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
@@ -177,7 +162,7 @@ TEST_CASE("what drives off leaves its scar and its shadow comes along", "[scenes
 
 TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]") {
     const ScratchFolder folder("mover_frames");
-    write_text(folder.path / "crate.obj", crate);
+    write_text(folder.path / "crate.obj", crate_mesh);
     const std::string text = with(scene_with(from_west_to_east), "look_at_m = [0.0, 0.0]",
                                   "look_at = \"crate\"\nframes = [\"2026-07-15T09:59:00-04:00\", "
                                   "\"2026-07-15T10:00:00-04:00\", "
@@ -217,7 +202,7 @@ TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]
 
 TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]") {
     const ScratchFolder folder("mover_state");
-    write_text(folder.path / "crate.obj", crate);
+    write_text(folder.path / "crate.obj", crate_mesh);
     const auto run = [&](const std::string& name, const std::string& time) {
         std::string text =
             with(scene_with(from_west_to_east), "frames = [\"2026-07-15T12:00:00-04:00\"]\n", time);

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "render/view/observer.hpp"
+#include "scenes/world/movers.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+namespace diurna {
+
+/// Finds eyes that are below the ground or inside an object, wherever those that go are.
+class EyeCheck {
+ public:
+    /// - rays: of the world's facets, with those that go where their ways begin
+    /// - both are to outlive it
+    EyeCheck(const World& world, const RayScene& rays);
+    /// Throws InputError as check_observer() (render/view/observer.hpp).
+    ///
+    /// - poses: where the objects that go are
+    void check(const Observer& observer, const MoverPoses& poses) const;
+
+ private:
+    struct Part {
+        FacetSet facets;
+        RayScene rays;
+        Part(const World& world, const std::vector<std::uint32_t>& facet);
+    };
+    const World& world_;
+    const RayScene& rays_;
+    std::vector<Part> still_;  // one, without those that go; empty where nothing goes
+    std::vector<Part> going_;  // (mover) where it begins
+};
+
+}  // namespace diurna

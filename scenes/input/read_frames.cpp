@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "materials/base/error.hpp"
+#include "scenes/input/frames_at_sun.hpp"
 
 namespace diurna {
 
@@ -94,8 +95,9 @@ void add_text(const Section& section, const std::string& text, const FrameSpan& 
 
 }  // namespace
 
-std::vector<Instant> read_frames(const Section& section, const FrameSpan& span) {
-    std::vector<Instant> frames;
+Frames read_frames(const Section& section, const FrameSpan& span) {
+    Frames all;
+    std::vector<Instant>& frames = all.frame;
     const std::vector<std::string> texts = section.texts_or(
         "frames",
         "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
@@ -109,6 +111,14 @@ std::vector<Instant> read_frames(const Section& section, const FrameSpan& span) 
     const double every =
         section.number_or("frame_every_s", "between pictures from the start on, without the end",
                           {span.every, span.every_said}, {shortest, 366.0 * day});
+    if (section.has("frames_at_sun")) {
+        for (const char* key : {"frames", "frame_every_s"}) {
+            if (section.has(key)) {
+                section.mistake(key, "stands beside frames_at_sun, expected one of the two");
+            }
+        }
+        return read_frames_at_sun(section, span);
+    }
     if (texts.empty()) {
         const double duration = seconds_between(span.begin, span.end);
         const auto count = static_cast<std::size_t>(std::ceil(duration / every - 1e-9));
@@ -124,7 +134,7 @@ std::vector<Instant> read_frames(const Section& section, const FrameSpan& span) 
         section.mistake(texts.empty() ? "frame_every_s" : "frames",
                         fmt::format("asks for more than {} pictures", most_frames));
     }
-    return frames;
+    return all;
 }
 
 }  // namespace diurna

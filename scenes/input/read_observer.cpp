@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "materials/base/units.hpp"
 #include "scenes/input/checked_names.hpp"
@@ -196,7 +197,8 @@ void read_own_frames(const Section& section, const ObserverReading& reading,
                    .end = reading.time.end(),
                    .utc_offset = reading.time.utc_offset,
                    .every = 3600.0,
-                   .every_said = "the pictures of [time]"};
+                   .every_said = "the pictures of [time]",
+                   .site = reading.site};
     const TrajectoryInput* way = find_trajectory(reading.trajectories, observer.trajectory);
     if (way != nullptr && observer.on.empty()) {  // what it rides on is there before and after
         span.begin = std::max(span.begin, way->begin());
@@ -206,8 +208,10 @@ void read_own_frames(const Section& section, const ObserverReading& reading,
             return;
         }
     }
-    if (section.has("frames") || section.has("frame_every_s")) {
-        observer.frames = read_frames(section, span);
+    if (section.has("frames") || section.has("frame_every_s") || section.has("frames_at_sun")) {
+        Frames own = read_frames(section, span);
+        observer.frames = std::move(own.frame);
+        observer.frames_note = std::move(own.note);
         return;
     }
     std::copy_if(reading.time.frames.begin(), reading.time.frames.end(),

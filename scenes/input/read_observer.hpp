@@ -42,6 +42,7 @@ struct ObserverInput {
     bool terms = false;                       // planes for the terms of the radiance, one by one
     int surfaces = 0;                         // of each pixel that have planes of their own
     std::vector<Instant> frames;              // its own, or the scene's
+    std::string frames_note{};                // days that have none
     std::string where;                        // in the scene file: of where its eye is
 
     bool goes() const { return !trajectory.empty(); }
@@ -54,6 +55,7 @@ struct ObserverReading {
     const TerrainInput& terrain;
     const std::vector<TrajectoryInput>& trajectories;
     const TimeInput& time;
+    const std::optional<Site>& site;
     Names objects;
 };
 

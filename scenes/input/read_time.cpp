@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "materials/base/error.hpp"
 #include "scenes/input/read_frames.hpp"
@@ -71,7 +72,8 @@ void read_spin_up(const Section& section, const std::filesystem::path& folder, T
 
 }  // namespace
 
-TimeInput read_time(const Section& section, const std::filesystem::path& folder) {
+TimeInput read_time(const Section& section, const std::filesystem::path& folder,
+                    const std::optional<Site>& site) {
     TimeInput time;
     const std::string said = section.moment("start", "of the span, with its offset from UTC");
     const auto start = instant_of(section, "start", said);
@@ -101,9 +103,13 @@ TimeInput read_time(const Section& section, const std::filesystem::path& folder)
     time.days_before = section.integer_or(
         "spin_up_days", "days of weather before the start, at most; the first of them repeated", 3,
         {1, 366});
-    time.frames = read_frames(
-        section,
-        {.begin = time.start, .end = time.end(), .utc_offset = time.utc_offset, .every = 3600.0});
+    Frames frames = read_frames(section, {.begin = time.start,
+                                          .end = time.end(),
+                                          .utc_offset = time.utc_offset,
+                                          .every = 3600.0,
+                                          .site = site});
+    time.frames = std::move(frames.frame);
+    time.frames_note = std::move(frames.note);
     return time;
 }
 

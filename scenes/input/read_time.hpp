@@ -1,10 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "materials/base/section.hpp"
 #include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
 #include "thermal/solve/solve_span.hpp"
 
 namespace diurna {
@@ -20,11 +23,14 @@ struct TimeInput {
     std::filesystem::path state;  // of an earlier run, for SpanStart::state
     std::string state_where;      // in the scene file
     std::vector<Instant> frames;  // ascending, within the span
+    std::string frames_note{};    // days that have none
 
     Instant end() const { return later(start, duration); }
 };
 
 /// folder  where relative names of files start
-TimeInput read_time(const Section& section, const std::filesystem::path& folder = {});
+/// site    for pictures that the sun's place says when to take
+TimeInput read_time(const Section& section, const std::filesystem::path& folder = {},
+                    const std::optional<Site>& site = {});
 
 }  // namespace diurna

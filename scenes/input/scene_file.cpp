@@ -118,7 +118,7 @@ Scene read_scene(const Document& document) {
                         name);
     }
     scene.time = read_time(root.required_section("time", "the span, its steps and pictures"),
-                           reading.folder);
+                           reading.folder, scene.site);
     scene.trajectories = read_trajectories(root, reading, scene.time);
     for (const TrajectoryInput& way : scene.trajectories) {
         reading.trajectories.known.push_back(way.name);
@@ -145,6 +145,7 @@ Scene read_scene(const Document& document) {
         .terrain = scene.terrain,
         .trajectories = scene.trajectories,
         .time = scene.time,
+        .site = scene.site,
         .objects = {.what = "object",
                     .known = {reading.object_names.begin(), reading.object_names.end()}}};
     for (const Section& observer : root.sections("observer", "a camera; at least one")) {

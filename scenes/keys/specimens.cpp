@@ -98,6 +98,10 @@ trajectory = "approach"
 mount_deg = [0.0, -20.0, 0.0]
 frame_every_s = 0.5
 [[observer]]
+frames_at_sun = { azimuth_deg = 180.0 }
+[[observer]]
+frames_at_sun = { elevation_deg = 30.0 }
+[[observer]]
 on = "car"
 mount_m = [0.0, 0.0, 3.0]
 mount_deg = [0.0, 0.0, 0.0]
@@ -119,6 +123,16 @@ draw = 1
 key = "observer.east.height_above_ground_m"
 [[sweep.axis]]
 keys = ["time.start", "weather.file"]
+)",
+                                               R"(
+[time]
+start = 2026-07-15T00:00:00Z
+frames_at_sun = { azimuth_deg = 180.0 }
+)",
+                                               R"(
+[time]
+start = 2026-07-15T00:00:00Z
+frames_at_sun = { elevation_deg = 30.0 }
 )"};
 
 const std::vector<std::string> column_specimens{R"(

@@ -51,6 +51,17 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
     return notes;
 }
 
+/// Days without a picture where the sun says when to take them.
+std::vector<std::string> notes_on_frames(const Scene& scene) {
+    std::vector<std::string> notes;
+    if (!scene.time.frames_note.empty()) notes.push_back("pictures: " + scene.time.frames_note);
+    for (const ObserverInput& observer : scene.observers) {
+        if (observer.frames_note.empty()) continue;
+        notes.push_back(fmt::format("pictures of \"{}\": {}", observer.name, observer.frames_note));
+    }
+    return notes;
+}
+
 }  // namespace
 
 Prepared moved(const Prepared& prepared, const MoverPoses& poses) {
@@ -84,6 +95,7 @@ Prepared prepare(Scene scene) {
     std::vector<std::string> notes = dem.notes;
     notes.insert(notes.end(), world.notes.begin(), world.notes.end());
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
+    for (std::string& note : notes_on_frames(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {

@@ -1,4 +1,6 @@
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "materials/base/document.hpp"
@@ -8,9 +10,9 @@ using namespace diurna;
 
 namespace {
 
-TimeInput time_of(const std::string& keys) {
+TimeInput time_of(const std::string& keys, const std::optional<Site>& site = {}) {
     Document document = Document::from_text("[time]\n" + keys, "scene.toml");
-    const TimeInput time = read_time(document.root().required_section("time", ""));
+    const TimeInput time = read_time(document.root().required_section("time", ""), {}, site);
     document.finish();
     return time;
 }
@@ -124,4 +126,39 @@ TEST_CASE("a state to go on from is a file, and the only start then", "[scenes][
                       Catch::Contains("time.state") && Catch::Contains("no such file"));
     CHECK_THROWS_WITH(time_of(start + "spin_up = \"steady\"\nstate = \"nowhere.nc\""),
                       Catch::Contains("does not go on from it"));
+}
+
+TEST_CASE("pictures are taken where the sun stands, day by day", "[scenes][time]") {
+    // NREL/TP-560-34302, appendix A.5: transit at 18:46:04.97 UT on 2003-10-17 (equation of time
+    // 14.64 min, which grows by a dozen seconds a day then: sun_passages_test.cpp).
+    const Site golden{39.742476, -105.1786, std::nan("")};
+    const std::string from = "start = 2003-10-16T15:00:00-07:00\nduration_h = 72.0\n";
+    const TimeInput noons = time_of(from + "frames_at_sun = { azimuth_deg = 180.0 }", golden);
+    REQUIRE(noons.frames.size() == 3);
+    CHECK(std::abs(seconds_between(parse_instant("2003-10-17T18:46:05Z"), noons.frames[0])) <= 1.0);
+    for (std::size_t i = 1; i < 3; ++i) {
+        const double apart = seconds_between(noons.frames[i - 1], noons.frames[i]);
+        CHECK(apart == Approx(86400.0 - 12.0).margin(2.0));
+    }
+    CHECK(noons.frames_note.empty());
+
+    // The sun's declination falls through -9.3 degrees on the 17th (the same appendix: -9.31434 at
+    // 19:30 UT) by 0.37 a day: it reaches 90 - 39.74 - 9.1 = 41.16 degrees on the 16th and before.
+    const TimeInput high = time_of(
+        "start = 2003-10-14T00:00:00-07:00\nduration_h = 120.0\n"
+        "frames_at_sun = { elevation_deg = 41.16, half = \"morning\" }",
+        golden);
+    CHECK(high.frames.size() == 3);
+    CHECK_THAT(high.frames_note,
+               Catch::Contains("2 of 5 days") && Catch::Contains("2003-10-17 to 2003-10-18"));
+    CHECK_THROWS_WITH(time_of(from + "frames_at_sun = { elevation_deg = 80.0 }", golden),
+                      Catch::Contains("time.frames_at_sun") && Catch::Contains("4 of 4 days"));
+    CHECK_THROWS_WITH(time_of(from + "frames_at_sun = { azimuth_deg = 180.0 }"),
+                      Catch::Contains("[site]"));
+    CHECK_THROWS_WITH(
+        time_of(from + "frame_every_s = 60.0\nframes_at_sun = { azimuth_deg = 180.0 }", golden),
+        Catch::Contains("one of the two"));
+    CHECK_THROWS_WITH(
+        time_of(from + "frames_at_sun = { azimuth_deg = 180.0, half = \"both\" }", golden),
+        Catch::Contains("half"));
 }

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "materials/base/section.hpp"
+#include "scenes/input/frame_span.hpp"
+
+namespace diurna {
+
+/// The table `frames_at_sun`: a picture whenever the sun stands at an azimuth, or at an elevation.
+Frames read_frames_at_sun(const Section& section, const FrameSpan& span);
+
+}  // namespace diurna

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+
+namespace diurna {
+
+/// Instants, ascending, to the nearest second, at which the sun's centre passes an azimuth
+/// (clockwise from true north) while it is above the horizon, geometrically.
+///
+/// - from, to: the instants lie between them
+std::vector<Instant> sun_at_azimuth(const Site& site, Instant from, Instant to, double azimuth_deg);
+
+enum class DayHalf { morning, afternoon, both };  // while the sun climbs, and while it sinks
+
+/// The same of an elevation, without refraction.
+std::vector<Instant> sun_at_elevation(const Site& site, Instant from, Instant to,
+                                      double elevation_deg, DayHalf half);
+
+}  // namespace diurna

@@ -39,8 +39,9 @@ struct Observer {
     Projection projection = Projection::pinhole;
     double picture_width = 0.0;  // [m] orthographic: from the left edge to the right
 
-    // While a picture is taken the scene stands still and the camera goes straight on and turns at
-    // an even rate. Position and angles are those at the middle of the first row's exposure.
+    // While a picture is taken the camera, as what goes in the scene (FacetMotion), goes straight
+    // on and turns at an even rate. Position and angles are those at the middle of the first row's
+    // exposure.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // east, north, up [m s⁻¹]
     Eigen::Vector3d turning = Eigen::Vector3d::Zero();   // about east, north, up [rad s⁻¹]
     double row_time = 0.0;  // [s] from a row's exposure to the next one's; 0: all at once
@@ -48,6 +49,9 @@ struct Observer {
     bool moves() const { return (!velocity.isZero() || turns()) && takes_time(); }
     bool turns() const { return !turning.isZero() && takes_time(); }
     bool takes_time() const { return row_time > 0.0 || exposure > 0.0; }
+    /// [s] from the instant of the picture to the end of its last exposure: 1 in the time of rays
+    /// is that much after it, 0 that much before.
+    double reach() const { return 0.5 * exposure + row_time * (height - 1); }
 };
 
 /// The field of view [deg] of a focal plane: width · pitch behind a lens of a focal length.

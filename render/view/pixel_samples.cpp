@@ -26,11 +26,16 @@ PixelSamples::PixelSamples(const Observer& observer, int samples, std::uint64_t 
     : eye_(pixel_rays(observer)),
       position_(observer.position),
       starts_differ_(observer.projection == Projection::orthographic || observer.moves()),
+      takes_time_(observer.takes_time()),
       origin_(observer.position.cast<float>()),
       width_(static_cast<std::size_t>(observer.width)),
       height_(static_cast<std::size_t>(observer.height)),
       samples_(static_cast<std::size_t>(samples)),
       seed_(seed) {
+    if (takes_time_) {
+        row_time_ = 0.5 * observer.row_time / observer.reach();
+        exposure_ = 0.5 * observer.exposure / observer.reach();
+    }
     const auto [columns, rows] = nearly_square(samples);
     columns_ = static_cast<std::size_t>(columns);
     const std::size_t whole = (samples_ + lanes - 1) / lanes * lanes;
@@ -71,6 +76,15 @@ inline void PixelSamples::aim_at(std::size_t column, std::size_t row, const Plac
         to_x[s] = dx * scale;
         to_y[s] = dy * scale;
         to_z[s] = dz * scale;
+    }
+}
+
+void PixelSamples::time_at(std::size_t row, const Places& places, std::span<const float> when,
+                           std::size_t bundle, RayBundles& rays) const {
+    for (std::size_t s = 0; s < lanes; ++s) {
+        const double of_row = std::floor(double(row) + double{places.down[s]}) * row_time_;
+        rays.time[bundle * lanes + s] =
+            static_cast<float>(0.5 + of_row + (double{when[s]} - 0.5) * exposure_);
     }
 }
 
@@ -115,12 +129,13 @@ void PixelSamples::aim(std::size_t column, std::size_t row, std::size_t part, st
         places.down[s] = from_down[s] + cell_down_ * (j + 0.5f);
     }
     aim_at(column, row, places, at, rays);
-    if (!starts_differ_) return;
+    if (!starts_differ_ && !takes_time_) return;
     std::array<float, lanes> when;
     for (std::size_t s = 0; s < lanes; ++s) {
         when[s] = static_cast<float>(exposed(first + s, double(hash) * 0x1p-32));
     }
-    start_at(column, row, places, when, at, rays);
+    if (takes_time_) time_at(row, places, when, at, rays);
+    if (starts_differ_) start_at(column, row, places, when, at, rays);
     if (eye_.turns) turn_at(row, places, when, at, rays);
 }
 
@@ -132,10 +147,11 @@ void PixelSamples::aim_middles(std::size_t column, std::size_t row, std::size_t 
         places.down[s] = 0.5f + static_cast<float>(std::min(s / 4, height_ - 1 - row));
     }
     aim_at(column, row, places, at, rays);
-    if (!starts_differ_) return;
+    if (!starts_differ_ && !takes_time_) return;
     std::array<float, lanes> when;
     when.fill(0.5f);
-    start_at(column, row, places, when, at, rays);
+    if (takes_time_) time_at(row, places, when, at, rays);
+    if (starts_differ_) start_at(column, row, places, when, at, rays);
     if (eye_.turns) turn_at(row, places, when, at, rays);
 }
 

@@ -46,6 +46,9 @@ class PixelSamples {
     };
     void aim_at(std::size_t column, std::size_t row, const Places& places, std::size_t at,
                 RayBundles& rays) const;
+    /// The time of what moves in the scene, `when` of the row's exposure has gone by.
+    void time_at(std::size_t row, const Places& places, std::span<const float> when,
+                 std::size_t bundle, RayBundles& rays) const;
     /// Where they begin, `when` of the row's exposure has gone by.
     void start_at(std::size_t column, std::size_t row, const Places& places,
                   std::span<const float> when, std::size_t at, RayBundles& rays) const;
@@ -56,6 +59,8 @@ class PixelSamples {
     PixelRays eye_;
     Eigen::Vector3d position_;
     bool starts_differ_;  // orthographic, or the camera moves
+    bool takes_time_;
+    double row_time_ = 0.0, exposure_ = 0.0;  // in the time of rays
     Eigen::Vector3f origin_;
     std::size_t width_, height_, samples_, columns_ = 1;
     std::uint64_t seed_;

@@ -149,12 +149,15 @@ class SampleCaster {
         while (entry < out_.row[k + 1] && place_of(entry) != facet) ++entry;
         if (entry == out_.row[k + 1]) return;
         // Where the sun is below the facet's own plane it does not shine.
-        const LiftedFacet lifted(sun_.facets, facet);
+        LiftedFacet lifted(sun_.facets, facet);
+        lifted.corner += sun_.rays.gone(facet, rays_.time[ray]);
         if (lifted.normal.dot(towards) <= 0.0) {
             seen_of(entry).add(0.0f);
             return;
         }
-        to_sun_.push_back({.origin = place(ray, lifted), .direction = towards.cast<float>()});
+        to_sun_.push_back({.origin = place(ray, lifted),
+                           .direction = towards.cast<float>(),
+                           .time = rays_.time[ray]});
         entry_.push_back(entry);
     }
 
@@ -238,11 +241,14 @@ std::vector<std::uint8_t> facets_with_edges(const SunOverFacets& sun, const Text
     if (sun.fraction.empty()) return crossed;
     const Eigen::Vector3f to_sun = sun.to_sun.cast<float>();
     std::vector<float> least(facets.vertex.size(), 1.0f), most(facets.vertex.size(), 0.0f);
-    for (std::size_t f = 0; f < known; ++f) {
-        if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
-        for (const std::uint32_t v : facets.corner[f]) {
-            least[v] = std::min(least[v], sun.fraction[f]);
-            most[v] = std::max(most[v], sun.fraction[f]);
+    for (const std::span<const float> fraction : {sun.fraction, sun.before, sun.after}) {
+        if (fraction.empty()) continue;
+        for (std::size_t f = 0; f < known; ++f) {
+            if (facets.normal[f].dot(to_sun) <= 0.0f) continue;
+            for (const std::uint32_t v : facets.corner[f]) {
+                least[v] = std::min(least[v], fraction[f]);
+                most[v] = std::max(most[v], fraction[f]);
+            }
         }
     }
     for (std::size_t f = 0; f < known; ++f) {

@@ -18,6 +18,9 @@ struct SunOverFacets {
     const FacetSet& facets;           // copies of textured ones included
     std::span<const float> fraction;  // (facet) share that the sun reaches; empty: no sun
     Eigen::Vector3d to_sun;           // unit
+    /// (facet) Where things go: the same while they are where they are at the times 0 and 1 of
+    /// rays, for where their shadows' edges may be; empty: nothing goes.
+    std::span<const float> before{}, after{};
 };
 
 /// The share of the sun's disc that reaches what single pixels see of facets that shadows' edges

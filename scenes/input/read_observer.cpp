@@ -56,13 +56,11 @@ void read_projection(const Section& section, ObserverInput& observer) {
     }
 }
 
-/// Whether its pictures take their time: it goes, or turns after what goes.
-bool follows(const ObserverInput& observer, const TerrainInput& terrain) {
+/// Whether its pictures' time tells anything: it goes, or something does.
+bool sees_motion(const ObserverInput& observer, const TerrainInput& terrain) {
     return observer.goes() ||
-           std::any_of(
-               terrain.objects.begin(), terrain.objects.end(), [&](const ObjectInput& object) {
-                   return object.name == observer.look_at_object && !object.trajectory.empty();
-               });
+           std::any_of(terrain.objects.begin(), terrain.objects.end(),
+                       [](const ObjectInput& object) { return !object.trajectory.empty(); });
 }
 
 /// A camera that flies: rows read one after the other, each blurred by its exposure.
@@ -75,11 +73,13 @@ void read_motion(const Section& section, const TerrainInput& terrain, ObserverIn
             section.mistake("velocity_m_s", "faster than 10000 m/s");
         }
     }
-    observer.row_time =
-        section.number_or("row_time_s", "of one that moves: from a row's reading to the next row's",
-                          0.0, {0.0, 60.0});
+    observer.row_time = section.number_or(
+        "row_time_s",
+        "of one that moves, or sees what does: from a row's reading to the next row's", 0.0,
+        {0.0, 60.0});
     observer.exposure = section.number_or(
-        "exposure_s", "of one that moves: that each row is exposed and blurred", 0.0, {0.0, 60.0});
+        "exposure_s", "of one that moves, or sees what does: that each row is exposed and blurred",
+        0.0, {0.0, 60.0});
     if (observer.goes() || !observer.on.empty()) {
         if (section.has("velocity_m_s")) {
             section.mistake("velocity_m_s", observer.on.empty()
@@ -87,13 +87,13 @@ void read_motion(const Section& section, const TerrainInput& terrain, ObserverIn
                                                 : "stands beside on, whose object has its own");
         }
     }
-    if (follows(observer, terrain)) return;
+    if (sees_motion(observer, terrain)) return;
     for (const char* key : {"row_time_s", "exposure_s"}) {
         if (section.has(key) && !section.has("velocity_m_s")) {
-            section.mistake(key,
-                            "tells nothing of a camera that stands still, expected velocity_m_s = "
-                            "[east, north, up], a trajectory, or an object that goes to look at "
-                            "or to ride on beside it");
+            section.mistake(
+                key,
+                "tells nothing of a camera that stands still where nothing goes, expected "
+                "velocity_m_s = [east, north, up] or a trajectory beside it");
         }
     }
 }

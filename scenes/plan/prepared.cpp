@@ -65,8 +65,21 @@ std::vector<std::string> notes_on_frames(const Scene& scene) {
 }  // namespace
 
 Prepared moved(const Prepared& prepared, const MoverPoses& poses) {
+    return moving(prepared, poses, {}, 0.0);
+}
+
+Prepared moving(const Prepared& prepared, const MoverPoses& poses,
+                const std::vector<Motion>& motions, double reach) {
     World world = moved(prepared.world, poses);
-    RayScene rays(world.facets, passed_light(prepared.scene.materials));
+    FacetMotion motion;
+    if (reach > 0.0) {
+        const FacetSet& begun = prepared.world.facets;
+        const auto places = [&](double seconds) {
+            return moved(prepared.world, begun, gone_on(poses, motions, seconds)).vertex;
+        };
+        motion = {places(-reach), places(reach)};
+    }
+    RayScene rays(world.facets, passed_light(prepared.scene.materials), motion);
     return {prepared.scene, std::move(world), std::move(rays), prepared.weather, prepared.sequences,
             prepared.plan,  prepared.plumes,  prepared.notes,  prepared.movement};
 }

@@ -29,6 +29,10 @@ struct Prepared {
 
 /// The same with the objects that go in other places.
 Prepared moved(const Prepared& prepared, const MoverPoses& poses);
+/// The same while they go on: at the times 0 and 1 of rays they are where they are `reach` before
+/// and after [s].
+Prepared moving(const Prepared& prepared, const MoverPoses& poses,
+                const std::vector<Motion>& motions, double reach);
 
 /// Builds the world and checks what can be checked before anything is computed or written.
 Prepared prepare(Scene scene);

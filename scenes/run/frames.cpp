@@ -50,11 +50,13 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
 }
 
 /// Renders and writes the bands and cubes of one instant; returns the tables' notes of their error.
+///
+/// - blurred: objects go on while the picture is taken
 std::map<std::string, std::string> render_instant(const Prepared& prepared, const Series& s,
                                                   const FacetViews& views,
                                                   const TemperatureField& field, Instant instant,
-                                                  const fs::path& out) {
-    const Picture picture = picture_at(prepared, s, views, field, instant);
+                                                  const fs::path& out, bool blurred = false) {
+    const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
     write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera);
     for (std::size_t c = 0; c < s.cubes.size(); ++c) {
         write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
@@ -96,6 +98,11 @@ std::vector<std::string> error_lines(const ObserverInput& observer,
 /// What the pictures of one observer told, frame by frame.
 using Told = std::vector<std::map<std::string, std::string>>;
 
+/// Whether objects go on while a picture is taken.
+bool blurs(const Movement& movement, const Observer& observer, Instant when) {
+    return !movement.none() && observer.takes_time() && movement.moves_at(when);
+}
+
 /// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
 /// frame alone is what it is among others.
 std::map<std::string, std::string> render_alone(const Stages& stages, std::size_t o,
@@ -108,13 +115,17 @@ std::map<std::string, std::string> render_alone(const Stages& stages, std::size_
     const Instant instant = sequence.frame[frame];
     const SceneStage stage = stages.at(movement.stage_of(instant));
     std::optional<Prepared> on_the_way;
-    if (!movement.none() && movement.is_under_way(instant)) {
+    const bool blurred = blurs(movement, sequence.at(frame), instant);
+    if (blurred) {
+        on_the_way.emplace(moving(scene, movement.poses_at(instant), movement.motions_at(instant),
+                                  sequence.at(frame).reach()));
+    } else if (!movement.none() && movement.is_under_way(instant)) {
         on_the_way.emplace(moved(scene, movement.poses_at(instant)));
     }
     const Prepared& here = on_the_way ? *on_the_way : stage.prepared;
     const Series own =
         cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
-    return render_instant(here, own, stage.views, field, instant, out);
+    return render_instant(here, own, stage.views, field, instant, out, blurred);
 }
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
@@ -129,7 +140,8 @@ Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::s
     std::vector<std::vector<std::size_t>> still(stages.size());  // (stage) likewise
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const Instant when = sequence.frame[wanted[i]];
-        const bool goes = sequence.goes || (!movement.none() && movement.is_under_way(when));
+        const bool goes = sequence.goes || (!movement.none() && movement.is_under_way(when)) ||
+                          blurs(movement, sequence.at(wanted[i]), when);
         (goes ? alone : still[movement.stage_of(when)]).push_back(i);
     }
     std::atomic<std::size_t> done = 0;

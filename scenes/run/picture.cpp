@@ -81,7 +81,7 @@ Plane void_plane(const View& view, const World& world) {
 }
 
 Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& views,
-                   const TemperatureField& field, Instant instant) {
+                   const TemperatureField& field, Instant instant, bool blurred) {
     const World& world = prepared.world;
     const Luminary light = luminary(sun_over(prepared, instant), world.site, instant, lit_bands(s));
     const SunPosition& sun = light.place;
@@ -106,7 +106,14 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                             .instant = instant,
                             .moon = light.moon,
                             .wind_speed = wind_at(prepared, instant)};
-    const SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
+    SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
+    std::vector<float> before, after;
+    if (blurred) {
+        before = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples, {}, 0.0f);
+        after = sun_on_surfaces(prepared, sun, prepared.scene.sun_samples, {}, 1.0f);
+        over.before = before;
+        over.after = after;
+    }
     PixelSun pixel_sun = cast_pixel_sun(s.view, over, s.observer, s.sampling);
     if (!light.moon) {
         set_pixel_heat(s.view, over, prepared.scene.materials, temperature,

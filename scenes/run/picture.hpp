@@ -19,9 +19,10 @@ struct Picture {
 
 /// - series: cast from where the observer is
 /// - field: temperatures about the instant
+/// - blurred: objects go on while the picture is taken
 /// Throws std::runtime_error for a radiance that is not finite.
 Picture picture_at(const Prepared& prepared, const Series& series, const FacetViews& views,
-                   const TemperatureField& field, Instant instant);
+                   const TemperatureField& field, Instant instant, bool blurred = false);
 
 /// The truth plane "void": 1 at pixels whose ground was filled in for want of elevation
 /// (World::filled, which is not empty), 0 elsewhere, −1 where it is sky.

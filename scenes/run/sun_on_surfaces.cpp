@@ -16,12 +16,12 @@ SunPosition sun_over(const Prepared& prepared, Instant instant) {
 }
 
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
-                                   std::span<const FacetId> wanted) {
+                                   std::span<const FacetId> wanted, float time) {
     if (!(sun.elevation_deg > 0.0)) return {};
     const World& world = prepared.world;
     const TextureLevels& levels = world.texture_levels;
     std::vector<float> fraction(world.facets.size(), 0.0f);
-    const SunFractionOptions options{.samples = samples, .seed = prepared.scene.seed};
+    const SunFractionOptions options{.samples = samples, .seed = prepared.scene.seed, .time = time};
     if (wanted.empty()) {
         sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction, options);
     } else {

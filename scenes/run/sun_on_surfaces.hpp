@@ -15,7 +15,8 @@ SunPosition sun_over(const Prepared& prepared, Instant instant);
 /// sun is down. A texture's levels on a facet are lit as the facet is.
 ///
 /// - wanted: facets of World::surfaces(); the others are told to be in shadow. Empty: all
+/// - time: of the exposure, in a scene that moves
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
-                                   std::span<const FacetId> wanted = {});
+                                   std::span<const FacetId> wanted = {}, float time = 0.5f);
 
 }  // namespace diurna

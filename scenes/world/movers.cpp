@@ -78,6 +78,26 @@ Eigen::Isometry3d ObjectCourse::at(Instant when) const {
     return to;
 }
 
+Motion ObjectCourse::motion(Instant when) const {
+    if (!way_) return {};
+    constexpr double half = 5e-3;
+    return motion_between(way_->level(later(when, -half)), way_->level(later(when, half)),
+                          2.0 * half);
+}
+
+MoverPoses gone_on(const MoverPoses& poses, const std::vector<Motion>& motions, double seconds) {
+    MoverPoses there = poses;
+    for (std::size_t m = 0; m < there.size(); ++m) {
+        const double angle = motions[m].turning.norm() * seconds;
+        if (angle != 0.0) {
+            there[m].linear() =
+                Eigen::AngleAxisd(angle, motions[m].turning.normalized()) * poses[m].linear();
+        }
+        there[m].translation() += seconds * motions[m].velocity;
+    }
+    return there;
+}
+
 void put_at_begin(Scene& scene, const Dem& dem, const World& world) {
     for (ObjectInput& object : scene.terrain.objects) {
         if (object.trajectory.empty()) continue;
@@ -105,6 +125,17 @@ std::size_t place_of(const std::vector<Instant>& frames, Instant when) {
 
 const MoverPoses& Movement::poses_at(Instant frame_instant) const {
     return at_frame[place_of(frame, frame_instant)];
+}
+
+const std::vector<Motion>& Movement::motions_at(Instant frame_instant) const {
+    return motion[place_of(frame, frame_instant)];
+}
+
+bool Movement::moves_at(Instant frame_instant) const {
+    const std::vector<Motion>& all = motions_at(frame_instant);
+    return std::any_of(all.begin(), all.end(), [](const Motion& one) {
+        return one.velocity.norm() > 1e-6 || one.turning.norm() > 1e-6;
+    });
 }
 
 bool Movement::is_under_way(Instant frame_instant) const {
@@ -154,7 +185,11 @@ Movement movement(const Scene& scene, const Dem& dem, const World& world,
     movement.frame.assign(frames.begin(), frames.end());
     for (const Instant when : frames) {
         MoverPoses& poses = movement.at_frame.emplace_back();
-        for (const ObjectCourse& of : course) poses.push_back(of.at(when));
+        std::vector<Motion>& motions = movement.motion.emplace_back();
+        for (const ObjectCourse& of : course) {
+            poses.push_back(of.at(when));
+            motions.push_back(of.motion(when));
+        }
         const MoverPoses& rest = movement.at_stage[movement.stage_of(when)];
         movement.under_way.push_back(
             !std::equal(poses.begin(), poses.end(), rest.begin(),

@@ -24,6 +24,8 @@ class ObjectCourse {
     ObjectCourse(const ObjectInput& object, const Scene& scene, const Dem& dem, const World& world);
     /// From its own frame (its middle in plan and lowest point; right, front, up) to the site's.
     Eigen::Isometry3d at(Instant when) const;
+    /// Of that frame's origin, and its turn: from 5 ms before to 5 ms after.
+    Motion motion(Instant when) const;
 
  private:
     std::optional<Way> way_;
@@ -32,21 +34,27 @@ class ObjectCourse {
 
 /// Where the objects that go are, (mover) of World::movers.
 using MoverPoses = std::vector<Eigen::Isometry3d>;
+/// So many seconds later, each going straight on and turning at an even rate.
+MoverPoses gone_on(const MoverPoses& poses, const std::vector<Motion>& motions, double seconds);
 
 /// How the heat balance sees them go: at rest in turn, each move at once in its middle, on the
 /// nearest step.
 struct Movement {
     std::vector<Instant> stage;  // begins of stages in which all rest; the first is the span's
-    std::vector<MoverPoses> at_stage{};  // (stage)
-    std::vector<Instant> frame{};        // ascending: of pictures
-    std::vector<MoverPoses> at_frame{};  // (frame)
-    std::vector<bool> under_way{};       // (frame) whether one is elsewhere than in its stage
-    double longest_move = 0.0;           // [s]
+    std::vector<MoverPoses> at_stage{};         // (stage)
+    std::vector<Instant> frame{};               // ascending: of pictures
+    std::vector<MoverPoses> at_frame{};         // (frame)
+    std::vector<std::vector<Motion>> motion{};  // (frame) (mover)
+    std::vector<bool> under_way{};  // (frame) whether one is elsewhere than in its stage
+    double longest_move = 0.0;      // [s]
 
     bool none() const { return at_stage.empty() || at_stage.front().empty(); }
     std::size_t stage_of(Instant when) const;
     const MoverPoses& poses_at(Instant frame_instant) const;
+    const std::vector<Motion>& motions_at(Instant frame_instant) const;
     bool is_under_way(Instant frame_instant) const;
+    /// Whether one goes or turns just then.
+    bool moves_at(Instant frame_instant) const;
 };
 
 /// - frames: ascending

@@ -8,6 +8,7 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray.hpp"
+#include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
 
@@ -16,13 +17,14 @@ struct EmbreeScene {
     RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     const float* vertex = nullptr;     // Embree's own copies, three per vertex
+    const float* after = nullptr;      // likewise where they move: `vertex` at time 0, these at 1
     const unsigned* corner = nullptr;  // and three per facet; alike where left out
     /// (facet) the other side of a sheet (two_sides.hpp), index(no_facet) elsewhere; empty: none.
     /// Of two sides Embree has the one of the lower number.
     std::vector<std::uint32_t> other_side;
 
     EmbreeScene() = default;
-    explicit EmbreeScene(const FacetSet& facets);
+    explicit EmbreeScene(const FacetSet& facets, const FacetMotion& motion = {});
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
@@ -39,8 +41,11 @@ struct EmbreeScene {
         return other == index(no_facet) || looks_at(met, direction) ? met : other;
     }
 
+    /// How far a facet's middle is at a time from where it is at 0.5 [m].
+    Eigen::Vector3d gone(unsigned facet, float time) const;
+
  private:
-    Eigen::Vector3d corner_of(unsigned facet, int k) const;
+    Eigen::Vector3d corner_of(unsigned facet, int k, float time = 0.5f) const;
     bool looks_at(std::uint32_t facet, const Eigen::Vector3f& direction) const;
 };
 

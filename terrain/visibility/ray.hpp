@@ -12,6 +12,7 @@ struct Ray {
     float near = 0.0f;          // [m] along the direction
     Eigen::Vector3f direction;  // unit
     float far = 1e30f;
+    float time = 0.5f;  // of scenes that move (FacetMotion), 0 to 1
 };
 
 struct Hit {

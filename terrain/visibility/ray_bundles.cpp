@@ -39,7 +39,8 @@ void recompute(const EmbreeScene& scene, const RTCRayHit8& packet, std::uint32_t
         const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
         const RTCRay8& all = packet.ray;
         const Ray ray{.origin = {all.org_x[i], all.org_y[i], all.org_z[i]},
-                      .direction = {all.dir_x[i], all.dir_y[i], all.dir_z[i]}};
+                      .direction = {all.dir_x[i], all.dir_y[i], all.dir_z[i]},
+                      .time = all.time[i]};
         to_range[i] = scene.range(ray, packet.hit.primID[i], all.tfar[i]);
     }
 }
@@ -48,20 +49,22 @@ void recompute(const EmbreeScene& scene, const RTCRayHit8& packet, std::uint32_t
 
 struct RayBundles::State {
     const EmbreeScene& scene;
-    std::vector<float> rays;  // six arrays, one after the other
+    std::vector<float> rays;  // seven arrays, one after the other
     std::vector<std::uint32_t> facet;
     std::vector<float> range;
 };
 
 RayBundles::RayBundles(const RayScene& scene, std::size_t most)
     : state_(new State{.scene = scene.embree(),
-                       .rays = std::vector<float>(6 * lanes * most),
+                       .rays = std::vector<float>(7 * lanes * most),
                        .facet = std::vector<std::uint32_t>(lanes * most),
                        .range = std::vector<float>(lanes * most)}) {
     const std::size_t n = lanes * most;
     float* from = state_->rays.data();
     origin_x = from, origin_y = from + n, origin_z = from + 2 * n;
     direction_x = from + 3 * n, direction_y = from + 4 * n, direction_z = from + 5 * n;
+    time = from + 6 * n;
+    std::fill_n(time, n, 0.5f);
     facet = state_->facet.data();
     range = state_->range.data();
 }
@@ -90,7 +93,6 @@ void RayBundles::closest(std::size_t bundles) {
     for (std::size_t i = 0; i < some; ++i) {
         valid[i] = -1;
         ray.tnear[i] = 0.0f;
-        ray.time[i] = 0.0f;
         ray.mask[i] = 0xFFFFFFFFu;
         ray.flags[i] = 0;
         hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
@@ -105,6 +107,7 @@ void RayBundles::closest(std::size_t bundles) {
         copy(direction_x + at, ray.dir_x);
         copy(direction_y + at, ray.dir_y);
         copy(direction_z + at, ray.dir_z);
+        copy(time + at, ray.time);
         copy(far.data(), ray.tfar);
         copy(none.data(), hit.geomID);
         copy(none.data(), hit.primID);

@@ -23,6 +23,7 @@ class RayBundles {
     // (bundle, lane) To be written: where rays begin [m], and their unit directions.
     float *origin_x, *origin_y, *origin_z;
     float *direction_x, *direction_y, *direction_z;
+    float* time;  // of scenes that move (FacetMotion), 0 to 1; 0.5 to begin with
     void set_origin(const Eigen::Vector3f& origin);  // of all of them
 
     /// The nearest facet of each ray of the first few bundles.

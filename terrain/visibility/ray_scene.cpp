@@ -19,7 +19,7 @@ constexpr auto scattered = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
 void prepare(std::size_t lanes, RTCRay16& packet, int (&valid)[width]) {
     for (std::size_t i = 0; i < width; ++i) {
         valid[i] = i < lanes ? -1 : 0;
-        packet.time[i] = 0.0f;
+        packet.time[i] = 0.5f;
         packet.mask[i] = 0xFFFFFFFFu;
         packet.id[i] = 0;
         packet.flags[i] = 0;
@@ -39,6 +39,7 @@ void pack(std::span<const Ray> rays, RTCRay16& packet, int (&valid)[width]) {
         packet.dir_z[i] = ray.direction.z();
         packet.tnear[i] = ray.near;
         packet.tfar[i] = ray.far;
+        packet.time[i] = ray.time;
     }
 }
 
@@ -68,8 +69,9 @@ void step_past(const Hit& hit, Ray& ray) { ray.near = hit.range * (1.0f + 1e-6f)
 
 }  // namespace
 
-RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed)
-    : embree_(std::make_unique<EmbreeScene>(facets)), passed_(std::move(passed)) {
+RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed,
+                   const FacetMotion& motion)
+    : embree_(std::make_unique<EmbreeScene>(facets, motion)), passed_(std::move(passed)) {
     // Sheets whose backs are facets have nothing hidden behind.
     for (std::size_t f = 0; f < embree_->other_side.size() && !passed_.empty(); ++f) {
         if (embree_->other_side[f] == index(no_facet)) continue;
@@ -85,6 +87,10 @@ RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed)
 RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
+
+Eigen::Vector3d RayScene::gone(std::uint32_t facet, float time) const {
+    return embree_->gone(facet, time);
+}
 
 void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());

@@ -14,6 +14,12 @@ namespace diurna {
 
 struct EmbreeScene;
 
+/// Where a scene's vertices are at the times 0 and 1 of rays; between them each goes straight on at
+/// an even speed. The facets' own are where they are at 0.5.
+struct FacetMotion {
+    std::vector<Eigen::Vector3f> before, after;  // (vertex) [m]
+};
+
 /// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
 /// A ray aimed exactly at a vertex can slip through (Embree issue 174), one at an edge about once
 /// in a million, so samples are never put there. Non-finite or wildly indexed triangles are refused
@@ -21,7 +27,9 @@ struct EmbreeScene;
 class RayScene {
  public:
     /// - passed: (material) what their facets let through; empty: nothing
-    explicit RayScene(const FacetSet& facets, std::vector<PassedLight> passed = {});
+    /// - motion: empty where nothing moves
+    explicit RayScene(const FacetSet& facets, std::vector<PassedLight> passed = {},
+                      const FacetMotion& motion = {});
     ~RayScene();
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
@@ -53,6 +61,9 @@ class RayScene {
         return !facets_.empty() && (passed_[facets_[facet].material].sheet ||
                                     !passed_[facets_[facet].material].beam.empty());
     }
+
+    /// How far a facet's middle is at a time from where it is at 0.5 [m].
+    Eigen::Vector3d gone(std::uint32_t facet, float time) const;
 
     const EmbreeScene& embree() const { return *embree_; }  // for ray_bundles.cpp
 

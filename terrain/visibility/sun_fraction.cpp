@@ -51,8 +51,9 @@ class SunRays {
                 disc_.towards((k % columns_ + across) / columns_, (k / columns_ + down) / rows_);
             if (points.normal.dot(towards) <= 0.0) continue;
             const Eigen::Vector2d place = evenly(k, {start_x, start_y});
-            rays.push_back(
-                {.origin = points.at(place.x(), place.y()), .direction = towards.cast<float>()});
+            rays.push_back({.origin = points.at(place.x(), place.y()),
+                            .direction = towards.cast<float>(),
+                            .time = options_.time});
             owner.push_back(static_cast<std::uint32_t>(facet));
         }
     }

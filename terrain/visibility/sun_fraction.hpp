@@ -12,6 +12,7 @@ namespace diurna {
 struct SunFractionOptions {
     int samples = 4;  // points over the facet × directions over the sun's disc, stratified together
     std::uint64_t seed = 1;
+    float time = 0.5f;  // in a scene that moves: what casts shadows is where it is then
 };
 
 /// The share of each facet (area × sun's disc) that the sun at `direction` (unit, towards the sun)

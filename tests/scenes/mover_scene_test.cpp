@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "render/view/cast_view.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
@@ -235,6 +236,60 @@ TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]"
     CHECK(std::sqrt(square / double(a.size())) < 0.02);
     CHECK_THROWS_WITH(run("steady", span(midnight, four, "spin_up = \"steady\"\n")),
                       Catch::Contains("spin_up") && Catch::Contains("steady"));
+}
+
+TEST_CASE("an open shutter smears what goes, or what stands where the camera turns after it",
+          "[scenes][mover][motion]") {
+    const ScratchFolder folder("mover_blur");
+    write_text(folder.path / "crate.obj", crate_mesh);
+    // 1 m/s to the east under a camera that looks straight down, 0.1 m a pixel, for a second.
+    const std::string above =
+        "place_m = [-20.0, -50.0]\nprojection = \"orthographic\"\npicture_width_m = 9.6\n"
+        "exposure_s = 1.0\nframes = [\"2026-07-15T10:00:30-04:00\"]\n";
+    std::string text = scene_with(from_west_to_east);
+    text = with(text, "place_m = [-100.0, -100.0]\n", above);
+    text = with(text, "horizontal_fov_deg = 24.0\n", "");
+    text = with(text, "width = 64\n", "width = 96\n");
+    const auto seen = [&](const std::string& pointed) {
+        write_text(folder.path / "scene.toml", with(text, "look_at_m = [0.0, 0.0]", pointed));
+        const Prepared scene = prepare(read_scene(folder.path / "scene.toml"));
+        const Observer& eye = scene.sequences.at(0).at(0);
+        const Instant when = scene.sequences[0].frame.at(0);
+        REQUIRE(scene.movement.moves_at(when));
+        CHECK(scene.movement.motions_at(when).at(0).velocity.x() == Approx(1.0).margin(1e-6));
+        const Prepared there = moving(scene, scene.movement.poses_at(when),
+                                      scene.movement.motions_at(when), eye.reach());
+        const View view = cast_view(there.rays, there.world.facets, eye, {.samples = 1024});
+        std::vector<double> share(96, 0.0);
+        for (std::size_t p = std::size_t{96} * 24; p < std::size_t{96} * 25; ++p) {
+            for (std::uint32_t k = view.row[p]; k < view.row[p + 1]; ++k) {
+                const Sighting& s = view.sighting[k];
+                if (there.world.facets.object[index(view.facet[s.target])] == ObjectId{3}) {
+                    share[p % 96] += double{s.weight};
+                }
+            }
+        }
+        return share;
+    };
+    // From -2.5 to -1.5 m about its middle the share rises evenly, and falls likewise.
+    const std::vector<double> still = seen("azimuth_deg = 0.0\nelevation_deg = -90.0");
+    for (std::size_t column = 0; column < 96; ++column) {
+        const double east = 0.1 * (double(column) - 47.5);
+        CAPTURE(column);
+        CHECK(still[column] == Approx(std::clamp(2.5 - std::abs(east), 0.0, 1.0)).margin(0.015));
+    }
+    // A lens that turns after it from 450 m up and 450 m south: 0.1 m a pixel there.
+    text = with(text, "projection = \"orthographic\"\npicture_width_m = 9.6\n",
+                "horizontal_fov_deg = 0.8643\n");
+    text = with(text, "place_m = [-20.0, -50.0]", "place_m = [-20.0, -500.0]");
+    const std::vector<double> along = seen("look_at = \"crate\"");
+    std::size_t whole = 0, partly = 0;
+    for (const double share : along) {
+        whole += share > 0.99;
+        partly += share > 0.01 && share < 0.99;
+    }
+    CHECK(double(whole) == Approx(40.0).margin(2.0));
+    CHECK(partly <= 4);
 }
 
 TEST_CASE("what an object that goes cannot have is told", "[scenes][mover][input]") {

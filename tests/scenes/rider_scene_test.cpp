@@ -99,8 +99,7 @@ TEST_CASE("one that rides sees another where it is and its own hood in one place
     write_text(folder.path / "scene.toml",
                scene_with(two_go + "[[observer]]\nname = \"driver\"\non = \"carrier\"\n" +
                           "mount_m = [0.5, 1.0, 2.5]\nmount_deg = [0.0, -10.0, 0.0]\n" + camera));
-    run_job(read_scene(folder.path / "scene.toml"),
-            {.out = folder.path / "out", .progress = ProgressStyle::silent});
+    run_job(read_scene(folder.path / "scene.toml"), {.out = folder.path / "out", .settings = {}});
     const std::array<double, 3> seconds = {2.0, 5.0, 8.0};
     std::vector<std::vector<bool>> hood;
     for (const double t : seconds) {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "terrain/facets.hpp"
+#include "terrain/visibility/facet_motion.hpp"
 #include "terrain/visibility/ray.hpp"
-#include "terrain/visibility/ray_scene.hpp"
 
 namespace diurna {
 

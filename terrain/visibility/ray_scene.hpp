@@ -8,17 +8,12 @@
 
 #include "materials/matter/passed_light.hpp"
 #include "terrain/facets.hpp"
+#include "terrain/visibility/facet_motion.hpp"
 #include "terrain/visibility/ray.hpp"
 
 namespace diurna {
 
 struct EmbreeScene;
-
-/// Where a scene's vertices are at the times 0 and 1 of rays; between them each goes straight on at
-/// an even speed. The facets' own are where they are at 0.5.
-struct FacetMotion {
-    std::vector<Eigen::Vector3f> before, after;  // (vertex) [m]
-};
 
 /// The scene's triangles, ready for rays (Embree, robust mode). Safe to ask from many threads.
 /// A ray aimed exactly at a vertex can slip through (Embree issue 174), one at an edge about once

@@ -123,8 +123,8 @@ Prepared prepare(Scene scene) {
     if (const double longest = movement_of_objects.longest_move; longest > 0.0) {
         notes.push_back(fmt::format(
             "objects that go rest in {} stages of the heat balance, each move (the longest takes "
-            "{:.0f} s) made at once in its middle; pictures show them on their way, in the light "
-            "of the stage",
+            "{:.0f} s) made at once in its middle; pictures show them on their way in the sun of "
+            "the instant, with sky, surroundings and temperatures of the stage",
             movement_of_objects.stage.size(), longest));
     }
     if (!weather.note.empty()) notes.push_back("weather: " + weather.note);

@@ -79,7 +79,7 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         };
         motion = {places(-reach), places(reach)};
     }
-    RayScene rays(world.facets, passed_light(prepared.scene.materials), motion);
+    RayScene rays(world.facets, passed_light(prepared.scene.materials), {}, motion);
     return {prepared.scene, std::move(world), std::move(rays), prepared.weather, prepared.sequences,
             prepared.plan,  prepared.plumes,  prepared.notes,  prepared.movement};
 }

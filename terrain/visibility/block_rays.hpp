@@ -56,8 +56,8 @@ class BlockRays {
     std::array<SkyVector, facets_per_block> covered{};
     std::vector<std::uint32_t> owner;  // (hit) facet of the block, rising
     struct Seen {
-        FacetId facet;
-        float share;  // of a ray
+        FacetId facet;  // its number (copies.hpp)
+        float share;    // of a ray
         bool operator<(const Seen& other) const {
             return facet != other.facet ? facet < other.facet : share < other.share;
         }

@@ -12,11 +12,14 @@ std::pair<Eigen::Vector3d, Eigen::Vector3d> tangents(const Eigen::Vector3d& n) {
 }
 
 LiftedFacet::LiftedFacet(const FacetSet& facets, std::size_t facet)
-    : normal(facets.normal[facet].cast<double>()) {
+    : LiftedFacet(facets, facet, Eigen::Isometry3d::Identity()) {}
+
+LiftedFacet::LiftedFacet(const FacetSet& facets, std::size_t facet, const Eigen::Isometry3d& pose)
+    : normal(pose.linear() * facets.normal[facet].cast<double>()) {
     const auto& index = facets.corner[facet];
-    corner = facets.vertex[index[0]].cast<double>();
-    to_b = facets.vertex[index[1]].cast<double>() - corner;
-    to_c = facets.vertex[index[2]].cast<double>() - corner;
+    corner = pose * facets.vertex[index[0]].cast<double>();
+    to_b = pose * facets.vertex[index[1]].cast<double>() - corner;
+    to_c = pose * facets.vertex[index[2]].cast<double>() - corner;
     const double coarse =
         corner.cwiseAbs().maxCoeff() + to_b.cwiseAbs().maxCoeff() + to_c.cwiseAbs().maxCoeff();
     corner += normal * (coarse * 4e-7);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +17,8 @@ struct LiftedFacet {
     Eigen::Vector3d normal, corner, to_b, to_c;
 
     LiftedFacet(const FacetSet& facets, std::size_t facet);
+    /// In a copy's place.
+    LiftedFacet(const FacetSet& facets, std::size_t facet, const Eigen::Isometry3d& pose);
     /// u, v uniform in the unit square give points uniform on the triangle.
     Eigen::Vector3f at(double u, double v) const {
         const double root = std::sqrt(u);

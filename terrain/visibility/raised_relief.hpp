@@ -5,6 +5,7 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/relief/height_field.hpp"
+#include "terrain/visibility/copies.hpp"
 
 namespace diurna {
 
@@ -15,8 +16,8 @@ struct RaisedRelief {
     std::vector<std::uint8_t> touched;  // (post) 1 where an object stands
 };
 
-/// Objects are the facets from `ground_facets` on.
+/// Objects are the facets from `ground_facets` on, and copies.
 RaisedRelief raised_relief(const FacetSet& facets, const HeightField& relief,
-                           std::size_t ground_facets);
+                           std::size_t ground_facets, const Copies& copies = {});
 
 }  // namespace diurna

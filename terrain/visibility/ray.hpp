@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 
 #include "terrain/facets.hpp"
+#include "terrain/visibility/copies.hpp"
 
 namespace diurna {
 
@@ -16,8 +18,9 @@ struct Ray {
 };
 
 struct Hit {
-    FacetId facet = no_facet;  // no_facet: nothing was hit
-    float range = 0.0f;        // [m], recomputed in double from the facet's corners
+    FacetId facet = no_facet;      // no_facet: nothing was hit
+    float range = 0.0f;            // [m], recomputed in double from the facet's corners
+    std::uint32_t copy = no_copy;  // in whose place the facet was hit
 };
 
 /// Sixteen rays side by side, from 0 to infinity, that have little in common.

@@ -32,16 +32,27 @@ std::uint32_t grazing(const RTCRayHit8& rays) {
         _mm256_movemask_ps(_mm256_andnot_ps(_mm256_castsi256_ps(missed), flat)));
 }
 
+/// Puts the numbers of what was met in copies' places. Returns their bits: Embree's normals are
+/// those of the facets that they are copies of.
+std::uint32_t number_copies(const EmbreeScene& scene, const RTCHit8& hit, std::uint32_t* met) {
+    std::uint32_t bits = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+        met[i] = scene.met(hit.primID[i], hit.instID[0][i]);
+        if (Copies::is_copied(met[i])) bits |= 1u << i;
+    }
+    return bits;
+}
+
 /// Ranges of some lanes of a packet, in double.
-void recompute(const EmbreeScene& scene, const RTCRayHit8& packet, std::uint32_t lanes,
-               float* to_range) {
+void recompute(const EmbreeScene& scene, const RTCRayHit8& packet, const std::uint32_t* met,
+               std::uint32_t lanes, float* to_range) {
     for (; lanes != 0; lanes &= lanes - 1) {
         const auto i = static_cast<std::size_t>(std::countr_zero(lanes));
         const RTCRay8& all = packet.ray;
         const Ray ray{.origin = {all.org_x[i], all.org_y[i], all.org_z[i]},
                       .direction = {all.dir_x[i], all.dir_y[i], all.dir_z[i]},
                       .time = all.time[i]};
-        to_range[i] = scene.range(ray, packet.hit.primID[i], all.tfar[i]);
+        to_range[i] = scene.range(ray, met[i], all.tfar[i]);
     }
 }
 
@@ -114,8 +125,9 @@ void RayBundles::closest(std::size_t bundles) {
         rtcIntersect8(valid, state_->scene.scene, &context, &packet);
         copy(hit.primID, to_facet + at);
         copy(ray.tfar, to_range + at);
-        const std::uint32_t flat = grazing(packet);
-        if (flat != 0) recompute(state_->scene, packet, flat, to_range + at);
+        std::uint32_t flat = grazing(packet);
+        if (!state_->scene.copies.empty()) flat |= number_copies(state_->scene, hit, to_facet + at);
+        if (flat != 0) recompute(state_->scene, packet, to_facet + at, flat, to_range + at);
         if (state_->scene.other_side.empty()) continue;
         for (std::size_t i = 0; i < some; ++i) {
             to_facet[at + i] =

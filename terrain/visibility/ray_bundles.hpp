@@ -28,9 +28,10 @@ class RayBundles {
 
     /// The nearest facet of each ray of the first few bundles.
     void closest(std::size_t bundles);
-    const std::uint32_t* facet;  // (bundle, lane) index(no_facet): nothing was hit
+    const std::uint32_t* facet;  // (bundle, lane) its number (copies.hpp); index(no_facet): nothing
+                                 // was hit
     const float* range;  // (bundle, lane) [m]; recomputed in double at grazing incidence (below
-                         // 3°), within 2e-5 of it elsewhere
+                         // 3°) and on copies, within 2e-5 of it elsewhere
 
  private:
     struct State;

@@ -65,13 +65,14 @@ void nothing_hit(RTCHit16& hit) {
 bool is_blocked(const RTCRay16& packet, std::size_t lane) { return packet.tfar[lane] < 0.0f; }
 
 /// Puts a ray's begin behind what it has met.
-void step_past(const Hit& hit, Ray& ray) { ray.near = hit.range * (1.0f + 1e-6f) + 1e-3f; }
+void step_past(float range, Ray& ray) { ray.near = range * (1.0f + 1e-6f) + 1e-3f; }
 
 }  // namespace
 
-RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed,
+RayScene::RayScene(const FacetSet& facets, std::vector<PassedLight> passed, Copies copies,
                    const FacetMotion& motion)
-    : embree_(std::make_unique<EmbreeScene>(facets, motion)), passed_(std::move(passed)) {
+    : embree_(std::make_unique<EmbreeScene>(facets, std::move(copies), motion)),
+      passed_(std::move(passed)) {
     // Sheets whose backs are facets have nothing hidden behind.
     for (std::size_t f = 0; f < embree_->other_side.size() && !passed_.empty(); ++f) {
         if (embree_->other_side[f] == index(no_facet)) continue;
@@ -88,12 +89,34 @@ RayScene::~RayScene() = default;
 RayScene::RayScene(RayScene&&) noexcept = default;
 RayScene& RayScene::operator=(RayScene&&) noexcept = default;
 
-Eigen::Vector3d RayScene::gone(std::uint32_t facet, float time) const {
-    return embree_->gone(facet, time);
+Eigen::Vector3d RayScene::gone(std::uint32_t met, float time) const {
+    return embree_->gone(met, time);
+}
+
+const Copies& RayScene::copies() const { return embree_->copies; }
+
+float RayScene::cosine(std::uint32_t met, const Eigen::Vector3f& direction) const {
+    const auto [facet, copy] = copies().at(met);
+    if (copy == no_copy) return facets_[facet].normal.dot(direction);
+    const Eigen::Vector3d back = copies().turned_back(copy, direction.cast<double>());
+    return facets_[facet].normal.dot(back.cast<float>());
 }
 
 void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
     assert(rays.size() == hits.size());
+    constexpr std::size_t some = 64;
+    std::array<Nearest, some> found;
+    for (std::size_t start = 0; start < rays.size(); start += some) {
+        const std::size_t count = std::min(some, rays.size() - start);
+        nearest(rays.subspan(start, count), std::span(found).first(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto [facet, copy] = copies().at(found[i].met);
+            hits[start + i] = {FacetId{facet}, found[i].range, copy};
+        }
+    }
+}
+
+void RayScene::nearest(std::span<const Ray> rays, std::span<Nearest> found) const {
     RTCIntersectContext context = intersect_context(alike);
     alignas(64) int valid[width];
     alignas(64) RTCRayHit16 packet;
@@ -103,11 +126,13 @@ void RayScene::closest(std::span<const Ray> rays, std::span<Hit> hits) const {
         nothing_hit(packet.hit);
         rtcIntersect16(valid, embree_->scene, &context, &packet);
         for (std::size_t i = 0; i < some.size(); ++i) {
-            const unsigned facet = packet.hit.primID[i];
-            hits[start + i] = packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
-                                  ? Hit{}
-                                  : Hit{FacetId{embree_->facing(facet, some[i].direction)},
-                                        embree_->range(some[i], facet, packet.ray.tfar[i])};
+            if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) {
+                found[start + i] = {static_cast<std::uint32_t>(index(no_facet)), 0.0f};
+                continue;
+            }
+            const std::uint32_t met = embree_->met(packet.hit.primID[i], packet.hit.instID[0][i]);
+            found[start + i] = {embree_->facing(met, some[i].direction),
+                                embree_->range(some[i], met, packet.ray.tfar[i])};
         }
     }
 }
@@ -126,10 +151,10 @@ void RayScene::occluded(std::span<const Ray> rays, std::span<std::uint8_t> block
 }
 
 std::uint32_t RayScene::next(Ray& ray) const {
-    Hit hit;
-    closest({&ray, 1}, {&hit, 1});
-    step_past(hit, ray);
-    return static_cast<std::uint32_t>(index(hit.facet));
+    Nearest found;
+    nearest({&ray, 1}, {&found, 1});
+    step_past(found.range, ray);
+    return found.met;
 }
 
 void RayScene::beam(std::span<const Ray> rays, std::span<float> share) const {
@@ -138,11 +163,11 @@ void RayScene::beam(std::span<const Ray> rays, std::span<float> share) const {
     occluded(rays, blocked);
     for (std::size_t i = 0; i < rays.size(); ++i) share[i] = blocked[i] ? 0.0f : 1.0f;
     if (facets_.empty()) return;
-    const auto through = [&](std::uint32_t facet, const Eigen::Vector3f& direction) {
-        const std::vector<float>& by_cosine = passed_[facets_[facet].material].beam;
+    const auto through = [&](std::uint32_t met, const Eigen::Vector3f& direction) {
+        const std::vector<float>& by_cosine = passed_[side_of(met).material].beam;
         if (by_cosine.empty()) return 0.0f;
-        const float cosine = std::min(1.0f, std::abs(facets_[facet].normal.dot(direction)));
-        const float u = cosine * float(by_cosine.size() - 1);
+        const float u =
+            std::min(1.0f, std::abs(cosine(met, direction))) * float(by_cosine.size() - 1);
         const auto k = std::min(static_cast<std::size_t>(u), by_cosine.size() - 2);
         return std::lerp(by_cosine[k], by_cosine[k + 1], u - float(k));
     };
@@ -153,16 +178,16 @@ void RayScene::beam(std::span<const Ray> rays, std::span<float> share) const {
         doubtful.push_back(rays[i]);
         place.push_back(i);
     }
-    std::vector<Hit> first(doubtful.size());
-    closest(doubtful, first);
+    std::vector<Nearest> first(doubtful.size());
+    nearest(doubtful, first);
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
         Ray& ray = doubtful[k];
-        auto facet = static_cast<std::uint32_t>(index(first[k].facet));
-        step_past(first[k], ray);
+        std::uint32_t met = first[k].met;
+        step_past(first[k].range, ray);
         float left = 1.0f;
-        while (facet != index(no_facet) && left > too_little) {
-            left *= through(facet, ray.direction);
-            if (left > too_little) facet = next(ray);
+        while (met != index(no_facet) && left > too_little) {
+            left *= through(met, ray.direction);
+            if (left > too_little) met = next(ray);
         }
         share[place[k]] = left > too_little ? left : 0.0f;
     }
@@ -174,16 +199,15 @@ void RayScene::along(const Ray& from, bool sunlight, std::vector<Met>& met) cons
     float left = 1.0f;
     met.clear();
     while (left > too_little) {
-        const std::uint32_t facet = next(ray);
-        if (facet == index(no_facet)) {
+        const std::uint32_t number = next(ray);
+        if (number == index(no_facet)) {
             met.push_back({.facet = no_facet, .share = left});
             return;
         }
-        const Side& side = facets_[facet];
-        const PassedLight& passed = passed_[side.material];
+        const PassedLight& passed = passed_[side_of(number).material];
         const float here = left * (1.0f - (sunlight ? passed.sunlight : passed.heat));
-        met.push_back({.facet = FacetId{facet},
-                       .back = passed.sheet && side.normal.dot(ray.direction) > 0.0f,
+        met.push_back({.facet = FacetId{number},
+                       .back = passed.sheet && cosine(number, ray.direction) > 0.0f,
                        .share = here});
         left -= here;
     }
@@ -198,6 +222,11 @@ void RayScene::closest(const RayPacket& rays, int lanes,
     nothing_hit(packet.hit);
     rtcIntersect16(valid, embree_->scene, &context, &packet);
     std::copy_n(packet.hit.primID, width, facet.begin());
+    if (!copies().empty()) {
+        for (std::size_t i = 0; i < width; ++i) {
+            facet[i] = embree_->met(packet.hit.primID[i], packet.hit.instID[0][i]);
+        }
+    }
     if (embree_->other_side.empty()) return;
     for (std::size_t i = 0; i < width; ++i) {
         facet[i] = embree_->facing(facet[i],

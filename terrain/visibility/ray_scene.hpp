@@ -22,9 +22,10 @@ struct EmbreeScene;
 class RayScene {
  public:
     /// - passed: (material) what their facets let through; empty: nothing
+    /// - copies: further places of some of them
     /// - motion: empty where nothing moves
     explicit RayScene(const FacetSet& facets, std::vector<PassedLight> passed = {},
-                      const FacetMotion& motion = {});
+                      Copies copies = {}, const FacetMotion& motion = {});
     ~RayScene();
     RayScene(RayScene&&) noexcept;
     RayScene& operator=(RayScene&&) noexcept;
@@ -34,6 +35,9 @@ class RayScene {
     void closest(std::span<const Ray> rays, std::span<Hit> hits) const;
     /// blocked[i] = 1 if anything lies between near and far.
     void occluded(std::span<const Ray> rays, std::span<std::uint8_t> blocked) const;
+
+    /// Where facets stand besides: the numbers below are those of Copies.
+    const Copies& copies() const;
 
     /// The nearest facet's number along the first `lanes` rays, index(no_facet) where there is
     /// none.
@@ -46,19 +50,20 @@ class RayScene {
 
     /// What stands along a ray, the nearest first, as long as light goes on behind it.
     struct Met {
-        FacetId facet;      // no_facet, the last: nothing more, what is left escapes
+        FacetId facet;      // its number; no_facet, the last: nothing more, what is left escapes
         bool back = false;  // of a sheet
         float share;        // of diffuse heat, or sunlight, that ends here; they add up to one
     };
     void along(const Ray& ray, bool sunlight, std::vector<Met>& met) const;
     /// Whether a ray that meets this facet is one for `along`: light goes on, or a back may be met.
-    bool to_follow(std::uint32_t facet) const {
-        return !facets_.empty() && (passed_[facets_[facet].material].sheet ||
-                                    !passed_[facets_[facet].material].beam.empty());
+    bool to_follow(std::uint32_t met) const {
+        if (facets_.empty()) return false;
+        const PassedLight& passed = passed_[side_of(met).material];
+        return passed.sheet || !passed.beam.empty();
     }
 
     /// How far a facet's middle is at a time from where it is at 0.5 [m].
-    Eigen::Vector3d gone(std::uint32_t facet, float time) const;
+    Eigen::Vector3d gone(std::uint32_t met, float time) const;
 
     const EmbreeScene& embree() const { return *embree_; }  // for ray_bundles.cpp
 
@@ -67,7 +72,15 @@ class RayScene {
         std::uint16_t material;
         Eigen::Vector3f normal;
     };
-    /// The nearest facet beyond ray.near; moves that there.
+    const Side& side_of(std::uint32_t met) const { return facets_[copies().at(met).facet]; }
+    /// Of a facet's normal in its place and a direction.
+    float cosine(std::uint32_t met, const Eigen::Vector3f& direction) const;
+    struct Nearest {
+        std::uint32_t met;
+        float range;
+    };
+    void nearest(std::span<const Ray> rays, std::span<Nearest> found) const;
+    /// The number of the nearest facet beyond ray.near; moves that there.
     std::uint32_t next(Ray& ray) const;
 
     std::unique_ptr<EmbreeScene> embree_;

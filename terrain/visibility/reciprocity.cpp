@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
@@ -51,6 +52,40 @@ double rays_of(const FacetViews& views, std::size_t facet) {
 
 double hidden_from(const FacetViews& views, std::size_t facet) {
     return views.hidden.empty() ? 0.0 : double{views.hidden[facet]};
+}
+
+/// Of the hemisphere, what lies in copies' places.
+double copied_seen(const FacetViews& views, std::size_t facet) {
+    const ViewFactors& copied = views.copied;
+    if (copied.row.empty()) return 0.0;
+    double sum = 0.0;
+    for (auto k = copied.row[facet]; k < copied.row[facet + 1]; ++k) sum += copied.factor[k];
+    return sum;
+}
+
+/// Adds what is seen in copies' places to the rows, by rising number.
+void add_copied(FacetViews& views) {
+    if (views.copied.row.empty()) return;
+    const ViewFactors own = std::move(views.others), copied = std::move(views.copied);
+    views.copied = {};
+    ViewFactors& all = views.others = {};
+    all.row.push_back(0);
+    for (std::size_t f = 0; f + 1 < own.row.size(); ++f) {
+        auto a = own.row[f], b = copied.row[f];
+        while (a < own.row[f + 1] || b < copied.row[f + 1]) {
+            const bool is_own = a < own.row[f + 1];
+            const bool is_copied = b < copied.row[f + 1];
+            const FacetId facet = !is_copied ? own.facet[a]
+                                  : !is_own  ? copied.facet[b]
+                                             : std::min(own.facet[a], copied.facet[b]);
+            float factor = 0.0f;
+            if (is_own && own.facet[a] == facet) factor += own.factor[a++];
+            if (is_copied && copied.facet[b] == facet) factor += copied.factor[b++];
+            all.facet.push_back(facet);
+            all.factor.push_back(factor);
+        }
+        all.row.push_back(static_cast<std::uint32_t>(all.facet.size()));
+    }
 }
 
 /// A number in [0, 1) of a pair, whichever of the two asks.
@@ -111,8 +146,8 @@ class ExchangeAreas {
           least_(area.size()),
           sum_(area.size()) {
         for (std::size_t f = 0; f < area.size(); ++f) {
-            const double rest =
-                1.0 - double{views.sky[f]} - double{views.below[f]} - hidden_from(views, f);
+            const double rest = 1.0 - double{views.sky[f]} - double{views.below[f]} -
+                                hidden_from(views, f) - copied_seen(views, f);
             wanted_[f] = std::max(0.0, rest) * area[f];
             density_[f] = rays_of(views, f) / area[f];
             least_[f] = density_[f] / widest;
@@ -221,11 +256,12 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
         sum[f] = row;
     });
     for (std::size_t f = 0; f < n; ++f) {
-        const double known = sum[f] + views.sky[f] + hidden_from(views, f);
+        const double known = sum[f] + views.sky[f] + hidden_from(views, f) + copied_seen(views, f);
         report.worst_closure =
             std::max(report.worst_closure, std::abs(1.0 - known - double{views.below[f]}));
         views.below[f] = std::max(0.0f, static_cast<float>(1.0 - known));
     }
+    add_copied(views);
     return report;
 }
 

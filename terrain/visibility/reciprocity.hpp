@@ -38,6 +38,9 @@ struct ReciprocityReport {
 /// gives up to 0.02 of its sky. Twice as many entries as were sampled at most: memory is linear in
 /// the facets, rays per facet × share of ground seen × 16 bytes.
 ///
+/// What is seen in copies' places (FacetViews::copied) keeps its share of the hemisphere and goes
+/// into the rows last: light that goes that way does so one way only.
+///
 /// Ground under a building would meet the walls from behind, and they do not look back: it would
 /// lose most of its view to `below`. Scenes have no ground there (scenes/world/world).
 ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,

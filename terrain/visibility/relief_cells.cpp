@@ -42,7 +42,7 @@ bool covers(const Corners& triangle, const Eigen::Vector2f& p) {
 
 }  // namespace
 
-ReliefCells::ReliefCells(const FacetSet& facets) {
+ReliefCells::ReliefCells(const FacetSet& facets, const Copies& copies) {
     if (facets.size() == 0) return;
     Eigen::Vector2f low = facets.vertex.front().head<2>(), high = low;
     for (const Eigen::Vector3f& v : facets.vertex) {
@@ -61,6 +61,7 @@ ReliefCells::ReliefCells(const FacetSet& facets) {
     steepest.assign(finest.value.size(), ByOctant{});
     top.push_back(std::move(finest));
     if (fill(facets)) {
+        raise_by(facets, copies);
         stack_tops();
     } else {
         steepest.clear();
@@ -115,6 +116,21 @@ bool ReliefCells::fill(const FacetSet& facets) {
         if (layers[cell] != 1) steepest[cell] = no_relief;
     }
     return true;
+}
+
+void ReliefCells::raise_by(const FacetSet& facets, const Copies& copies) {
+    Grid& ground = top.front();
+    for (std::size_t c = 0; c < copies.size(); ++c) {
+        const Eigen::AlignedBox3f box = copies.box(facets, c).cast<float>();
+        const CellBox cells = cells_of(box.min().head<2>(), box.max().head<2>());
+        for (int row = cells.first_row; row <= cells.last_row; ++row) {
+            for (int column = cells.first_column; column <= cells.last_column; ++column) {
+                const std::size_t cell = std::size_t(row) * ground.columns + std::size_t(column);
+                ground.value[cell] = std::max(ground.value[cell], box.max().z());
+                steepest[cell].fill(infinite);
+            }
+        }
+    }
 }
 
 void ReliefCells::stack_tops() {

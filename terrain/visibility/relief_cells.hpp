@@ -5,6 +5,7 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/raster/grid.hpp"
+#include "terrain/visibility/copies.hpp"
 #include "terrain/visibility/octants.hpp"
 
 namespace diurna {
@@ -28,13 +29,15 @@ struct ReliefCells {
 
     /// Work and memory are linear in the facets; without facets, or with long slivers all over the
     /// place, nothing is known.
-    explicit ReliefCells(const FacetSet& facets);
+    /// Copies count as what their boxes are.
+    explicit ReliefCells(const FacetSet& facets, const Copies& copies = {});
     bool known() const { return !steepest.empty(); }
 
     CellBox cells_of(const Eigen::Vector2f& low, const Eigen::Vector2f& high) const;
 
  private:
     bool fill(const FacetSet& facets);
+    void raise_by(const FacetSet& facets, const Copies& copies);
     void stack_tops();
 };
 

@@ -53,7 +53,9 @@ ReliefVisibility::ReliefVisibility(const FacetSet& facets, const RayScene& rays,
       always_(facets.size(), 0) {
     assert(ground_facets <= facets.size());
     std::fill(always_.begin() + static_cast<std::ptrdiff_t>(ground_facets), always_.end(), 1);
-    if (ground_facets < facets.size()) raised_ = raised_relief(facets, relief, ground_facets);
+    if (ground_facets < facets.size()) {
+        raised_ = raised_relief(facets, relief, ground_facets, rays.copies());
+    }
     for (std::size_t f = 0; f < ground_facets; ++f) {
         if (points_.off_relief(f)) always_[f] = 1;
         if (!raised_) continue;
@@ -205,6 +207,10 @@ FacetViews ReliefVisibility::facet_views(const FacetViewOptions& options) const 
             if (!views.hidden.empty()) views.hidden[f] *= scale;
             for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
                 views.others.factor[k] *= scale;
+            }
+            if (views.copied.row.empty()) continue;
+            for (auto k = views.copied.row[f]; k < views.copied.row[f + 1]; ++k) {
+                views.copied.factor[k] *= scale;
             }
         }
     });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "terrain/facets.hpp"
+#include "terrain/visibility/copies.hpp"
 #include "terrain/visibility/octants.hpp"
 #include "terrain/visibility/relief_cells.hpp"
 
@@ -18,7 +19,7 @@ namespace diurna {
 /// Work and memory are linear in the facets: about 0.15 µs and 15 bytes each.
 class SkyBound {
  public:
-    explicit SkyBound(const FacetSet& facets) : cells_(facets) {}
+    explicit SkyBound(const FacetSet& facets, const Copies& copies = {}) : cells_(facets, copies) {}
 
     /// By octant the sine of an elevation angle that nothing exceeds as seen from any point of the
     /// facets [begin, end); above one where none is known.

@@ -39,6 +39,18 @@ struct FactorRows {
     }
 };
 
+/// Puts what is seen in copies' places behind all else, by the facets that are copied. Returns
+/// where that begins.
+std::size_t apart(const Copies& copies, std::span<BlockRays::Seen> seen) {
+    const auto begin = std::partition(seen.begin(), seen.end(), [](const BlockRays::Seen& s) {
+        return !Copies::is_copied(static_cast<std::uint32_t>(index(s.facet)));
+    });
+    std::for_each(begin, seen.end(), [&](BlockRays::Seen& s) {
+        s.facet = FacetId{copies.at(static_cast<std::uint32_t>(index(s.facet))).facet};
+    });
+    return static_cast<std::size_t>(begin - seen.begin());
+}
+
 ViewFactors joined(const std::vector<FactorRows>& blocks, std::size_t facets) {
     ViewFactors factors;
     std::size_t entries = 0;
@@ -79,7 +91,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
     assert(options.object_rays > 0 && options.object_rays <= 65535);
     const HemisphereRays ground_rays(options.rays, options.seed);
     const HemisphereRays object_rays(options.object_rays, options.seed);
-    const SkyBound bound(facets);
+    const SkyBound bound(facets, scene.copies());
 
     FacetViews views;
     views.rays.assign(facets.size(), static_cast<std::uint16_t>(options.rays));
@@ -91,6 +103,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
     views.hidden.resize(facets.size());
     views.shares.resize(facets.size());
     std::vector<FactorRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
+    std::vector<FactorRows> copied(scene.copies().empty() ? 0 : blocks.size());
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
@@ -112,8 +125,12 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
             const std::size_t first = hit;
             while (hit < found.owner.size() && found.owner[hit] == f - begin) ++hit;
             const double weight = 1.0 / views.rays[f];
-            blocks[begin / facets_per_block].append(
-                std::span(found.seen).subspan(first, hit - first), weight);
+            const std::span seen = std::span(found.seen).subspan(first, hit - first);
+            const std::size_t own = copied.empty() ? seen.size() : apart(scene.copies(), seen);
+            blocks[begin / facets_per_block].append(seen.first(own), weight);
+            if (!copied.empty()) {
+                copied[begin / facets_per_block].append(seen.subspan(own), weight);
+            }
             views.sky[f] = static_cast<float>(weight * found.sky[f - begin]);
             views.below[f] = static_cast<float>(weight * found.below[f - begin]);
             views.hidden[f] = static_cast<float>(weight * found.hidden[f - begin]);
@@ -122,6 +139,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
         }
     });
     views.others = joined(blocks, facets.size());
+    if (!copied.empty()) views.copied = joined(copied, facets.size());
     if (std::all_of(views.hidden.begin(), views.hidden.end(), [](float h) { return h == 0.0f; })) {
         views.hidden.clear();
     }

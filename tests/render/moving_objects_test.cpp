@@ -50,7 +50,7 @@ struct Scene {
         observer.picture_width = 0.1 * width;
         observer.exposure = 0.02;
     }
-    RayScene rays() const { return RayScene(facets, {}, motion); }
+    RayScene rays() const { return RayScene(facets, {}, {}, motion); }
 
     /// (column) Share of the second row's pixels that sees the bar.
     std::vector<double> bar(const View& view) const {

@@ -19,7 +19,8 @@ std::vector<float> warmer_centres(const View& view, const PixelSun* sun) {
         const FacetId centre =
             view.centre_blend.empty() ? view.centre[p] : view.centre_blend[p].first;
         for (std::uint32_t e = sun->row[k]; e < sun->row[k + 1]; ++e) {
-            if (view.facet[view.sighting[sun->sighting[e]].target] == centre) {
+            const std::uint32_t target = view.sighting[sun->sighting[e]].target;
+            if (view.facet[target] == centre && view.copy_of(target) == view.copy_at(p)) {
                 warmer[p] = sun->warmer[e];
             }
         }
@@ -62,15 +63,21 @@ void add_truth(const View& view, const RadianceInput& input, const PixelSun* sun
     });
     frame.planes.push_back({"range", "m", view.centre_range});
     add("facet", "1", -1.0f, [&](std::size_t f) { return f; });
-    add("object", "1", -1.0f,
-        [&](std::size_t f) { return static_cast<unsigned>(facets.object[f]); });
+    add_pixels("object", "1", -1.0f,
+               [&](std::size_t p) { return static_cast<unsigned>(view.object_at(facets, p)); });
     add_pixels("material", "1", -1.0f, [&](std::size_t p) {
         const Blend b = blend(p);
         return index(facets.material[index(b.second_share > 0.5f ? b.second : b.first)]);
     });
-    add("normal.X", "1", nothing, [&](std::size_t f) { return facets.normal[f].x(); });
-    add("normal.Y", "1", nothing, [&](std::size_t f) { return facets.normal[f].y(); });
-    add("normal.Z", "1", nothing, [&](std::size_t f) { return facets.normal[f].z(); });
+    const auto normal = [&](std::size_t p) -> Eigen::Vector3f {
+        const Eigen::Vector3f& own = facets.normal[index(view.centre[p])];
+        const std::uint32_t copy = view.copy_at(p);
+        if (copy == no_copy) return own;
+        return view.copies.turned(copy, own.cast<double>()).cast<float>();
+    };
+    add_pixels("normal.X", "1", nothing, [&](std::size_t p) { return normal(p).x(); });
+    add_pixels("normal.Y", "1", nothing, [&](std::size_t p) { return normal(p).y(); });
+    add_pixels("normal.Z", "1", nothing, [&](std::size_t p) { return normal(p).z(); });
 }
 
 }  // namespace diurna

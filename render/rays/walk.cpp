@@ -51,12 +51,16 @@ class Walk {
                 add(walker, {.kind = Hop::Kind::sky}, 0.0);
                 return;
             }
+            if (hit.copy != no_copy) {  // has no textures
+                if (!add_facet(walker, hit.facet, hit.copy, far)) return;
+                continue;
+            }
             const Blend blend = blend_at(walker, hit.facet, far);
             if (ends_on_both(blend)) {
                 add_both(walker, blend, far);
                 return;
             }
-            if (!add_facet(walker, one_of(blend), far)) return;
+            if (!add_facet(walker, one_of(blend), no_copy, far)) return;
         }
     }
 
@@ -118,10 +122,11 @@ class Walk {
     }
 
     /// Returns whether the walker goes on through it; what it mirrors is followed here.
-    bool add_facet(Walker& walker, FacetId facet, double far) {
+    bool add_facet(Walker& walker, FacetId facet, std::uint32_t copy, double far) {
         const Material& material = scene_.material(facet);
         const auto* glossy = std::get_if<Glossy>(&material.finish);
-        Eigen::Vector3d normal = scene_.facets.normal[index(facet)].cast<double>();
+        Eigen::Vector3d normal =
+            scene_.rays.copies().turned(copy, scene_.facets.normal[index(facet)].cast<double>());
         if (glossy && glossy->waves) normal = Eigen::Vector3d::UnitZ();  // water lies level
         if (normal.dot(walker.direction) > 0.0) normal = -normal;
         Hop hop{.kind = Hop::Kind::facet, .what = static_cast<std::uint32_t>(index(facet))};

@@ -71,6 +71,7 @@ void add_view(View& view, const View& more, std::span<const float> share) {
         to.insert(to.end(), from.begin(), from.end());
     };
     append(view.facet, more.facet);
+    append(view.copy, more.copy);
     append(view.range, more.range);
     append(view.range_root, more.range_root);
     append(view.target_height, more.target_height);

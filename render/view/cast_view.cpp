@@ -56,6 +56,7 @@ void join(const std::vector<TileView>& tiles, View& view) {
     for (std::size_t p = 0; p < view.pixels(); ++p) view.row[p + 1] += view.row[p];
     view.sighting.resize(view.row.back());
     view.facet.resize(first.back());
+    if (!view.copies.empty()) view.copy.resize(first.back(), no_copy);
     view.range.resize(first.back());
     view.range_root.resize(first.back());
     view.target_height.resize(first.back());
@@ -71,7 +72,12 @@ void join(const std::vector<TileView>& tiles, View& view) {
                     s.target += first[t];
                 }
             });
-            std::copy(from.facet.begin(), from.facet.end(), &view.facet[first[t]]);
+            for (std::size_t k = 0; k < from.facet.size(); ++k) {
+                const auto met = static_cast<std::uint32_t>(index(from.facet[k]));
+                const auto [facet, copy] = view.copies.at(met);
+                view.facet[first[t] + k] = FacetId{facet};
+                if (!view.copy.empty()) view.copy[first[t] + k] = copy;
+            }
             std::copy(from.range.begin(), from.range.end(), &view.range[first[t]]);
             std::copy(from.height.begin(), from.height.end(), &view.target_height[first[t]]);
             cube_roots(from.range, &view.range_root[first[t]]);
@@ -129,6 +135,8 @@ View cast_view(const RayScene& scene, const FacetSet& facets, const Observer& ob
     view.sky_azimuth_deg.assign(pixels, 0.0f);
     view.centre.assign(pixels, no_facet);
     view.centre_range.assign(pixels, std::numeric_limits<float>::quiet_NaN());
+    view.copies = scene.copies();
+    if (!view.copies.empty()) view.centre_copy.assign(pixels, no_copy);
     view.rays = options.asked.empty() ? pixels * (std::size_t(options.samples) + 1)
                                       : std::size_t(options.samples) *
                                             static_cast<std::size_t>(std::count_if(

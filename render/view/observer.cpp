@@ -68,7 +68,9 @@ void check_observer(const Observer& observer, const FacetSet& facets, const RayS
         }
     }
     if (behind < 2) return;
-    const auto object = static_cast<unsigned>(facets.object[index(nearest.facet)]);
+    const auto object =
+        static_cast<unsigned>(nearest.copy == no_copy ? facets.object[index(nearest.facet)]
+                                                      : scene.copies()[nearest.copy].object);
     const bool ground = object == 0 || index(nearest.facet) < ground_facets;
     const std::string name =
         object < names.size() ? "\"" + names[object] + "\"" : fmt::format("object {}", object);

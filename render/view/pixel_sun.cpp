@@ -134,23 +134,28 @@ class SampleCaster {
         for (std::size_t part = 0; part < samples_.bundles(); ++part) {
             for (std::size_t s = 0; s < samples_.used(part); ++s, ++sample) {
                 const std::size_t ray = (first_bundle + part) * lanes + s;
-                const std::uint32_t facet = rays_.facet[ray];
                 if (is_first_[std::size_t(sample)] != first) continue;
-                if (facet == index(no_facet) || crossed_[facet] == 0) continue;
+                const Copies::Place met = view_.copies.at(rays_.facet[ray]);
+                if (met.facet == index(no_facet) || crossed_[met.facet] == 0) continue;
                 const Eigen::Vector2d at = evenly(sample, {start_x, start_y});
-                add_ray(k, ray, facet, disc_.towards(at.x(), at.y()));
+                add_ray(k, ray, met, disc_.towards(at.x(), at.y()));
             }
         }
     }
 
-    void add_ray(std::size_t k, std::size_t ray, std::uint32_t facet,
+    void add_ray(std::size_t k, std::size_t ray, const Copies::Place& met,
                  const Eigen::Vector3d& towards) {
         std::uint32_t entry = out_.row[k];
-        while (entry < out_.row[k + 1] && place_of(entry) != facet) ++entry;
+        while (entry < out_.row[k + 1] &&
+               !(place_of(entry) == met.facet && copy_of(entry) == met.copy)) {
+            ++entry;
+        }
         if (entry == out_.row[k + 1]) return;
         // Where the sun is below the facet's own plane it does not shine.
-        LiftedFacet lifted(sun_.facets, facet);
-        lifted.corner += sun_.rays.gone(facet, rays_.time[ray]);
+        LiftedFacet lifted = met.copy == no_copy
+                                 ? LiftedFacet(sun_.facets, met.facet)
+                                 : LiftedFacet(sun_.facets, met.facet, view_.copies[met.copy].pose);
+        if (met.copy == no_copy) lifted.corner += sun_.rays.gone(met.facet, rays_.time[ray]);
         if (lifted.normal.dot(towards) <= 0.0) {
             seen_of(entry).add(0.0f);
             return;
@@ -184,7 +189,7 @@ class SampleCaster {
             const bool as_others = all.count > 0 && all.most - all.least < all_or_nothing;
             for (std::uint32_t e = out_.row[k]; e < out_.row[k + 1]; ++e) {
                 std::uint32_t first = out_.row[k];
-                while (place_of(first) != place_of(e)) ++first;
+                while (place_of(first) != place_of(e) || copy_of(first) != copy_of(e)) ++first;
                 const Seen& here = seen_of(first);
                 out_.share[e] = here.count > 0 ? here.mean()
                                 : as_others    ? all.mean()
@@ -211,6 +216,9 @@ class SampleCaster {
     /// Of an entry.
     std::size_t place_of(std::uint32_t entry) const {
         return in_place_(view_.facet[view_.sighting[out_.sighting[entry]].target]);
+    }
+    std::uint32_t copy_of(std::uint32_t entry) const {
+        return view_.copy_of(view_.sighting[out_.sighting[entry]].target);
     }
 
     const View& view_;

@@ -5,9 +5,9 @@
 
 namespace diurna {
 
-std::vector<FacetId> seen_through(const View& view, const RayScene& rays, const FacetSet& facets,
-                                  const Observer& observer, std::span<const double> passed,
-                                  double least) {
+std::vector<int> seen_through(const View& view, const RayScene& rays, const FacetSet& facets,
+                              const Observer& observer, std::span<const double> passed,
+                              double least) {
     const auto share = [&](FacetId f) { return passed[index(facets.material[index(f)])]; };
     std::vector<std::uint32_t> pixel;
     for (std::size_t p = 0; p < view.pixels(); ++p) {
@@ -16,7 +16,7 @@ std::vector<FacetId> seen_through(const View& view, const RayScene& rays, const 
         }
     }
     if (pixel.empty()) return {};
-    std::vector<FacetId> behind(view.pixels(), no_facet);
+    std::vector<int> behind(view.pixels(), -1);
     const PixelRays eye = pixel_rays(observer);
     constexpr int most_layers = 16;
     for_each_index(pixel.size(), [&](std::size_t k) {
@@ -31,8 +31,10 @@ std::vector<FacetId> seen_through(const View& view, const RayScene& rays, const 
             Hit hit;
             rays.closest({&ray, 1}, {&hit, 1});
             if (hit.facet == no_facet) return;
-            if (facets.object[index(hit.facet)] != facets.object[index(view.centre[p])]) {
-                behind[p] = hit.facet;
+            const ObjectId here = hit.copy == no_copy ? facets.object[index(hit.facet)]
+                                                      : rays.copies()[hit.copy].object;
+            if (here != view.object_at(facets, p)) {
+                behind[p] = static_cast<int>(here);
                 return;
             }
             left *= share(hit.facet);

@@ -38,19 +38,23 @@ Eigen::Vector3d direction_of(const RayBundles& rays, std::size_t ray) {
 
 /// Range to the plane of the facet that a ray meets: Embree's float is off by up to 2e-5, but that
 /// of the facet beside it by no more than its corners.
-float refined(const RayBundles& rays, std::size_t ray, const FacetSet& facets) {
-    const std::size_t f = rays.facet[ray];
+float refined(const RayBundles& rays, std::size_t ray, const FacetSet& facets,
+              const Copies& copies) {
+    const auto [f, copy] = copies.at(rays.facet[ray]);
     const Eigen::Vector3d to = direction_of(rays, ray);
     const double range = rays.range[ray];
-    const Eigen::Vector3d normal = facets.normal[f].cast<double>();
+    const Eigen::Vector3d normal = copies.turned(copy, facets.normal[f].cast<double>());
     const double descent = normal.dot(to);
     if (!(std::abs(descent) > 0.05)) return rays.range[ray];  // recomputed already
     const Eigen::Vector3d beside =
-        facets.centroid[f].cast<double>() - origin_of(rays, ray) - range * to;
+        copies.placed(copy, facets.centroid[f].cast<double>()) - origin_of(rays, ray) - range * to;
     return static_cast<float>(range + normal.dot(beside) / descent);
 }
 
+/// Copies have no textures.
 Blend blend_of(const TexturedHit& textured, const RayBundles& rays, std::size_t ray, float range) {
+    const std::uint32_t met = rays.facet[ray];
+    if (Copies::is_copied(met)) return {FacetId{met}, FacetId{met}};
     return textured.at(FacetId{rays.facet[ray]}, origin_of(rays, ray), direction_of(rays, ray),
                        double{range});
 }
@@ -100,7 +104,7 @@ std::size_t group_textured(const TexturedHit& textured, const RayBundles& rays, 
         if ((known >> s & 1u) == 0) {
             const std::array<std::size_t, 4> square = {s, s + 1, s + columns, s + columns + 1};
             const bool begins = columns > 0 && s % 2 == 0 && s / columns % 2 == 0;
-            const bool one = begins && square[3] < used &&
+            const bool one = begins && square[3] < used && !Copies::is_copied(rays.facet[ray]) &&
                              std::all_of(square.begin(), square.end(), [&](std::size_t k) {
                                  return rays.facet[first + k] == rays.facet[ray];
                              });
@@ -258,9 +262,13 @@ class TileCaster::State {
             const std::size_t ray = (y - area.y0) * block + x - area.x0;
             if (rays.facet[ray] == index(no_facet)) return;
             const std::size_t pixel = y * std::size_t(view_.width) + x;
-            view_.centre[pixel] = FacetId{rays.facet[ray]};
-            view_.centre_range[pixel] = refined(rays, ray, facets_);
-            if (textured_) {
+            const auto [facet, copy] = view_.copies.at(rays.facet[ray]);
+            view_.centre[pixel] = FacetId{facet};
+            view_.centre_range[pixel] = refined(rays, ray, facets_, view_.copies);
+            if (copy != no_copy) {
+                view_.centre_copy[pixel] = copy;
+                if (textured_) view_.centre_blend[pixel] = {FacetId{facet}, FacetId{facet}};
+            } else if (textured_) {
                 view_.centre_blend[pixel] =
                     blend_of(*textured_, rays, ray, view_.centre_range[pixel]);
             }

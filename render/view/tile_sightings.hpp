@@ -14,7 +14,7 @@ inline constexpr std::uint32_t one_sample = 1u << 16;
 
 /// Samples of a pixel that hit one facet.
 struct SampleGroup {
-    std::uint32_t facet = 0;
+    std::uint32_t facet = 0;           // its number (terrain/visibility/copies.hpp)
     std::uint32_t parts = 0;           // of one_sample
     double range = 0.0, height = 0.0;  // [m] sums over samples
 };
@@ -38,7 +38,7 @@ std::size_t merge_groups(SampleGroup* groups, std::size_t size, std::size_t more
 struct TileSightings {
     std::vector<Sighting> sighting;
     std::vector<std::uint32_t> end;  // (pixel of the tile) of its sightings
-    std::vector<FacetId> facet;      // (target)
+    std::vector<FacetId> facet;      // (target) numbers
     std::vector<float> range, height;
 };
 

@@ -8,6 +8,7 @@
 
 #include "terrain/facets.hpp"
 #include "terrain/texture/texture_levels.hpp"
+#include "terrain/visibility/copies.hpp"
 
 namespace diurna {
 
@@ -63,13 +64,28 @@ struct View {
     std::vector<FacetId> centre;         // (pixel) facet at the pixel's centre, or no_facet
     std::vector<float> centre_range;     // (pixel) [m]; NaN where no facet
     std::vector<Blend> centre_blend{};   // (pixel) what `centre` is made of; empty: no textures
-    double observer_height = 0.0;        // [m] above the origin's level surface
-    std::uint64_t rays = 0;              // cast to make it
+    // Of a scene with copies in whose place a facet is, or no_copy; else both are empty.
+    Copies copies{};
+    std::vector<std::uint32_t> copy{};         // (target)
+    std::vector<std::uint32_t> centre_copy{};  // (pixel)
+    double observer_height = 0.0;              // [m] above the origin's level surface
+    std::uint64_t rays = 0;                    // cast to make it
     ViewExtent extent;
 
     std::size_t pixels() const { return sky.size(); }
     float range_of(const Sighting& s) const { return range[s.target] + s.deeper; }
     float height_of(const Sighting& s) const { return target_height[s.target] + s.higher; }
+    std::uint32_t copy_of(std::uint32_t target) const {
+        return copy.empty() ? no_copy : copy[target];
+    }
+    std::uint32_t copy_at(std::size_t pixel) const {
+        return centre_copy.empty() ? no_copy : centre_copy[pixel];
+    }
+    /// At a pixel's centre, of the facets it was cast on.
+    ObjectId object_at(const FacetSet& of, std::size_t pixel) const {
+        const std::uint32_t in = copy_at(pixel);
+        return in == no_copy ? of.object[index(centre[pixel])] : copies[in].object;
+    }
 };
 
 }  // namespace diurna

@@ -1,5 +1,7 @@
 #include "scenes/run/behind_planes.hpp"
 
+#include <algorithm>
+
 #include "render/light/node_optics.hpp"
 #include "render/view/seen_through.hpp"
 
@@ -28,14 +30,11 @@ std::vector<Plane> behind_planes(const View& view, const World& world, const Ray
                                  std::span<const Band> bands) {
     std::vector<Plane> planes;
     for (const Band& band : bands) {
-        const std::vector<FacetId> behind =
+        const std::vector<int> behind =
             seen_through(view, rays, world.facets, observer, passed_in(band, materials));
         if (behind.empty()) continue;
         Plane plane{"object_behind." + band.name, "1", std::vector<float>(view.pixels(), -1.0f)};
-        for (std::size_t p = 0; p < behind.size(); ++p) {
-            if (behind[p] == no_facet) continue;
-            plane.pixel[p] = static_cast<float>(world.facets.object[index(behind[p])]);
-        }
+        std::copy(behind.begin(), behind.end(), plane.pixel.begin());
         planes.push_back(std::move(plane));
     }
     return planes;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "scenes/input/read_copies.hpp"
 #include "terrain/objects/models/models.hpp"
 #include "terrain/objects/models/net.hpp"
 #include "terrain/objects/welded_faces.hpp"
@@ -74,9 +75,9 @@ void spread_net(const Section& section, ObjectInput& object) {
     if (!section.has("net_clearance_m")) return;
     if (!object.file.empty()) {
         section.mistake("net_clearance_m", "of models alone, expected model in place of mesh");
-    } else if (!object.mesh.part.empty()) {
+    } else if (!object.mesh->part.empty()) {
         constexpr double squares = 0.35;  // [m]
-        add_net(object.mesh, clearance, squares);
+        add_net(*object.mesh, clearance, squares);
     }
 }
 
@@ -97,7 +98,7 @@ std::vector<std::string> part_names(const MeshFile& mesh) {
 /// the object's own.
 std::vector<std::string> part_materials(const Section& section, const ObjectInput& object,
                                         const Reading& reading) {
-    const MeshFile& mesh = object.mesh;
+    const MeshFile& mesh = *object.mesh;
     const bool model = object.file.empty();
     const std::string own = section.name_or(
         "material",
@@ -144,7 +145,7 @@ fs::path part_file(const Section& section, const ObjectInput& object, const std:
                    const Reading& reading) {
     fs::path beside = object.file;
     beside.replace_extension(".parts.toml");
-    const bool there = model.empty() && !object.mesh.part.empty() && fs::is_regular_file(beside);
+    const bool there = model.empty() && !object.mesh->part.empty() && fs::is_regular_file(beside);
     const std::string named = section.text_or(
         "part_file",
         "tables part, enclosure, lump, link, stream in a file of their own, which goes with the "
@@ -162,10 +163,10 @@ fs::path part_file(const Section& section, const ObjectInput& object, const std:
 
 /// Takes out of an object's mesh what lies there twice or has no area, and tells.
 void weld(const Section& section, ObjectInput& object) {
-    if (object.mesh.triangle.empty()) return;
-    const std::size_t triangles = object.mesh.triangle.size();
-    const WeldedFaces found = weld_faces(object.mesh, object.material);
-    if (object.mesh.triangle.empty()) {
+    if (object.mesh->triangle.empty()) return;
+    const std::size_t triangles = object.mesh->triangle.size();
+    const WeldedFaces found = weld_faces(*object.mesh, object.material);
+    if (object.mesh->triangle.empty()) {
         section.mistake("mesh", fmt::format("found {} triangles, none with an area", triangles));
     }
     if (found.contested) {
@@ -201,6 +202,11 @@ namespace {
 
 /// Where it stands, or the way it goes.
 void read_stand(const Section& section, const Reading& reading, ObjectInput& object) {
+    if (section.has("copies") || section.has("copies_file")) {  // which say where each stands
+        object.height_above_ground =
+            section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
+        return;
+    }
     if (!section.has("trajectory")) {
         object.place = place(section, "place_m", "[east, north] of the middle of its plan");
         object.height_above_ground =
@@ -222,17 +228,17 @@ void read_stand(const Section& section, const Reading& reading, ObjectInput& obj
 
 }  // namespace
 
-ObjectInput read_object(const Section& section, Reading& reading) {
+std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
     ObjectInput object;
     object.name = reading.object(section, "of the object");
     reading.texture(section, reading.texture_uses.of_object, object.name);
     const std::string model = model_of(section);
     const std::string mesh =
         section.text_or("mesh", "needed, or model: an OBJ, PLY, STL or glTF 2 file", "");
-    object.mesh = read_model(section, model);
+    *object.mesh = read_model(section, model);
     if (!section.has("model")) {
         object.file = reading.folder / mesh;
-        object.mesh = read_mesh(section, object.file);
+        *object.mesh = read_mesh(section, object.file);
         if (section.has("detail")) section.mistake("detail", "of models alone");
     }
     spread_net(section, object);
@@ -254,6 +260,10 @@ ObjectInput read_object(const Section& section, Reading& reading) {
         .largest_edge = section.number_or(
             "largest_edge_m", "of its triangles; longer ones are divided",
             {model.empty() ? 0.5 : 100.0, "0.5; of a model as its detail says"}, {0.01, 100.0})};
+    object.ground_edge = section.number_or(
+        "ground_edge_m",
+        "of the ground's triangles round it, as far as a sun 27 degrees high casts its shadow",
+        {0.0, "a twelfth of that, 0.15 at least"}, {0.05, 100.0});
     object.airspeed = section.number_or(
         "airspeed_m_s",
         "in flight along its heading, at its place: wind of that speed on all its surfaces, and "
@@ -262,7 +272,7 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     if (object.airspeed > 0.0 && section.has("texture")) {
         section.mistake("airspeed_m_s", "not on an object with a texture");
     }
-    object.target = read_target(section, part_file(section, object, model, reading), object.mesh,
+    object.target = read_target(section, part_file(section, object, model, reading), *object.mesh,
                                 reading.materials);
     if (!object.trajectory.empty() && !object.target.contact.empty()) {
         section.mistake("trajectory", "not of an object in contact with the ground or with itself");
@@ -276,7 +286,7 @@ ObjectInput read_object(const Section& section, Reading& reading) {
     object.where = section.where(raised                      ? "height_above_ground_m"
                                  : object.trajectory.empty() ? "place_m"
                                                              : "trajectory");
-    return object;
+    return with_copies(section, std::move(object), reading);
 }
 
 }  // namespace diurna

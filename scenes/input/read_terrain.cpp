@@ -178,7 +178,9 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     }
     for (const Section& object : root.sections(
              "object", "a mesh that stands on the ground, which is made fine around it")) {
-        terrain.objects.push_back(read_object(object, reading));
+        for (ObjectInput& one : read_object(object, reading)) {
+            terrain.objects.push_back(std::move(one));
+        }
     }
     for (const Section& shapes :
          root.sections("shapes",

@@ -28,6 +28,9 @@ ring_m = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
 [object.parts]
 wheels = "asphalt"
 [[object]]
+name = "lot"
+copies = [[0.0, 0.0, 90.0]]
+[[object]]
 name = "car"
 trajectory = "approach"
 [[object.part]]

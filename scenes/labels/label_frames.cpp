@@ -88,8 +88,8 @@ std::map<int, WholeObject> moved_objects(const Prepared& prepared, std::vector<L
         const auto id = static_cast<std::size_t>(prepared.world.movers[m].id);
         objects[id].heading_deg = degrees(std::atan2(front.x(), front.y()));
     }
-    return whole_objects(moved(prepared.world, prepared.world.facets, poses), objects,
-                         sequence.at(frame));
+    return whole_objects(moved(prepared.world, prepared.world.facets, poses), prepared.world.copies,
+                         objects, sequence.at(frame));
 }
 
 std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const LabelBook& book,
@@ -102,10 +102,10 @@ std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const L
         for_each_index(
             of_pose.size(),
             [&](std::size_t i) {
-                of_pose[i] =
-                    prepared.movement.none()
-                        ? whole_objects(prepared.world.facets, book.objects, sequence.at(i))
-                        : moved_objects(prepared, book.objects, sequence, i);
+                of_pose[i] = prepared.movement.none()
+                                 ? whole_objects(prepared.world.facets, prepared.world.copies,
+                                                 book.objects, sequence.at(i))
+                                 : moved_objects(prepared, book.objects, sequence, i);
             },
             1);
     }

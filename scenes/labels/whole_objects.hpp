@@ -6,6 +6,7 @@
 
 #include "render/view/seen_alone.hpp"
 #include "scenes/labels/labelled.hpp"
+#include "terrain/visibility/copies.hpp"
 
 namespace diurna {
 
@@ -30,7 +31,7 @@ struct WholeObject {
 };
 
 /// By ObjectId; those of which something lies in front of the camera.
-std::map<int, WholeObject> whole_objects(const FacetSet& facets,
+std::map<int, WholeObject> whole_objects(const FacetSet& facets, const Copies& copies,
                                          const std::vector<Labelled>& objects,
                                          const Observer& observer);
 

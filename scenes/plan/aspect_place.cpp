@@ -13,7 +13,7 @@ namespace diurna {
 Eigen::Vector3d middle_of(const World& world, const std::string& name, double heading_deg) {
     const auto found = std::find(world.objects.begin(), world.objects.end(), name);
     const auto id = static_cast<ObjectId>(found - world.objects.begin());
-    const auto box = upright_box(world.facets, id, heading_deg);
+    const auto box = upright_box(object_facets(world, id), id, heading_deg);
     if (!box) {
         throw InputError("observer", fmt::format("looks at \"{}\", which has no surface", name));
     }

@@ -79,7 +79,7 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         };
         motion = {places(-reach), places(reach)};
     }
-    RayScene rays(world.facets, passed_light(prepared.scene.materials), {}, motion);
+    RayScene rays(world.facets, passed_light(prepared.scene.materials), world.copies, motion);
     return {prepared.scene, std::move(world), std::move(rays), prepared.weather, prepared.sequences,
             prepared.plan,  prepared.plumes,  prepared.notes,  prepared.movement};
 }
@@ -89,7 +89,7 @@ Prepared prepare(Scene scene) {
     tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
     const Dem dem = read_dem(tiles, scene.terrain.reading);
     World world = build_world(scene, dem);
-    RayScene rays(world.facets, passed_light(scene.materials));
+    RayScene rays(world.facets, passed_light(scene.materials), world.copies);
     Weather weather = scene_weather(scene, world);
     Movement movement_of_objects =
         movement(scene, dem, world, frames_of(scene), scene_steps(scene));

@@ -1,6 +1,7 @@
 #include "scenes/run/legend.hpp"
 
 #include <cstdint>
+#include <numeric>
 #include <set>
 
 #include "scenes/labels/labelled.hpp"
@@ -28,6 +29,14 @@ Legend legend_of(const Prepared& prepared) {
         used[static_cast<std::size_t>(surfaces.object[f])].insert(index(surfaces.material[f]));
         any.insert(index(surfaces.material[f]));
     }
+    // A copy is made of what the object is of which it has the facets.
+    std::vector<std::size_t> alike(used.size());
+    std::iota(alike.begin(), alike.end(), std::size_t{0});
+    for (std::size_t c = 0; c < world.copies.size(); ++c) {
+        const Copy& copy = world.copies[c];
+        alike[static_cast<std::size_t>(copy.object)] =
+            static_cast<std::size_t>(world.facets.object[copy.first]);
+    }
     const auto name_of = [&](std::size_t id) {
         return scene.materials[MaterialId{static_cast<std::uint16_t>(id)}].name;
     };
@@ -36,15 +45,17 @@ Legend legend_of(const Prepared& prepared) {
     for (std::size_t id = 0; id < labelled.size(); ++id) {
         legend.object.push_back({id, labelled[id].name, labelled[id].kind});
     }
-    std::size_t id = 1 + scene.terrain.polygons.size() + scene.terrain.buildings.size();
-    for (const ObjectInput& object : scene.terrain.objects) {
-        for (std::size_t p = 0; p < object.mesh.part.size(); ++p) {
-            Legend::Part part{id, p, object.mesh.part[p].node, object.material[p], {}};
+    const std::size_t first = 1 + scene.terrain.polygons.size() + scene.terrain.buildings.size();
+    std::size_t id = first;
+    for (std::size_t k = 0; k < scene.terrain.objects.size(); ++k) {
+        const ObjectInput& object = scene.terrain.objects[alike[id] - first];
+        for (std::size_t p = 0; p < object.mesh->part.size(); ++p) {
+            Legend::Part part{id, p, object.mesh->part[p].node, object.material[p], {}};
             const std::string own = object.target.given() ? part_material_name(object, p)
                                     : object.airspeed > 0.0
                                         ? part.material + " of " + object.name + " (in flight)"
                                         : part.material;
-            for (const std::size_t m : used[id]) {
+            for (const std::size_t m : used[alike[id]]) {
                 if (is_made_of(name_of(m), own)) part.materials.push_back(m);
             }
             legend.part.push_back(std::move(part));

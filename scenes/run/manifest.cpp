@@ -23,9 +23,15 @@ std::vector<fs::path> input_files(const Scene& scene) {
     if (!scene.air.table_file.empty()) files.push_back(scene.air.table_file);
     if (!scene.air.sounding_file.empty()) files.push_back(scene.air.sounding_file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
+    const ObjectInput* before = nullptr;
     for (const ObjectInput& object : scene.terrain.objects) {
-        if (!object.file.empty()) files.push_back(object.file);
-        if (!object.target.file.empty()) files.push_back(object.target.file);
+        const bool again =
+            before != nullptr && !object.copy_of.empty() && object.copy_of == before->copy_of;
+        before = &object;
+        if (again) continue;
+        for (const fs::path& file : {object.file, object.target.file, object.copies_file}) {
+            if (!file.empty()) files.push_back(file);
+        }
     }
     for (const BandInput& band : scene.bands) {
         if (!band.file.empty()) files.push_back(band.file);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "scenes/world/copied_objects.hpp"
 #include "scenes/world/ground.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/movers.hpp"
@@ -75,10 +76,12 @@ World build_world(Scene& scene, const Dem& dem) {
     for (BoxSpec& spec : boxes) spec.foot = std::move(*border++);
     for (ShapeBuilding& building : shapes) building.prism.foot = std::move(*border++);
     append_buildings(world, scene, boxes);
-    append_objects(world, scene, dem);
+    Sheets sheets(scene.materials);
+    append_objects(world, scene, dem, sheets);
     append_shape_buildings(world, scene, std::move(shapes));
-    mark_filled(world, dem);
     world.relief.emplace(height_field(dem, world.site));
+    append_copies(world, scene, dem, sheets);
+    mark_filled(world, dem);
     return world;
 }
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "scenes/world/copy_ground.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/objects.hpp"
 #include "terrain/place/trajectory.hpp"
@@ -71,6 +73,41 @@ std::vector<Eigen::Vector2d> shadow_places(const ObjectInput& input, const Scene
     return places;
 }
 
+/// Round objects, for their shadows. Throws InputError for one outside the raster.
+std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Site& site) {
+    const std::span<const ObjectInput> objects = scene.terrain.objects;
+    std::vector<GroundPatch> all;
+    for (std::size_t k = 0; k < objects.size();) {
+        const ObjectInput& object = objects[k];
+        std::size_t end = k + 1;
+        while (!object.copy_of.empty() && end < objects.size() &&
+               objects[end].copy_of == object.copy_of) {
+            ++end;
+        }
+        std::vector<GroundPatch> patches;
+        if (object.copy_of.empty()) {
+            for (const Eigen::Vector2d& place : shadow_places(object, scene, site)) {
+                patches.push_back(ground_patch(object, place));
+            }
+        } else {
+            for (const ObjectInput& copy : objects.subspan(k, end - k)) {
+                if (lies_on(dem, raster_places(dem, site, {&copy.place, 1}))) continue;
+                throw InputError(copy.where,
+                                 fmt::format("\"{}\" lies outside the elevation data", copy.name));
+            }
+            for (GroundPatch& patch : patches_round(objects.subspan(k, end - k))) {
+                // A tile at the raster's edge may lie beyond it.
+                if (lies_on(dem, raster_places(dem, site, patch.ring))) {
+                    patches.push_back(std::move(patch));
+                }
+            }
+        }
+        std::move(patches.begin(), patches.end(), std::back_inserter(all));
+        k = end;
+    }
+    return all;
+}
+
 }  // namespace
 
 Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
@@ -99,11 +136,8 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
                   .lattice = false},
                  "", Cuts::nothing);
     }
-    for (const ObjectInput& input : scene.terrain.objects) {
-        for (const Eigen::Vector2d& place : shadow_places(input, scene, site)) {
-            const GroundPatch patch = ground_patch(input, place);
-            cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
-        }
+    for (const GroundPatch& patch : patches_of(scene, dem, site)) {
+        cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
     }
     for (const WalledPlan& plan : buildings) {
         for (const GroundPatch& ring : rings_round(plan.ring, plan.height, plan.foot_edge)) {

@@ -30,6 +30,11 @@ HeightSpan heights_of_surfaces(const World& world) {
         span.high = first ? height : std::max(span.high, height);
         first = false;
     }
+    for (std::size_t c = 0; c < world.copies.size(); ++c) {
+        const Eigen::AlignedBox3d box = world.copies.box(world.facets, c);
+        span.low = std::min(span.low, height_above_sea(world, box.min()));
+        span.high = std::max(span.high, height_above_sea(world, box.max()));
+    }
     return span;
 }
 

@@ -14,7 +14,7 @@ namespace {
 /// Along the mesh's axes, z upright [m].
 Eigen::Vector3d size_of(const ObjectInput& object) {
     Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& v : object.mesh.vertex) box.extend(v);
+    for (const Eigen::Vector3d& v : object.mesh->vertex) box.extend(v);
     Eigen::Vector3d size = box.sizes() * object.placing.metres;
     if (object.placing.up == UpAxis::y) std::swap(size.y(), size.z());
     return size;
@@ -45,7 +45,7 @@ MaterialId of_part(const ObjectInput& object, std::size_t part, MaterialId mater
 
 std::string part_material_name(const ObjectInput& object, std::size_t part) {
     return object.material[part] + " of " + object.name + ": " + std::to_string(part) + " " +
-           object.mesh.part[part].node;
+           object.mesh->part[part].node;
 }
 
 ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
@@ -60,7 +60,7 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
             material.back() = of_part(object, material.size() - 1, material.back(), materials);
         }
     }
-    return placed_mesh(object.mesh, placing, material);
+    return placed_mesh(*object.mesh, placing, material);
 }
 
 double object_height(const ObjectInput& object) { return size_of(object).z(); }
@@ -73,7 +73,9 @@ double shadow_reach(const ObjectInput& object) {
 GroundPatch ground_patch(const ObjectInput& object, const Eigen::Vector2d& place) {
     const double reach = shadow_reach(object);
     constexpr double least_edge = 0.15;  // [m] of small objects
-    GroundPatch patch{.ring = {}, .largest_edge = std::max(least_edge, reach / 12.0)};
+    const double edge =
+        object.ground_edge > 0.0 ? object.ground_edge : std::max(least_edge, reach / 12.0);
+    GroundPatch patch{.ring = {}, .largest_edge = edge};
     for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}}) {
         patch.ring.push_back(place + reach * Eigen::Vector2d(x, y));
     }

@@ -28,7 +28,7 @@ double object_height(const ObjectInput& object);
 double shadow_reach(const ObjectInput& object);
 
 /// Ground around an object that shall be fine enough for its shadow: a square as far as a sun 27
-/// degrees high casts it, about 24 triangles' edges across.
+/// degrees high casts it, about 24 triangles' edges across, or of edges as the object says.
 struct GroundPatch {
     std::vector<Eigen::Vector2d> ring;  // east, north [m]
     double largest_edge;                // [m]

@@ -38,6 +38,10 @@ std::vector<std::uint32_t> maybe_covered(const World& world) {
     };
     Eigen::AlignedBox2f bodies;
     for (std::size_t f = world.ground_facets; f < facets.size(); ++f) grow(f, bodies);
+    for (std::size_t c = 0; c < world.copies.size(); ++c) {
+        const Eigen::AlignedBox3f box = world.copies.box(facets, c).cast<float>();
+        bodies.extend(Eigen::AlignedBox2f(box.min().head<2>(), box.max().head<2>()));
+    }
     std::vector<std::uint32_t> chosen;
     for (std::size_t f = 0; f < facets.size(); ++f) {
         Eigen::AlignedBox2f own;
@@ -54,7 +58,7 @@ std::vector<std::uint32_t> maybe_covered(const World& world) {
 std::vector<float> open_above(const World& world, const MaterialLibrary& materials,
                               const Weather& weather) {
     if (world.ground_facets >= world.facets.size() || !rains(weather)) return {};
-    const RayScene rays(world.facets, passed_rain(materials));
+    const RayScene rays(world.facets, passed_rain(materials), world.copies);
     std::vector<float> open(world.facets.size(), 1.0f);
     // The zenith as a sun: what its beam reaches, drops do.
     sun_fraction(world.facets, rays, Eigen::Vector3d::UnitZ(), maybe_covered(world), open,

@@ -9,7 +9,6 @@
 #include "scenes/world/ground_point.hpp"
 #include "scenes/world/movers.hpp"
 #include "scenes/world/objects.hpp"
-#include "scenes/world/sheets.hpp"
 #include "scenes/world/targets.hpp"
 #include "terrain/place/trajectory.hpp"
 
@@ -23,26 +22,6 @@ constexpr double off_the_ground = 0.01;  // [m] of sheets that would lie in its 
 bool lies_in_the_ground(const ObjectInput& object) {
     constexpr double apart = 0.005;  // [m]
     return std::abs(object.height_above_ground) < apart && object_height(object) < apart;
-}
-
-/// Throws InputError where all of an object is below the ground: nothing would be seen of it.
-void refuse_buried(const ObjectInput& object, const ObjectMesh& mesh, const Dem& dem,
-                   const Site& site) {
-    if (object.height_above_ground >= 0.0) return;
-    double highest = -1e9;  // above the ground at its place
-    for (const Eigen::Vector3f& v : mesh.vertex) {
-        const Eigen::Vector2d plan = v.head<2>().cast<double>();
-        const Eigen::Vector3d below = ground_point(dem, site, plan, object.where);
-        highest = std::max(highest, double{v.z()} - below.z());
-        if (highest > 0.0) return;
-    }
-    throw InputError(
-        object.where,
-        fmt::format("found {:g} for object \"{}\", whose highest point then lies "
-                    "{:.2f} m below the ground; expected more than {:.1f}",
-                    object.height_above_ground, object.name, -highest,
-                    std::round(10.0 * (object.height_above_ground - highest)) / 10.0 + 0.0),
-        "it may stand partly in the ground, not wholly");
 }
 
 /// Triangles at the foot of a box's walls: half a metre, or a thousandth of a long way round.
@@ -96,39 +75,66 @@ void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpe
     }
 }
 
-void append_objects(World& world, Scene& scene, const Dem& dem) {
-    Sheets sheets(scene.materials);
-    std::size_t object = scene.terrain.polygons.size() + scene.terrain.buildings.size();
-    for (const ObjectInput& input : scene.terrain.objects) {
-        const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
-        Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
-        const auto place = std::size_t(&input - scene.terrain.objects.data());
-        if (!input.trajectory.empty()) {
-            const Eigen::Isometry3d pose =
-                ObjectCourse(input, scene, dem, world)
-                    .at(find_trajectory(scene.trajectories, input.trajectory)->begin());
-            ground = pose.translation();
-            Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
-            upright.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
-            upright.translation() = ground;
-            world.movers.push_back(
-                {place, ObjectId{static_cast<std::uint16_t>(object + 1)}, upright});
-        }
-        if (lies_in_the_ground(input)) {
-            ground.z() += off_the_ground;
-            world.notes.push_back(fmt::format("{}: a flat sheet on the ground, lifted by {:g} m",
-                                              where, off_the_ground));
-        }
-        for (const std::string& note : input.notes) {
-            world.notes.push_back(fmt::format("{}: {}", where, note));
-        }
-        const ObjectMesh mesh = object_mesh(input, ground, scene.materials);
-        refuse_buried(input, mesh, dem, world.site);
-        const ObjectId id{static_cast<std::uint16_t>(++object)};
-        sheets.append(world.facets, mesh, id);
-        if (input.target.given()) {
-            world.targets.push_back(target_facets(input, place, id, scene.materials));
-        }
+void refuse_buried(const ObjectInput& object, std::span<const Eigen::Vector3f> vertex,
+                   const Dem& dem, const Site& site) {
+    if (object.height_above_ground >= 0.0) return;
+    double highest = -1e9;  // above the ground at its place
+    for (const Eigen::Vector3f& v : vertex) {
+        const Eigen::Vector2d plan = v.head<2>().cast<double>();
+        const Eigen::Vector3d below = ground_point(dem, site, plan, object.where);
+        highest = std::max(highest, double{v.z()} - below.z());
+        if (highest > 0.0) return;
+    }
+    throw InputError(
+        object.where,
+        fmt::format("found {:g} for object \"{}\", whose highest point then lies "
+                    "{:.2f} m below the ground; expected more than {:.1f}",
+                    object.height_above_ground, object.name, -highest,
+                    std::round(10.0 * (object.height_above_ground - highest)) / 10.0 + 0.0),
+        "it may stand partly in the ground, not wholly");
+}
+
+ObjectId object_id(const Scene& scene, std::size_t object) {
+    const TerrainInput& terrain = scene.terrain;
+    return ObjectId{static_cast<std::uint16_t>(terrain.polygons.size() + terrain.buildings.size() +
+                                               object + 1)};
+}
+
+void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, std::size_t object) {
+    const ObjectInput& input = scene.terrain.objects[object];
+    const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
+    const ObjectId id = object_id(scene, object);
+    Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
+    if (!input.trajectory.empty()) {
+        const Eigen::Isometry3d pose =
+            ObjectCourse(input, scene, dem, world)
+                .at(find_trajectory(scene.trajectories, input.trajectory)->begin());
+        ground = pose.translation();
+        Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
+        upright.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
+        upright.translation() = ground;
+        world.movers.push_back({object, id, upright});
+    }
+    if (lies_in_the_ground(input)) {
+        ground.z() += off_the_ground;
+        world.notes.push_back(
+            fmt::format("{}: a flat sheet on the ground, lifted by {:g} m", where, off_the_ground));
+    }
+    for (const std::string& note : input.notes) {
+        world.notes.push_back(fmt::format("{}: {}", where, note));
+    }
+    const ObjectMesh mesh = object_mesh(input, ground, scene.materials);
+    refuse_buried(input, mesh.vertex, dem, world.site);
+    sheets.append(world.facets, mesh, id);
+    if (input.target.given()) {
+        world.targets.push_back(target_facets(input, object, id, scene.materials));
+    }
+}
+
+void append_objects(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
+    for (std::size_t object = 0; object < scene.terrain.objects.size(); ++object) {
+        if (!scene.terrain.objects[object].copy_of.empty()) continue;
+        append_object(world, scene, dem, sheets, object);
     }
 }
 

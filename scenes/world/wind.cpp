@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <numbers>
 #include <utility>
 #include <variant>
@@ -44,18 +45,36 @@ struct Obstacle {
     double ground, height, reach;  // [m]; reach from its middle
 };
 
+constexpr std::uint32_t nobody = 0xFFFFFFFFu;
+
+void add_obstacle(const World& world, const BodyBox& box, std::uint32_t body,
+                  std::vector<Obstacle>& found) {
+    const double ground = ground_at(world, box.middle, box.bottom);
+    const double height = box.top - ground;
+    // What hangs in the air is no wall.
+    if (height <= 0.0 || box.bottom - ground > 0.5 * height) return;
+    found.push_back({box, body, ground, height,
+                     lee_reach * height + std::hypot(box.half_length, box.half_width)});
+}
+
 std::vector<Obstacle> obstacles(const World& world, const ObjectParts& parts) {
     std::vector<Obstacle> found;
     for (std::uint32_t b = 0; b < parts.body.size(); ++b) {
-        const BodyBox& box = parts.body[b];
-        const double ground = ground_at(world, box.middle, box.bottom);
-        const double height = box.top - ground;
-        // What hangs in the air is no wall.
-        if (height <= 0.0 || box.bottom - ground > 0.5 * height) continue;
-        found.push_back({box, b, ground, height,
-                         lee_reach * height + std::hypot(box.half_length, box.half_width)});
+        add_obstacle(world, parts.body[b], b, found);
     }
     return found;
+}
+
+/// A box for each copy, a body that no facet is of.
+void add_copies(const World& world, std::vector<Obstacle>& found) {
+    std::map<std::uint32_t, BodyBox> own;  // by the first facet of what is copied
+    for (std::size_t c = 0; c < world.copies.size(); ++c) {
+        const Copy& copy = world.copies[c];
+        if (own.count(copy.first) == 0) {
+            own.emplace(copy.first, box_round(world.facets, copy.first, copy.facets));
+        }
+        add_obstacle(world, placed_box(own.at(copy.first), copy.pose), nobody, found);
+    }
 }
 
 /// How far upwind of a place a box stands in the way; negative where it does not.
@@ -84,6 +103,10 @@ double upwind_distance(const BodyBox& box, const Eigen::Vector2d& place,
 class Reached {
  public:
     Reached(const std::vector<Obstacle>& all, const FacetSet& facets) : all_(all) {
+        for (std::size_t d = 0; d < directions; ++d) {
+            const double angle = 2.0 * std::numbers::pi * (double(d) + 0.5) / directions;
+            compass_[d] = {std::cos(angle), std::sin(angle)};
+        }
         for (const Eigen::Vector3f& v : facets.vertex) {
             low_ = low_.cwiseMin(v.head<2>().cast<double>());
             high_ = high_.cwiseMax(v.head<2>().cast<double>());
@@ -98,19 +121,23 @@ class Reached {
         }
     }
 
-    /// What is left of the wind at a place in the lee of all bodies but its own.
-    float share(const Eigen::Vector3d& at, std::uint32_t own_body) const {
+    /// What is left of the wind at a place in the lee of all bodies that it is `no_part_of`.
+    template <class Foreign>
+    float share(const Eigen::Vector3d& at, const Foreign& no_part_of) const {
         const Eigen::Vector2i here = cell(at.head<2>());
         std::array<double, directions> deficit{};
         bool any = false;
         for (const std::uint32_t o : in_[place(here.x(), here.y())]) {
             const Obstacle& obstacle = all_[o];
-            const double far = (at.head<2>() - obstacle.box.middle).squaredNorm();
-            if (obstacle.body == own_body || far > obstacle.reach * obstacle.reach) continue;
+            const Eigen::Vector2d to = obstacle.box.middle - at.head<2>();
+            const double far = to.squaredNorm();
+            if (far > obstacle.reach * obstacle.reach || !no_part_of(obstacle)) continue;
+            const double round = std::hypot(obstacle.box.half_length, obstacle.box.half_width);
             for (std::size_t d = 0; d < directions; ++d) {
-                const double angle = 2.0 * std::numbers::pi * (double(d) + 0.5) / directions;
-                const double distance =
-                    upwind_distance(obstacle.box, at.head<2>(), {std::cos(angle), std::sin(angle)});
+                const Eigen::Vector2d& towards = compass_[d];
+                const double aside = to.x() * towards.y() - to.y() * towards.x();
+                if (aside * aside > round * round) continue;
+                const double distance = upwind_distance(obstacle.box, at.head<2>(), towards);
                 if (distance < 0.0) continue;
                 const double less =
                     lee_deficit(distance, obstacle.height, at.z() - obstacle.ground);
@@ -134,6 +161,7 @@ class Reached {
     }
 
     const std::vector<Obstacle>& all_;
+    std::array<Eigen::Vector2d, directions> compass_;
     Eigen::Vector2d low_ = Eigen::Vector2d::Constant(1e9), high_ = Eigen::Vector2d::Constant(-1e9);
     std::array<std::vector<std::uint32_t>, std::size_t(cells) * cells> in_;
 };
@@ -144,16 +172,16 @@ std::vector<FilmPart> parts_in_wind(const World& world, const MaterialLibrary& m
                                     double wind_height) {
     const FacetSet& solid = world.facets;
     if (world.ground_facets >= solid.size()) return {};
-    constexpr std::uint32_t nobody = 0xFFFFFFFFu;
     const ObjectParts parts = object_parts(solid, world.ground_facets);
-    const std::vector<Obstacle> standing = obstacles(world, parts);
+    std::vector<Obstacle> standing = obstacles(world, parts);
+    add_copies(world, standing);
     const Reached reached(standing, solid);
     std::vector<FilmPart> of_solid(solid.size());
     for_each_index(solid.size(), [&](std::size_t f) {
         FilmPart& part = of_solid[f];
         const Eigen::Vector3d at = solid.centroid[f].cast<double>();
         if (f < world.ground_facets) {
-            part.wind = reached.share(at, nobody);
+            part.wind = reached.share(at, [](const Obstacle&) { return true; });
             return;
         }
         const PartSize& size = parts.size[f - world.ground_facets];
@@ -161,7 +189,8 @@ std::vector<FilmPart> parts_in_wind(const World& world, const MaterialLibrary& m
             .rise = size.rise, .breadth = size.breadth, .chord = size.chord, .across = size.across};
         const ThermalSurface& surface = materials[solid.material[f]].thermal;
         if (surface.flight) return;
-        part.wind = reached.share(at, size.body);
+        part.wind =
+            reached.share(at, [&](const Obstacle& other) { return other.body != size.body; });
         if (std::holds_alternative<Louis>(surface.convection)) return;  // has its own profile
         const double ground = ground_at(world, at.head<2>(), parts.body[size.body].bottom);
         part.wind *= float(wind_at_height(at.z() - ground, wind_height));
@@ -170,6 +199,77 @@ std::vector<FilmPart> parts_in_wind(const World& world, const MaterialLibrary& m
     std::vector<FilmPart> all;
     for (const std::uint32_t f : world.texture_levels.origin) all.push_back(of_solid[f]);
     return all;
+}
+
+BodyBox box_round(const FacetSet& facets, std::size_t first, std::size_t count) {
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+    double area = 0.0;
+    for (std::size_t f = first; f < first + count; ++f) {
+        const Eigen::Vector2d at = facets.centroid[f].head<2>().cast<double>();
+        area += facets.area[f];
+        mean += facets.area[f] * at;
+    }
+    mean /= area;
+    for (std::size_t f = first; f < first + count; ++f) {
+        const Eigen::Vector2d from = facets.centroid[f].head<2>().cast<double>() - mean;
+        spread += facets.area[f] * from * from.transpose();
+    }
+    // The direction of the greatest spread, in closed form.
+    const double turn = 0.5 * std::atan2(2.0 * spread(0, 1), spread(0, 0) - spread(1, 1));
+    const Eigen::Vector2d along(std::cos(turn), std::sin(turn)), side(-along.y(), along.x());
+    Eigen::AlignedBox3d box;
+    for (std::size_t f = first; f < first + count; ++f) {
+        for (const std::uint32_t corner : facets.corner[f]) {
+            const Eigen::Vector3d v = facets.vertex[corner].cast<double>();
+            box.extend(Eigen::Vector3d(v.head<2>().dot(along), v.head<2>().dot(side), v.z()));
+        }
+    }
+    const Eigen::Vector3d centre = box.center();
+    return {.middle = centre.x() * along + centre.y() * side,
+            .along = along,
+            .half_length = 0.5 * box.sizes().x(),
+            .half_width = 0.5 * box.sizes().y(),
+            .bottom = box.min().z(),
+            .top = box.max().z()};
+}
+
+BodyBox placed_box(BodyBox box, const Eigen::Isometry3d& pose) {
+    const Eigen::Vector3d middle = pose * Eigen::Vector3d(box.middle.x(), box.middle.y(), 0.0);
+    box.middle = middle.head<2>();
+    box.along = (pose.linear() * Eigen::Vector3d(box.along.x(), box.along.y(), 0.0)).head<2>();
+    box.bottom += middle.z();
+    box.top += middle.z();
+    return box;
+}
+
+std::vector<float> wind_at_boxes(const World& world, std::span<const BodyBox> boxes) {
+    std::vector<Obstacle> standing =
+        obstacles(world, object_parts(world.facets, world.ground_facets));
+    const auto first = standing.size();
+    for (std::size_t b = 0; b < boxes.size(); ++b) {
+        add_obstacle(world, boxes[b], static_cast<std::uint32_t>(b), standing);
+    }
+    const auto foreign = static_cast<std::ptrdiff_t>(first);
+    const Reached reached(standing, world.facets);
+    std::vector<float> share(boxes.size());
+    for_each_index(
+        boxes.size(),
+        [&](std::size_t b) {
+            const BodyBox& own = boxes[b];
+            const Eigen::Vector2d side(-own.along.y(), own.along.x());
+            // What stands within it is the object itself.
+            const auto outside = [&](const Obstacle& other) {
+                if (&other - standing.data() >= foreign && other.body == b) return false;
+                const Eigen::Vector2d to = other.box.middle - own.middle;
+                return std::abs(to.dot(own.along)) > own.half_length ||
+                       std::abs(to.dot(side)) > own.half_width;
+            };
+            share[b] = reached.share({own.middle.x(), own.middle.y(), 0.5 * (own.bottom + own.top)},
+                                     outside);
+        },
+        16);
+    return share;
 }
 
 std::string lee_note(const World& world, const std::vector<FilmPart>& parts) {

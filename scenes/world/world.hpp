@@ -11,6 +11,7 @@
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/relief/height_field.hpp"
 #include "terrain/texture/texture_levels.hpp"
+#include "terrain/visibility/copies.hpp"
 
 namespace diurna {
 
@@ -45,6 +46,7 @@ struct World {
     TextureLevels texture_levels;       // what textures make of the facets
     std::vector<TargetFacets> targets;  // objects whose facets conduct from one to the next
     std::vector<Mover> movers;          // objects that go, where their ways begin
+    Copies copies{};                    // objects that share the facets of another
     std::vector<std::string> notes;     // what of the files was left out
 
     const FacetSet& surfaces() const {

@@ -65,7 +65,7 @@ TEST_CASE("part files name each part of their models, and no other", "[scenes][m
                                                     name, detail)));
             const ObjectInput& object = scene.terrain.objects.at(0);
             std::set<std::string> parts, named, inside;
-            for (const MeshFile::Part& part : object.mesh.part) parts.insert(part.node);
+            for (const MeshFile::Part& part : object.mesh->part) parts.insert(part.node);
             for (const PartInput& part : object.target.part) {
                 named.insert(part.name);
                 if (!part.inside.empty()) inside.insert(part.inside);
@@ -90,8 +90,8 @@ TEST_CASE("a scene says what a model is painted with and when it runs", "[scenes
                                           "[object.parts]\ncanvas = \"wood\"\n") +
                                     object_of("b", "truck", 40.0)));
     const auto material = [&](const ObjectInput& object, const std::string& part) {
-        for (std::size_t p = 0; p < object.mesh.part.size(); ++p) {
-            if (object.mesh.part[p].node == part) return object.material[p];
+        for (std::size_t p = 0; p < object.mesh->part.size(); ++p) {
+            if (object.mesh->part[p].node == part) return object.material[p];
         }
         return std::string("no such part");
     };

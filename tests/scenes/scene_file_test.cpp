@@ -30,7 +30,7 @@ TEST_CASE("the default scene reads as it is written", "[scenes][scene_file]") {
     CHECK(scene.terrain.polygons.size() == 6);
     CHECK(scene.terrain.buildings.size() == 1);
     CHECK(scene.terrain.objects.size() == 2);
-    CHECK(scene.terrain.objects.at(0).mesh.part.size() == 8);
+    CHECK(scene.terrain.objects.at(0).mesh->part.size() == 8);
     CHECK(scene.observers.at(0).width == 640);
     CHECK(scene.observers.at(0).height == 512);
     CHECK(scene.time.duration == 86400.0);

@@ -1,0 +1,152 @@
+#include "scenes/input/read_copies.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "materials/base/csv.hpp"
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_copies = 60000;  // objects have numbers of 16 bits
+
+/// Where a copy stands and where that is said.
+struct Stand {
+    Eigen::Vector2d place;  // east, north [m]
+    double heading_deg;
+    std::string where;
+};
+
+void check_heading(const Stand& stand) {
+    if (std::abs(stand.heading_deg) <= 360.0) return;
+    throw InputError(stand.where, fmt::format("found heading_deg {:g}, expected -360 to 360",
+                                              stand.heading_deg));
+}
+
+std::vector<Stand> stands_of_file(const std::filesystem::path& file) {
+    const CsvTable table = read_csv(file);
+    const std::size_t east = table.column("east_m"), north = table.column("north_m"),
+                      heading = table.column("heading_deg");
+    std::vector<Stand> stands;
+    for (std::size_t row = 0; row < table.rows.size(); ++row) {
+        stands.push_back({{table.number(row, east), table.number(row, north)},
+                          table.number(row, heading),
+                          table.where(row, heading)});
+        check_heading(stands.back());
+    }
+    if (stands.empty()) {
+        throw InputError(file.string(), "has no rows, expected a copy's place in each");
+    }
+    return stands;
+}
+
+std::vector<Stand> read_stands(const Section& section, const Reading& reading,
+                               ObjectInput& object) {
+    std::vector<Stand> stands;
+    if (section.has("copies")) {
+        for (const std::vector<double>& row :
+             section.rows("copies",
+                          "[east, north, heading] of each of many that are alike, in place of "
+                          "place_m and heading_deg: m, m and degrees clockwise from north; they "
+                          "are called NAME_0001 and so on",
+                          3)) {
+            stands.push_back({{row[0], row[1]}, row[2], section.where("copies")});
+        }
+    }
+    const std::string file = section.text_or(
+        "copies_file", "a CSV file of them with columns east_m, north_m, heading_deg", "");
+    try {
+        for (const Stand& stand : stands) check_heading(stand);
+        if (section.has("copies_file")) {
+            object.copies_file = reading.folder / file;
+            if (!std::filesystem::is_regular_file(object.copies_file)) {
+                section.mistake("copies_file",
+                                fmt::format("no such file: {}", object.copies_file.string()));
+                return {};
+            }
+            stands = stands_of_file(object.copies_file);
+        }
+    } catch (const InputError& error) {
+        const Mistake& first = error.mistakes().front();
+        section.mistake(section.has("copies_file") ? "copies_file" : "copies",
+                        first.where + ": " + first.problem, first.hint);
+        return {};
+    }
+    return stands;
+}
+
+/// What copies cannot have.
+void check_keys(const Section& section, const ObjectInput& object, const char* key) {
+    if (section.has("copies") && section.has("copies_file")) {
+        section.mistake("copies", "stands beside copies_file, expected one of them");
+    }
+    for (const char* other : {"place_m", "heading_deg", "trajectory"}) {
+        if (section.has(other)) {
+            section.mistake(other,
+                            fmt::format("stands beside {}, which says where each stands", key));
+        }
+    }
+    if (section.has("texture")) section.mistake("texture", "not on an object with copies");
+    const bool on_ground =
+        std::any_of(object.target.contact.begin(), object.target.contact.end(),
+                    [](const ContactInput& contact) { return contact.on == ground_name; });
+    if (on_ground) {
+        section.mistake(key,
+                        "not of an object in contact with the ground, which would have to be "
+                        "worked out under each");
+    }
+}
+
+}  // namespace
+
+std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object, Reading& reading) {
+    const bool listed = section.has("copies"), filed = section.has("copies_file");
+    std::vector<Stand> stands = read_stands(section, reading, object);
+    const double within = section.number_or(
+        "copies_alike_K",
+        "of copies: those whose light, sky and wind differ by no more than is worth this, in the "
+        "mean over their surface at the worst hour, share the temperatures of one; 0: each has "
+        "its own",
+        0.5, {0.0, 20.0});
+    if (!listed && !filed) {
+        if (section.has("copies_alike_K")) {
+            section.mistake("copies_alike_K", "stands without copies or copies_file");
+        }
+        std::vector<ObjectInput> one;
+        one.push_back(std::move(object));
+        return one;
+    }
+    const char* key = filed ? "copies_file" : "copies";
+    check_keys(section, object, key);
+    if (stands.size() > most_copies) {
+        section.mistake(
+            key, fmt::format("found {} places, expected at most {}", stands.size(), most_copies));
+        stands.resize(1);
+    }
+    if (stands.empty()) stands.push_back({object.place, 0.0, section.where(key)});
+    object.copy_of = object.name;
+    object.alike_within = within;
+    std::vector<ObjectInput> all;
+    for (std::size_t i = 0; i < stands.size(); ++i) {
+        ObjectInput& one = all.emplace_back(object);
+        one.name = fmt::format("{}_{:04}", object.name, i + 1);
+        one.place = stands[i].place;
+        one.placing.heading_deg = stands[i].heading_deg;
+        one.where = stands[i].where;
+        if (i > 0) one.notes.clear();  // told once
+        if (!reading.object_names.insert(one.name).second) {
+            section.mistake(
+                key, fmt::format("a copy would be called \"{}\" as another object", one.name));
+        }
+    }
+    return all;
+}
+
+}  // namespace diurna

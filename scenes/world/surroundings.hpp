@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "terrain/visibility/ray_scene.hpp"
+
+/// How far the temperatures of two copies of an object can be apart by what is around them.
+namespace diurna {
+
+/// What an object sees at probes spread evenly over its surface.
+struct Surroundings {
+    double heading_deg = 0.0;
+    float wind = 1.0f;                   // share of it (wind.hpp)
+    std::vector<std::uint8_t> beam{};    // (instant, probe) share of the sun's, of 255
+    std::vector<std::uint8_t> around{};  // (probe, ray) 0: sky; else its material's kind
+};
+
+/// Suns of a span and probes of an object's facets, to compare its copies.
+///
+/// The estimate: at each half hour of up to three days (the first, the middle, the last) with the
+/// sun up, and at each probe, what it would absorb more or less of
+/// - a clear day's beam, 1353 W/m² 0.7^(m^0.678) with the air mass m of Kasten & Young (1989)
+///   (Meinel & Meinel 1976, Applied Solar Energy, ch. 2), by the probe's own normal and share;
+/// - what is around: 24 rays by the cosine; of those that meet sky in one place and not in the
+///   other 150 W/m² (a clear sky's deficit and its diffuse light), of those that meet materials of
+///   other kinds 100 W/m² (15 K at 6.5 W/m²K);
+/// over 8.3 W/m²K, a surface's film and longwave in still air (ASHRAE Handbook, Fundamentals, ch.
+/// 26: vertical, emittance 0.9); and 13 K times the difference of the shares of wind (a sheet 20 K
+/// over the air, of whose 15 W/m²K the wind brings 10). Heat stored or conducted would make it
+/// less.
+class SurroundingsSampler {
+ public:
+    static constexpr std::size_t probes = 96, rays = 24;
+    static constexpr double furthest_heading_deg = 5.0;  // of copies that may be compared
+
+    /// - first, count: of the world's facets, the object in its first place; the world is kept by
+    ///   reference
+    /// - heading_deg: that it has there
+    SurroundingsSampler(const World& world, const Scene& scene, std::size_t first,
+                        std::size_t count, double heading_deg);
+
+    /// Of a copy.
+    ///
+    /// - pose: from the first place to its own
+    Surroundings at(const RayScene& scene, const Eigen::Isometry3d& pose, double heading_deg,
+                    float wind) const;
+
+    struct Apart {
+        double mean = 0.0;   // [K] over the surface at the worst instant
+        double worst = 0.0;  // [K] at a probe
+    };
+    /// By that estimate; `mean` is infinite where it exceeds `most` or the headings are too far
+    /// apart.
+    Apart apart(const Surroundings& a, const Surroundings& b, double most) const;
+
+ private:
+    struct Probe {
+        std::size_t facet;
+        double u, v;             // on it
+        Eigen::Vector3d normal;  // in the first place
+        double absorptance;
+    };
+    struct Sun {
+        Eigen::Vector3d to;  // unit
+        double beam;         // [W/m²] across it
+    };
+    const World& world_;
+    std::vector<Probe> probe_;
+    std::vector<Sun> sun_;
+    std::vector<std::uint8_t> kind_;      // (material) from 1
+    std::vector<Eigen::Vector3d> north_;  // (probe) normals with the object heading north
+};
+
+}  // namespace diurna

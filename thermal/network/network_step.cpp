@@ -20,7 +20,8 @@ double star_conductance(double radiant, double face, double star) {
 
 }  // namespace
 
-NetworkStepper::NetworkStepper(const HeatNetwork& network) : network_(network), system_(network) {
+NetworkStepper::NetworkStepper(const HeatNetwork& network)
+    : network_(network), system_(network), given_(system_) {
     const std::size_t facets = network.facet.size();
     for (std::vector<double>* of :
          {&loads_.outer, &loads_.inner, &faces_.outer, &faces_.outer_slope, &faces_.inner,
@@ -29,6 +30,7 @@ NetworkStepper::NetworkStepper(const HeatNetwork& network) : network_(network), 
     }
     loads_.lump.assign(network.lump.size(), 0.0);
     loads_.fixed.assign(network.lump.size(), 0.0);
+    flowing_.assign(given_.blocks(), 0.0);
     settle(zero_celsius);
 }
 
@@ -48,12 +50,10 @@ void NetworkStepper::ends(std::vector<double>& outer, std::vector<double>& inner
     }
 }
 
-/// What every equation lacks at the present state; returns its share of all heat that flows.
-double NetworkStepper::residual(double tau, const NetworkState& start) {
-    missing_.node.assign(state.node.size(), 0.0);
-    missing_.edge.assign(state.edge.size(), 0.0);
-    missing_.lump.assign(state.lump.size(), 0.0);
-    double flowing = 0.0, here_flows = 0.0;  // of a facet: short sums wait less
+/// What the equations of a facet's nodes lack, and what it gives others; returns all that flows.
+double NetworkStepper::facet_residual(std::size_t f, std::size_t block, double tau,
+                                      const NetworkState& start) {
+    double here_flows = 0.0;
     const auto pass = [&](double watts, double& from, double& to) {
         from -= watts;
         to += watts;
@@ -63,53 +63,80 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
         to += watts;
         here_flows += std::abs(watts);
     };
-    for (std::size_t f = 0; f < network_.facet.size(); ++f) {
-        const NetworkFacet& facet = network_.facet[f];
-        const NetworkColumn& column = network_.column[facet.column];
-        const ColumnGrid& grid = column.grid;
-        const std::size_t at = system_.node_of(f), last = system_.last_of(f);
-        const double area = facet.area;
-        flowing += std::exchange(here_flows, 0.0);
-        for (std::size_t j = at; j <= last; ++j) {
-            const double store = grid.capacity[j - at] / tau;
-            into(-area * store * (state.node[j] - start.node[j]), missing_.node[j]);
-            if (j == last) break;
-            pass(area * grid.conductance[j - at] * (state.node[j] - state.node[j + 1]),
-                 missing_.node[j], missing_.node[j + 1]);
-        }
-        into(facet.open * area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
-        for (const HeatTouch& touch : system_.touches_of(f)) {
-            pass(touch.conductance * (state.node[at] - state.edge[touch.edge]), missing_.node[at],
-                 missing_.edge[touch.edge]);
-        }
-        into(area * (faces_.inner[f] + loads_.inner[f] + grid.below_flux +
-                     grid.conductance.back() * (grid.below_temperature - state.node[last])),
-             missing_.node[last]);
-        for (int end = 0; end < 2; ++end) {
-            if (facet.edge[end][0] == no_number || column.spread[end] == 0.0) continue;
-            double& node = missing_.node[end == 0 ? at : last];
-            const double here = state.node[end == 0 ? at : last];
-            const SidewaysFlow& b = facet.sideways;
-            double away[3];
-            for (int s = 0; s < 3; ++s) away[s] = here - state.edge[facet.edge[end][s]];
-            const double out[3]{b[0] * away[0] + b[1] * away[1] + b[2] * away[2],
-                                b[1] * away[0] + b[3] * away[1] + b[4] * away[2],
-                                b[2] * away[0] + b[4] * away[1] + b[5] * away[2]};
-            for (int s = 0; s < 3; ++s) {
-                pass(column.spread[end] * out[s], node, missing_.edge[facet.edge[end][s]]);
-            }
-        }
-        for (const auto b : {behind_air, behind_star, behind_touched}) {
-            if (facet.lump[b] == no_number) continue;
-            const double there = state.lump[facet.lump[b]];
-            double film = b == behind_air ? facet.film : facet.contact;
-            if (b == behind_star) {
-                film = to_star_[f] = star_conductance(facet.radiant, state.node[last], there);
-            }
-            pass(area * film * (state.node[last] - there), missing_.node[last],
-                 missing_.lump[facet.lump[b]]);
+    const NetworkFacet& facet = network_.facet[f];
+    const NetworkColumn& column = network_.column[facet.column];
+    const ColumnGrid& grid = column.grid;
+    const std::size_t at = system_.node_of(f), last = system_.last_of(f);
+    const double area = facet.area;
+    for (std::size_t j = at; j <= last; ++j) {
+        const double store = grid.capacity[j - at] / tau;
+        into(-area * store * (state.node[j] - start.node[j]), missing_.node[j]);
+        if (j == last) break;
+        pass(area * grid.conductance[j - at] * (state.node[j] - state.node[j + 1]),
+             missing_.node[j], missing_.node[j + 1]);
+    }
+    into(facet.open * area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
+    for (const HeatTouch& touch : system_.touches_of(f)) {
+        double& there = given_.to_touched(std::size_t(&touch - network_.touch.data()));
+        there = 0.0;
+        pass(touch.conductance * (state.node[at] - state.edge[touch.edge]), missing_.node[at],
+             there);
+    }
+    into(area * (faces_.inner[f] + loads_.inner[f] + grid.below_flux +
+                 grid.conductance.back() * (grid.below_temperature - state.node[last])),
+         missing_.node[last]);
+    for (int end = 0; end < 2; ++end) {
+        if (facet.edge[end][0] == no_number || column.spread[end] == 0.0) continue;
+        double& node = missing_.node[end == 0 ? at : last];
+        const double here = state.node[end == 0 ? at : last];
+        const SidewaysFlow& b = facet.sideways;
+        double away[3];
+        for (int s = 0; s < 3; ++s) away[s] = here - state.edge[facet.edge[end][s]];
+        const double out[3]{b[0] * away[0] + b[1] * away[1] + b[2] * away[2],
+                            b[1] * away[0] + b[3] * away[1] + b[4] * away[2],
+                            b[2] * away[0] + b[4] * away[1] + b[5] * away[2]};
+        for (int s = 0; s < 3; ++s) {
+            double& there = given_.to_edge(f, end, s);
+            there = 0.0;
+            pass(column.spread[end] * out[s], node, there);
         }
     }
+    for (const auto b : {behind_air, behind_star, behind_touched}) {
+        if (facet.lump[b] == no_number) continue;
+        const double there = state.lump[facet.lump[b]];
+        double film = b == behind_air ? facet.film : facet.contact;
+        if (b == behind_star) {
+            film = to_star_[f] = star_conductance(facet.radiant, state.node[last], there);
+        }
+        pass(area * film * (state.node[last] - there), missing_.node[last],
+             given_.to_lump(block, facet.lump[b]));
+    }
+    return here_flows;
+}
+
+/// What every equation lacks at the present state; returns its share of all heat that flows.
+double NetworkStepper::residual(double tau, const NetworkState& start) {
+    missing_.node.assign(state.node.size(), 0.0);
+    missing_.edge.assign(state.edge.size(), 0.0);
+    missing_.lump.assign(state.lump.size(), 0.0);
+    std::fill(flowing_.begin(), flowing_.end(), 0.0);
+    given_.of_facets([&](std::size_t block, std::size_t begin, std::size_t end) {
+        for (std::size_t f = begin; f < end; ++f) {
+            flowing_[block] += facet_residual(f, block, tau, start);
+        }
+    });
+    given_.add_to(missing_.edge.data(), missing_.lump.data());
+    double flowing = 0.0, here_flows = 0.0;
+    for (const double of_block : flowing_) flowing += of_block;
+    const auto pass = [&](double watts, double& from, double& to) {
+        from -= watts;
+        to += watts;
+        here_flows += std::abs(watts);
+    };
+    const auto into = [&](double watts, double& to) {
+        to += watts;
+        here_flows += std::abs(watts);
+    };
     for (const HeatLink& link : network_.link) {
         pass(link.conductance * (state.lump[link.a] - state.lump[link.b]), missing_.lump[link.a],
              missing_.lump[link.b]);

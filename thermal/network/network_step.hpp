@@ -57,14 +57,17 @@ class NetworkStepper {
 
  private:
     void stage(double tau, double share, const NetworkForcing& forcing, const NetworkState& start);
+    double facet_residual(std::size_t f, std::size_t block, double tau, const NetworkState& start);
     double residual(double tau, const NetworkState& start);
     void guess(const NetworkState& since, double onward);
 
     const HeatNetwork& network_;
     NetworkSystem system_;
     NetworkSystem::Residual missing_;
-    NetworkState before_{};   // a step ago
-    double last_step_ = 0.0;  // [s]; 0: none was taken
+    NetworkSystem::Given given_;
+    std::vector<double> flowing_;  // (block of facets) [W]
+    NetworkState before_{};        // a step ago
+    double last_step_ = 0.0;       // [s]; 0: none was taken
     NetworkLoads loads_;
     FaceFluxes faces_;
     std::vector<double> outer_, inner_, to_star_;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
+#include "materials/base/parallel.hpp"
 #include "thermal/network/heat_network.hpp"
 #include "thermal/network/sparse_factor.hpp"
 
@@ -22,6 +24,8 @@ struct NetworkState {
 class NetworkSystem {
  public:
     explicit NetworkSystem(const HeatNetwork& network);
+    NetworkSystem(const NetworkSystem&) = delete;  // what it gives knows whose it is
+    NetworkSystem& operator=(const NetworkSystem&) = delete;
 
     std::size_t nodes() const { return first_.back(); }
     /// The first node of a facet.
@@ -32,6 +36,39 @@ class NetworkSystem {
     std::span<const HeatTouch> touches_of(std::size_t f) const {
         return std::span(network_.touch).subspan(touch_[f], touch_[f + 1] - touch_[f]);
     }
+
+    /// What facets give their edges and lumps, so that many threads may work on facets: each puts
+    /// it down in places of its own, added up in a fixed order.
+    class Given {
+     public:
+        explicit Given(const NetworkSystem& system);
+
+        /// Calls body(block, begin, end) for blocks of facets, on many threads.
+        template <class Body>
+        void of_facets(const Body& body) {
+            std::fill(lump_.begin(), lump_.end(), 0.0);
+            for_each_block(system_.facet_.size(), at_once, [&](std::size_t begin, std::size_t end) {
+                body(begin / at_once, begin, end);
+            });
+        }
+        double& to_edge(std::size_t f, int end, int side) {
+            return edge_[6 * f + 3 * std::size_t(end) + std::size_t(side)];
+        }
+        /// touch  index into the network's
+        double& to_touched(std::size_t touch) { return edge_[6 * system_.facet_.size() + touch]; }
+        double& to_lump(std::size_t block, std::uint32_t lump) {
+            return lump_[block * lumps_ + lump];
+        }
+        /// Adds all of it up, (edge) and (lump).
+        void add_to(double* edge, double* lump) const;
+        std::size_t blocks() const { return (system_.facet_.size() + at_once - 1) / at_once; }
+
+     private:
+        static constexpr std::size_t at_once = 512;
+        const NetworkSystem& system_;
+        std::size_t lumps_;
+        std::vector<double> edge_, lump_;  // (place), (block, lump)
+    };
 
     /// What an implicit stage asks of each facet's ends, at the present temperatures.
     struct Ends {
@@ -56,8 +93,9 @@ class NetworkSystem {
         std::array<double, 2> spread;
     };
     std::size_t unknowns() const { return network_.edges + network_.lump.size(); }
-    void column_of(std::size_t f, std::vector<double>& diagonal) const;
-    void apply(const std::vector<double>& x, std::vector<double>& y) const;
+    void find_places();
+    void condense(std::size_t f, double tau, const Ends& ends);
+    void apply(const std::vector<double>& x, std::vector<double>& y);
     /// Factors what is left as it is now.
     void prepare();
     int conjugate_gradients(const std::vector<double>& b, std::vector<double>& x, double error);
@@ -66,6 +104,8 @@ class NetworkSystem {
     const HeatNetwork& network_;
     std::vector<std::size_t> first_;  // (facet + 1) node
     std::vector<std::size_t> touch_;  // (facet + 1) its first
+    /// (edge + 1), and whose: places of Given where facets put down what is the edge's.
+    std::vector<std::uint32_t> first_place_, place_;
     double tau_ = 1.0;
     std::vector<double> pivot_;    // (node) of the columns' elimination from the inner end outward
     std::vector<double> follows_;  // (node) δ of it per δ of the node before it
@@ -73,6 +113,7 @@ class NetworkSystem {
     std::vector<double> lump_own_;  // [W K⁻¹] C/τ
     SparseFactor factor_;           // of what was left
     double factored_tau_ = 0.0;     // [s] then; 0: none, or outworn
+    Given given_;
 };
 
 }  // namespace diurna

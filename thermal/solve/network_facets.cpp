@@ -11,11 +11,21 @@ namespace diurna {
 
 namespace {
 
-constexpr double longest_step = 300.0;  // [s]
-constexpr double repeats = 3e-3;        // [K] of a period that is found
-constexpr double usual_loss = 20.0;     // [W m⁻² K⁻¹] radiation and air together
-constexpr double about_alike = 5.0;     // [W m⁻²] of neighbours' heat
+constexpr double longest_step = 300.0;   // [s]
+constexpr double repeats = 3e-3;         // [K] of a period that is found
+constexpr double usual_loss = 20.0;      // [W m⁻² K⁻¹] radiation and air together
+constexpr double about_alike = 5.0;      // [W m⁻²] of neighbours' heat
+constexpr double far_from_alike = 30.0;  // [W m⁻²] likewise: the march need not close
 constexpr double soon_done = 1.0;  // [W m⁻²] of neighbours' heat, where a run may be the last
+
+/// Instants from step to step of a march that only has to tell neighbours of it: no more than a
+/// quarter of an hour, an equal part of the span.
+std::size_t rough_stride(const SolveState& solve) {
+    constexpr double longest = 900.0;  // [s]
+    auto stride = std::size_t(std::max(1.0, std::floor(longest / solve.step + 1e-9)));
+    while (solve.steps() % stride != 0) --stride;
+    return stride;
+}
 
 std::vector<double> flat(const NetworkState& state) {
     std::vector<double> all = state.node;
@@ -136,10 +146,9 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper, 
     put_down(0, stepper, around, target);
     const double level_step = solve_.step * double(target.stride);
     const double step = solve_.step / solve_.options.refinement;
-    const int parts =
-        target.stride > 1
-            ? 1
-            : solve_.options.refinement * int(std::max(1.0, std::ceil(step / longest_step - 1e-9)));
+    const int parts = target.rough ? 1
+                                   : solve_.options.refinement *
+                                         int(std::max(1.0, std::ceil(step / longest_step - 1e-9)));
     for (std::size_t i = 0; i < around.steps(); ++i) {
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
@@ -150,7 +159,7 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper, 
 }
 
 void NetworkFacets::run(const Level& level, Target& target) const {
-    const double open = target.stride == level.stride ? moved(target) : 1e9;
+    const double open = target.level == level.stride ? moved(target) : 1e9;
     const bool in_hours = level.stride > 1;
     // While neighbours still change, once each time, from the start that the time before has found.
     const bool first = target.start.empty();
@@ -161,9 +170,11 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
-    if (!target.closed) stepper.closed = 1e-5;
-    NetworkSurroundings around(solve_, level, *target.object);
-    target.stride = level.stride;
+    if (!target.closed) stepper.closed = !in_hours && open > far_from_alike ? 1e-4 : 1e-5;
+    target.level = level.stride;
+    target.rough = in_hours || (!target.closed && open >= 1e9);
+    target.stride = target.rough && !in_hours ? rough_stride(solve_) : level.stride;
+    NetworkSurroundings around(solve_, level, *target.object, target.stride);
     if (target.start.empty()) {
         guess(target, around, stepper);
         target.start = flat(stepper.state);
@@ -208,13 +219,19 @@ void NetworkFacets::put(SolveState& solve) const {
     for (const Target& target : target_) {
         if (target.kelvin.empty()) continue;
         const NetworkObject& object = *target.object;
-        for (std::size_t i = 0; i * target.stride < solve.instant.size(); ++i) {
-            float* const row = solve.kelvin.data() + i * target.stride * solve.facets;
-            for (std::size_t n = 0; n < object.size(); ++n) {
-                row[object.facet[n]] = target.kelvin[i * object.size() + n];
-                if (object.back[n] != no_number) {
-                    row[object.back[n]] = target.back_kelvin[i * object.size() + n];
-                }
+        const std::size_t size = object.size();
+        for (std::size_t i = 0; i < solve.instant.size(); i += target.level) {
+            float* const row = solve.kelvin.data() + i * solve.facets;
+            const std::size_t before = i / target.stride,
+                              after = (i + target.stride - 1) / target.stride;
+            const float share = float(i % target.stride) / float(target.stride);
+            const auto at = [&](const std::vector<float>& of, std::size_t n) {
+                const float then = of[before * size + n];
+                return then + share * (of[after * size + n] - then);
+            };
+            for (std::size_t n = 0; n < size; ++n) {
+                row[object.facet[n]] = at(target.kelvin, n);
+                if (object.back[n] != no_number) row[object.back[n]] = at(target.back_kelvin, n);
             }
         }
     }

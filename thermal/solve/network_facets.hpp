@@ -43,7 +43,8 @@ class NetworkFacets {
  private:
     struct Target {
         const NetworkObject* object;
-        std::size_t stride = 1;                      // of the level of the last run
+        std::size_t level = 1, stride = 1;           // of the last run, and of its own steps
+        bool rough = false;                          // these were longer than they have to be
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
         std::vector<float> excess{};         // (instant of that, facet, side) under which it ran
         std::vector<double> start{}, end{};  // [K] nodes, then lumps

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <variant>
 
+#include "materials/base/parallel.hpp"
 #include "thermal/kernels/mode_kernel.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/solve/heat_record.hpp"
@@ -28,12 +29,12 @@ AirState air_at(const SolveState& solve, const NetworkObject& object, const Forc
 }  // namespace
 
 NetworkSurroundings::NetworkSurroundings(const SolveState& solve, const Level& level,
-                                         const NetworkObject& object)
-    : solve_(solve), level_(level), object_(object), own_(solve, object) {
+                                         const NetworkObject& object, std::size_t stride)
+    : solve_(solve), level_(level), object_(object), stride_(stride), own_(solve, object) {
     sort_faces();
     set_airs();
     find_panes();
-    if (level.stride == 1) find_jumps();
+    if (stride == 1) find_jumps();
     for (int end = 0; end < 2; ++end) {
         before_[end].assign(object.size(), 0.0);
         after_[end].assign(object.size(), 0.0);
@@ -232,7 +233,7 @@ NetworkForcing NetworkSurroundings::of_part(std::size_t i, int s, int parts) {
     if (i != step_) begin_step(i);
     from_ = double(s) / parts;
     to_ = double(s + 1) / parts;
-    const double step = solve_.step * double(level_.stride);
+    const double step = solve_.step * double(stride_);
     begin_ = later(solve_.instant[first_], from_ * step);
     end_ = later(solve_.instant[first_], to_ * step);
     return forcing();
@@ -303,13 +304,14 @@ void NetworkSurroundings::loads(double share, NetworkLoads& to) const {
 void NetworkSurroundings::faces(double share, const std::vector<double>& outer,
                                 const std::vector<double>& inner, FaceFluxes& out) const {
     const double at = std::lerp(from_, to_, share);
-    alignas(64) double kelvin[lanes], flux[lanes], slope[lanes];
     for (const Group& group : group_) {
         const AirFilm air = air_between(group.air[first_], group.air[last_], at);
         const std::vector<double>& of = group.inner ? inner : outer;
         std::vector<double>& fluxes = group.inner ? out.inner : out.outer;
         std::vector<double>& slopes = group.inner ? out.inner_slope : out.outer_slope;
-        for (std::size_t first = 0; first < group.face.size(); first += lanes) {
+        const auto balance = [&](std::size_t vector) {
+            alignas(64) double kelvin[lanes], flux[lanes], slope[lanes];
+            const std::size_t first = vector * lanes;
             const std::size_t count = std::min(lanes, group.face.size() - first);
             for (std::size_t l = 0; l < lanes; ++l) {
                 kelvin[l] = of[group.face[first + std::min(l, count - 1)]];
@@ -320,7 +322,8 @@ void NetworkSurroundings::faces(double share, const std::vector<double>& outer,
                 fluxes[group.face[first + l]] = flux[l];
                 slopes[group.face[first + l]] = slope[l];
             }
-        }
+        };
+        for_each_index(group.natural.size() / lanes, balance, 512 / lanes);
     }
 }
 

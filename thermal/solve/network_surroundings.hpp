@@ -14,11 +14,14 @@ namespace diurna {
 class NetworkSurroundings {
  public:
     /// All must outlive it.
-    NetworkSurroundings(const SolveState& solve, const Level& level, const NetworkObject& object);
+    ///
+    /// stride  instants of the solve from step to step: the level's, or a multiple
+    NetworkSurroundings(const SolveState& solve, const Level& level, const NetworkObject& object,
+                        std::size_t stride);
 
-    /// Instants of the level's steps, i of which is SolveState's i × stride.
-    std::size_t steps() const { return solve_.steps() / level_.stride; }
-    std::size_t instant(std::size_t i) const { return i * level_.stride; }
+    /// Instants of steps, i of which is SolveState's i × stride.
+    std::size_t steps() const { return solve_.steps() / stride_; }
+    std::size_t instant(std::size_t i) const { return i * stride_; }
 
     /// What step i brings in its part s of `parts`. Steps are asked for one after the other; it
     /// holds until the next is.
@@ -81,6 +84,7 @@ class NetworkSurroundings {
     const SolveState& solve_;
     const Level& level_;
     const NetworkObject& object_;
+    std::size_t stride_;
     OwnLongwave own_;
     std::vector<Group> group_;
     std::vector<Jump> jump_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 
 namespace diurna {
@@ -45,20 +46,23 @@ void OwnLongwave::at(std::size_t instant, const std::vector<double>& outer,
                      const std::vector<double>& inner) {
     if (arrives_.empty()) return;
     const float* const known = solve_.kelvin.data() + instant * solve_.facets;
-    for (std::size_t k = 0; k < face_.size(); ++k) {
+    const auto leave = [&](std::size_t k) {
         const double now = (k < outer.size() ? outer : inner)[end_of_[k]];
         const double emissivity = double(solve_.optics.emissivity[face_[k]]);
         leaves_[k] =
             emissivity * stefan_boltzmann * (power4(now) - power4(double(known[face_[k]]))) +
             (1.0 - emissivity) * arrives_[k];
-    }
-    for (std::size_t k = 0; k < face_.size(); ++k) {
+    };
+    const auto arrive = [&](std::size_t k) {
         double sum = 0.0;
         for (std::uint32_t e = row_[k]; e < row_[k + 1]; ++e) {
             sum += double(factor_[e]) * leaves_[from_[e]];
         }
         arrives_[k] = sum;
-    }
+    };
+    constexpr std::size_t at_once = 512;
+    for_each_index(face_.size(), leave, at_once);
+    for_each_index(face_.size(), arrive, at_once);
 }
 
 }  // namespace diurna

@@ -3,26 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <variant>
 
 #include "materials/base/error.hpp"
+#include "scenes/world/joined_columns.hpp"
 #include "terrain/visibility/touching_facets.hpp"
 
 namespace diurna {
 
 namespace {
-
-bool plain(const ThermalSurface& surface) {
-    const auto* room = std::get_if<Interior>(&surface.bottom);
-    return !surface.layers.empty() && !surface.snow_albedo && surface.internal_schedule.empty() &&
-           !(room && !room->schedule.empty()) &&
-           std::holds_alternative<std::monostate>(surface.canopy) &&
-           std::all_of(surface.layers.begin(), surface.layers.end(), [](const Layer& layer) {
-               return std::holds_alternative<Constant>(layer.law);
-           });
-}
 
 /// Builds the contacts of one target.
 class Contacts {
@@ -35,9 +24,8 @@ class Contacts {
           part_(part),
           object_(object),
           taken_(taken),
-          covered_(object.size(), 0.0) {
-        for (std::uint32_t n = 0; n < object.size(); ++n) place_[object.facet[n]] = n;
-    }
+          column_(world.surfaces(), scene.materials, object),
+          covered_(object.size(), 0.0) {}
 
     void add(const ObjectInput& input, const ContactInput& contact) {
         const std::vector<std::uint32_t> a = of_part(input.target.find_part(contact.part)),
@@ -88,11 +76,9 @@ class Contacts {
     }
     /// The network's facet of a scene's; ground joins it.
     std::uint32_t place_of(const ObjectInput& input, const ContactInput& contact, std::uint32_t f) {
-        const auto [at, is_new] = place_.try_emplace(f, std::uint32_t(object_.size()));
-        if (!is_new) return at->second;
-        const MaterialId material = facets_.material[f];
-        const ThermalSurface& surface = materials_[material].thermal;
-        if (taken_[f] || !plain(surface)) {
+        if (column_.has(f)) return column_.place_of(f);
+        const Material& material = materials_[facets_.material[f]];
+        if (taken_[f] || !plain_layers(material.thermal)) {
             throw InputError(
                 contact.where,
                 taken_[f] ? fmt::format("object \"{}\" lies on a facet of the ground that another "
@@ -100,19 +86,11 @@ class Contacts {
                                         input.name)
                           : fmt::format("object \"{}\" lies on {}, which has leaves, snow, water "
                                         "that freezes or a schedule; a contact knows plain layers",
-                                        input.name, materials_[material].name));
+                                        input.name, material.name));
         }
         taken_[f] = true;
-        HeatNetwork& network = object_.network;
-        const auto [column, is_kind] =
-            column_.try_emplace(material, std::uint32_t(network.column.size()));
-        if (is_kind) network.column.push_back(network_column(surface.layers, surface.bottom));
-        network.facet.push_back({.column = column->second, .area = double(facets_.area[f])});
-        object_.facet.push_back(f);
-        object_.back.push_back(no_number);
-        object_.inner.push_back(NetworkObject::Inner::nothing);
         covered_.push_back(0.0);
-        return at->second;
+        return column_.place_of(f);
     }
     void join(const ObjectInput& input, const ContactInput& contact, const TouchingFacets& pair) {
         HeatNetwork& network = object_.network;
@@ -130,9 +108,8 @@ class Contacts {
     const std::vector<int>& part_;
     NetworkObject& object_;
     std::vector<bool>& taken_;
+    JoinedColumns column_;
     std::vector<double> covered_;  // (network's facet) [m²]
-    std::map<std::uint32_t, std::uint32_t> place_;
-    std::map<MaterialId, std::uint32_t> column_;
 };
 
 }  // namespace

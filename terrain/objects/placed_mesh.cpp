@@ -102,18 +102,29 @@ double enclosed_volume(const ObjectMesh& mesh) {
 
 }  // namespace
 
+MeshFrame::MeshFrame(const MeshFile& mesh, const Placing& placing)
+    : up_(placing.up), metres_(placing.metres) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : mesh.vertex) box.extend(upright(v, up_) * metres_);
+    foot_ = {box.center().x(), box.center().y(), box.min().z()};
+}
+
+Eigen::Vector3d MeshFrame::place(const Eigen::Vector3d& vertex) const {
+    return upright(vertex, up_) * metres_ - foot_;
+}
+
+Eigen::Vector3d MeshFrame::direction(const Eigen::Vector3d& in_file) const {
+    return upright(in_file, up_);
+}
+
 ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
                        const std::vector<MaterialId>& material) {
+    const MeshFrame frame(mesh, placing);
     std::vector<Eigen::Vector3d> vertex;
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& v : mesh.vertex) {
-        vertex.push_back(upright(v, placing.up) * placing.metres);
-        box.extend(vertex.back());
-    }
-    const Eigen::Vector3d foot(box.center().x(), box.center().y(), box.min().z());
+    for (const Eigen::Vector3d& v : mesh.vertex) vertex.push_back(frame.place(v));
     // Clockwise from north is against the sense of a turn about the vertical.
     const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
-    for (Eigen::Vector3d& v : vertex) v = placing.base + turn * (v - foot);
+    for (Eigen::Vector3d& v : vertex) v = placing.base + turn * v;
 
     std::vector<Piece> pieces;
     for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)

@@ -20,6 +20,20 @@ struct Placing {
     double largest_edge = 0.5;  // longer edges are cut [m]
 };
 
+/// From a file's axes, origin and unit to those of an object: right, front, up [m], from its middle
+/// in plan and its lowest point.
+class MeshFrame {
+ public:
+    MeshFrame(const MeshFile& mesh, const Placing& placing);
+    Eigen::Vector3d place(const Eigen::Vector3d& vertex) const;
+    Eigen::Vector3d direction(const Eigen::Vector3d& in_file) const;
+
+ private:
+    UpAxis up_;
+    double metres_;
+    Eigen::Vector3d foot_;
+};
+
 /// The mesh turned, scaled and put down, its long edges halved until none is longer than
 /// `largest_edge`: neighbours share the new vertices, so that no crack opens. A closed mesh that is
 /// inside out is turned outside.

@@ -9,6 +9,7 @@
 #include "materials/base/document.hpp"
 #include "scenes/input/read_contact.hpp"
 #include "scenes/input/read_hours.hpp"
+#include "scenes/input/read_jet.hpp"
 
 namespace diurna {
 
@@ -27,12 +28,13 @@ bool read_runs(const Section& section) {
 
 /// Gives what runs the hours of `running`; without them it is off.
 void read_running(const Section& object, TargetInput& target) {
-    const std::vector<ClockHours::Window> hours = windows_of(
-        object, "running",
-        object.texts_or("running",
-                        "when what has `runs` in its parts and lumps (an engine, its exhaust) "
-                        "releases heat, and the share of it, as their `hours`",
-                        {std::vector<std::string>{}, "never"}));
+    const std::vector<ClockHours::Window> hours =
+        windows_of(object, "running",
+                   object.texts_or(
+                       "running",
+                       "when what has `runs` in its parts, lumps and jets (an engine, its exhaust) "
+                       "releases heat or blows, and the share of it, as their `hours`",
+                       {std::vector<std::string>{}, "never"}));
     bool any = false;
     const auto set = [&](auto& source) {
         if (!source.runs) return;
@@ -47,8 +49,16 @@ void read_running(const Section& object, TargetInput& target) {
         if (part.runs && hours.empty()) part.watts_m2 = 0.0;
     }
     for (LumpInput& lump : target.lump) set(lump);
+    for (JetInput& jet : target.jet) {
+        if (!jet.runs) continue;
+        any = true;
+        jet.hours = hours;
+    }
+    if (hours.empty()) {  // no hours are all hours
+        std::erase_if(target.jet, [](const JetInput& jet) { return jet.runs; });
+    }
     if (object.has("running") && !any) {
-        object.mistake("running", "none of its parts and lumps has runs = true");
+        object.mistake("running", "none of its parts, lumps and jets has runs = true");
     }
 }
 
@@ -215,6 +225,15 @@ void read_tables(const Section& root, const Names& materials, TargetInput& targe
          root.sections("contact", "outer faces of a part that lie on the ground or on a part")) {
         target.contact.push_back(read_contact(section, parts));
     }
+    std::vector<std::string> lumps;
+    for (const LumpInput& lump : target.lump) lumps.push_back(lump.name);
+    for (const EnclosureInput& room : target.enclosure) lumps.push_back(room.name);
+    for (const Section& section :
+         root.sections("jet",
+                       "a stream of hot gas that warms what it blows over: the object's "
+                       "facets, others, the ground")) {
+        target.jet.push_back(read_jet(section, lumps));
+    }
 }
 
 /// Which of the parts each part of the mesh is.
@@ -311,9 +330,10 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
     }
     if (target.part.empty() &&
         (!target.lump.empty() || !target.enclosure.empty() || !target.link.empty() ||
-         !target.stream.empty() || !target.contact.empty())) {
+         !target.stream.empty() || !target.contact.empty() || !target.jet.empty())) {
         object.mistake(
-            "part", "missing, expected at least one: lumps, enclosures and contacts act on parts",
+            "part",
+            "missing, expected at least one: lumps, enclosures, contacts and jets act on parts",
             "[[object.part]] with name = \"*\" is all of the mesh");
     }
     read_running(object, target);

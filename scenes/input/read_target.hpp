@@ -8,6 +8,7 @@
 
 #include "materials/base/section.hpp"
 #include "scenes/input/read_contact.hpp"
+#include "scenes/input/read_jet.hpp"
 #include "terrain/objects/mesh_file.hpp"
 #include "thermal/solve/clock_hours.hpp"
 
@@ -62,6 +63,7 @@ struct TargetInput {
     std::vector<LinkInput> link;
     std::vector<StreamInput> stream;
     std::vector<ContactInput> contact;
+    std::vector<JetInput> jet;
     std::filesystem::path file{};  // that told of them; "": the scene
     /// (part of the mesh) into `part`, −1 where none names it: it conducts, and no more.
     std::vector<int> part_of;
@@ -73,9 +75,9 @@ struct TargetInput {
     int find_part(const std::string& name) const;
 };
 
-/// The tables part, enclosure, lump, link, stream of an object, or of its part file; the hours of
-/// `running` are those of all sources with `runs`, which without them release nothing. Mistakes are
-/// noted where they stand.
+/// The tables part, enclosure, lump, link, stream, contact, jet of an object, or of its part file;
+/// the hours of `running` are those of all sources with `runs`, which without them release nothing.
+/// Mistakes are noted where they stand.
 ///
 /// file       a part file, or the one beside the mesh: NAME.parts.toml for NAME.obj; "": none
 /// materials  that parts may name

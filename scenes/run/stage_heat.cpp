@@ -24,6 +24,7 @@ std::string targets_told(const SolveInput& input, const SolveReport& report) {
         "them",
         report.target_facets);
     for (const NetworkObject& object : input.network) {
+        for (const std::string& note : object.notes) told += "; " + note;
         if (object.loose_edges == 0) continue;
         told += fmt::format(
             "; {} edges of \"{}\" meet no other whole edge (open ends, T-junctions): no heat goes "

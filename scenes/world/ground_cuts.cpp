@@ -11,6 +11,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/world/copy_ground.hpp"
+#include "scenes/world/jets.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/objects.hpp"
 #include "terrain/place/trajectory.hpp"
@@ -138,6 +139,13 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
     }
     for (const GroundPatch& patch : patches_of(scene, dem, site)) {
         cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
+    }
+    for (const ObjectInput& input : scene.terrain.objects) {
+        if (!input.copy_of.empty()) continue;
+        for (const GroundPatch& patch : jet_patches(input)) {
+            const Ring ring = raster_places(dem, site, patch.ring);
+            if (lies_on(dem, ring)) cuts.footprint.push_back({ring, patch.largest_edge});
+        }
     }
     for (const WalledPlan& plan : buildings) {
         for (const GroundPatch& ring : rings_round(plan.ring, plan.height, plan.foot_edge)) {

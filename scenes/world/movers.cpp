@@ -215,7 +215,13 @@ World moved(const World& world, const MoverPoses& poses) {
     if (!there.texture_levels.empty()) {
         there.texture_levels.facets = moved(world, std::move(there.texture_levels.facets), poses);
     }
-    for (std::size_t m = 0; m < poses.size(); ++m) there.movers[m].start = poses[m];
+    for (std::size_t m = 0; m < poses.size(); ++m) {
+        const Eigen::Isometry3d by = poses[m] * world.movers[m].start.inverse();
+        for (TargetFacets& target : there.targets) {
+            if (target.id == world.movers[m].id) target.pose = by * target.pose;
+        }
+        there.movers[m].start = poses[m];
+    }
     return there;
 }
 

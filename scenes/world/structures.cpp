@@ -127,7 +127,10 @@ void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, s
     refuse_buried(input, mesh.vertex, dem, world.site);
     sheets.append(world.facets, mesh, id);
     if (input.target.given()) {
-        world.targets.push_back(target_facets(input, object, id, scene.materials));
+        TargetFacets target = target_facets(input, object, id, scene.materials);
+        target.pose.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
+        target.pose.translation() = ground + Eigen::Vector3d(0.0, 0.0, input.height_above_ground);
+        world.targets.push_back(std::move(target));
     }
 }
 

@@ -13,6 +13,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/world/contacts.hpp"
+#include "scenes/world/jets.hpp"
 #include "scenes/world/objects.hpp"
 #include "terrain/visibility/two_sides.hpp"
 
@@ -67,6 +68,7 @@ class Builder {
         join_edges();
         furnish_enclosures();
         add_sources();
+        add_jets();
         refuse_closed_lumps();
         std::vector<int> part;
         for (const std::size_t of : part_) part.push_back(input_.target.part_of[of]);
@@ -314,6 +316,15 @@ class Builder {
         }
     }
 
+    /// What blows, and when; where is found once all targets are there (scenes/world/jets.hpp).
+    void add_jets() {
+        for (const JetInput& jet : input_.target.jet) {
+            object_.jet.push_back({.kelvin = jet.kelvin,
+                                   .lump = jet.lump.empty() ? no_number : lump_of_[jet.lump],
+                                   .hours = hours(jet.hours)});
+        }
+    }
+
     /// Throws InputError where heat in a lump or an enclosure has no way to a face or outdoors.
     void refuse_closed_lumps() {
         std::vector<bool> leads(network().lump.size());
@@ -382,6 +393,7 @@ std::vector<NetworkObject> targets(const World& world, const Scene& scene) {
     for (const TargetFacets& target : world.targets) {
         all.push_back(Builder(world, scene, target).build(world, scene, taken));
     }
+    blow(world, scene, all);
     return all;
 }
 

@@ -18,9 +18,10 @@ namespace diurna {
 /// An object whose facets are one body of heat (scenes/world/targets.hpp): what of it is which
 /// part.
 struct TargetFacets {
-    std::size_t object;                        // of the scene's
-    ObjectId id;                               // of its facets
-    std::map<MaterialId, std::size_t> part{};  // materials of its parts, each its own
+    std::size_t object;                                      // of the scene's
+    ObjectId id;                                             // of its facets
+    std::map<MaterialId, std::size_t> part{};                // materials of its parts, each its own
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // from the object's frame
 };
 
 /// An object that goes along a trajectory.

@@ -43,7 +43,7 @@ class KeysOfPage {
             if (!material) {
                 known_.insert(path);
                 for (const std::string of_part_file :
-                     {"part", "contact", "enclosure", "lump", "link", "stream"}) {
+                     {"part", "contact", "enclosure", "lump", "link", "stream", "jet"}) {
                     const std::string in_scene = "object." + of_part_file;
                     if (path == in_scene || path.starts_with(in_scene + ".")) {
                         known_.insert(path.substr(std::string("object.").size()));

@@ -177,6 +177,7 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
     for (int i = 0;; ++i) {
         ends(outer_, inner_);
         if (forcing.faces) forcing.faces(share, outer_, inner_, faces_);
+        if (forcing.jets) forcing.jets(share, outer_, inner_, state.lump, faces_);
         left = residual(tau, start);
         if (!(left > closed)) break;
         if (i == most_newton) {

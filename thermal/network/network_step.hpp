@@ -27,6 +27,11 @@ struct NetworkForcing {
     std::function<void(double share, const std::vector<double>& outer,
                        const std::vector<double>& inner, FaceFluxes& fluxes)>
         faces;
+    /// What comes to `fluxes` by gas as warm as lumps (lump) [K].
+    std::function<void(double share, const std::vector<double>& outer,
+                       const std::vector<double>& inner, const std::vector<double>& lump,
+                       FaceFluxes& fluxes)>
+        jets{};
 };
 
 struct NetworkCount {

@@ -126,7 +126,7 @@ void NetworkFacets::put_down(std::size_t i, const NetworkStepper& stepper,
         target.kelvin[i * size + n] = float(outer[n]);
         target.back_kelvin[i * size + n] = float(inner[n]);
     }
-    around.record(i, outer, inner);
+    around.record(i, outer, inner, stepper.state.lump);
     around.excess(i, target.excess);
     around.follow(i, outer, inner);
 }

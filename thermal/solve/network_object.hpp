@@ -47,7 +47,25 @@ struct NetworkObject {
     };
     std::vector<Sunlit> sunlit;
 
-    std::size_t loose_edges = 0;  // sides of closed bodies' facets that no other facet shares
+    /// Hot gas that blows over faces (thermal/surface/hot_jet.hpp), in place of the air's film
+    /// there if its own is the larger one. At a share of its hours so much of film and heat.
+    struct Jet {
+        double kelvin;                   // of the gas at the outlet; NaN: that of
+        std::uint32_t lump = no_number;  // the network's
+        ClockHours hours{};
+        struct Face {
+            std::uint32_t facet;  // the network's
+            bool back = false;    // its other side
+            double film = 0.0;    // [W m⁻² K⁻¹]
+            double heat = 0.0;  // [W m⁻² K⁻¹] of that times the wall's warmth: for each kelvin of
+                                // the gas beyond the air
+        };
+        std::vector<Face> face{};
+    };
+    std::vector<Jet> jet{};
+
+    std::vector<std::string> notes{};  // in a line each what is not followed of it
+    std::size_t loose_edges = 0;       // sides of closed bodies' facets that no other facet shares
 
     std::size_t size() const { return facet.size(); }
 };

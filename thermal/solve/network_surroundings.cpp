@@ -30,10 +30,16 @@ AirState air_at(const SolveState& solve, const NetworkObject& object, const Forc
 
 NetworkSurroundings::NetworkSurroundings(const SolveState& solve, const Level& level,
                                          const NetworkObject& object, std::size_t stride)
-    : solve_(solve), level_(level), object_(object), stride_(stride), own_(solve, object) {
+    : solve_(solve),
+      level_(level),
+      object_(object),
+      stride_(stride),
+      own_(solve, object),
+      blown_(object) {
     sort_faces();
     set_airs();
     find_panes();
+    find_blown();
     if (stride == 1) find_jumps();
     for (int end = 0; end < 2; ++end) {
         before_[end].assign(object.size(), 0.0);
@@ -142,6 +148,18 @@ void NetworkSurroundings::find_panes() {
     }
 }
 
+void NetworkSurroundings::find_blown() {
+    if (blown_.none()) return;
+    for (std::uint32_t g = 0; g < group_.size(); ++g) {
+        for (std::size_t l = 0; l < group_[g].face.size(); ++l) {
+            const std::uint32_t at = blown_.of(group_[g].face[l], group_[g].inner);
+            if (at == no_number) continue;
+            blown_.faces()[at].group = g;
+            blown_.faces()[at].own = group_[g].natural[l];
+        }
+    }
+}
+
 /// Where light jumps by J at a share x of a step, its mean is J (½ − x) above that of its ends.
 void NetworkSurroundings::find_jumps() {
     std::vector<std::uint32_t> face_of(solve_.facets, no_number);
@@ -223,10 +241,31 @@ void NetworkSurroundings::begin_step(std::size_t i) {
 }
 
 NetworkForcing NetworkSurroundings::forcing() {
-    return {.loads = [this](double share, NetworkLoads& to) { loads(share, to); },
-            .faces = [this](double share, const std::vector<double>& outer,
-                            const std::vector<double>& inner,
-                            FaceFluxes& out) { faces(share, outer, inner, out); }};
+    NetworkForcing forcing{.loads = [this](double share, NetworkLoads& to) { loads(share, to); },
+                           .faces = [this](double share, const std::vector<double>& outer,
+                                           const std::vector<double>& inner,
+                                           FaceFluxes& out) { faces(share, outer, inner, out); }};
+    blown_.run(begin_, end_);
+    if (blown_.any_runs()) {
+        forcing.jets = [this](double share, const std::vector<double>& outer,
+                              const std::vector<double>& inner, const std::vector<double>& lump,
+                              FaceFluxes& out) { jets(share, outer, inner, lump, out); };
+    }
+    return forcing;
+}
+
+void NetworkSurroundings::jets(double share, const std::vector<double>& outer,
+                               const std::vector<double>& inner, const std::vector<double>& lump,
+                               FaceFluxes& out) const {
+    const double at = std::lerp(from_, to_, share);
+    for (const BlownFaces::Face& face : blown_.faces()) {
+        const Group& group = group_[face.group];
+        const AirFilm air = air_between(group.air[first_], group.air[last_], at);
+        const SurfaceFlux more =
+            blown_.beyond_air(face, air, lump, (face.back ? inner : outer)[face.facet]);
+        (face.back ? out.inner : out.outer)[face.facet] += more.flux;
+        (face.back ? out.inner_slope : out.outer_slope)[face.facet] += more.slope;
+    }
 }
 
 NetworkForcing NetworkSurroundings::of_part(std::size_t i, int s, int parts) {
@@ -328,9 +367,14 @@ void NetworkSurroundings::faces(double share, const std::vector<double>& outer,
 }
 
 void NetworkSurroundings::record(std::size_t i, const std::vector<double>& outer,
-                                 const std::vector<double>& inner) const {
+                                 const std::vector<double>& inner,
+                                 const std::vector<double>& lump) {
     if (!solve_.record || !solve_.record->wants(instant(i))) return;
     const std::size_t now = instant(i);
+    // What has blown until now; at the start what begins to.
+    const double lately = std::min(solve_.step, 300.0);
+    const Instant when = solve_.instant[now];
+    blown_.run(i > 0 ? later(when, -lately) : when, i > 0 ? when : later(when, lately));
     for (const Group& group : group_) {
         if (group.in_air) continue;
         for (std::size_t l = 0; l < group.face.size(); ++l) {
@@ -340,6 +384,13 @@ void NetworkSurroundings::record(std::size_t i, const std::vector<double>& outer
                 {.absorbed_solar = sun_on(group, l, now), .internal = group.internal}, kelvin);
             balance.longwave_in =
                 longwave_on(group, l, now) + group.emissivity * own_.on(group.face[l], group.inner);
+            if (blown_.any_runs()) {
+                const std::uint32_t at = blown_.of(group.face[l], group.inner);
+                if (at != no_number) {
+                    balance.sensible +=
+                        blown_.beyond_air(blown_.faces()[at], group.air[now], lump, kelvin).flux;
+                }
+            }
             balance.conducted = -balance.sum();
             solve_.record->put(now, group.facet[l], balance);
         }

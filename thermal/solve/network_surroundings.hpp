@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "thermal/network/network_step.hpp"
+#include "thermal/solve/blown_faces.hpp"
 #include "thermal/solve/network_object.hpp"
 #include "thermal/solve/own_longwave.hpp"
 #include "thermal/solve/solve_state.hpp"
@@ -44,8 +45,9 @@ class NetworkSurroundings {
     /// Takes down the balances of all faces at the level's instant i, if that is wanted.
     ///
     /// outer, inner  (network's facet) [K] temperatures of the ends
-    void record(std::size_t i, const std::vector<double>& outer,
-                const std::vector<double>& inner) const;
+    /// lump          (lump) [K]
+    void record(std::size_t i, const std::vector<double>& outer, const std::vector<double>& inner,
+                const std::vector<double>& lump);
 
  private:
     /// Faces of one material under one air.
@@ -71,6 +73,9 @@ class NetworkSurroundings {
     void set_airs();
     void find_jumps();
     void find_panes();
+    void find_blown();
+    void jets(double share, const std::vector<double>& outer, const std::vector<double>& inner,
+              const std::vector<double>& lump, FaceFluxes& out) const;
     double sun_on(const Group& group, std::size_t l, std::size_t i) const;
     double longwave_on(const Group& group, std::size_t l, std::size_t i) const;
     void light_at(std::size_t i, std::vector<double> absorbed[2]) const;
@@ -86,6 +91,7 @@ class NetworkSurroundings {
     const NetworkObject& object_;
     std::size_t stride_;
     OwnLongwave own_;
+    BlownFaces blown_;
     std::vector<Group> group_;
     std::vector<Jump> jump_;
     std::vector<double> outdoors_;            // (instant, and their mean) [K]

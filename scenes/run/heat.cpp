@@ -56,16 +56,16 @@ std::optional<HeatState> earlier_state(const Prepared& prepared) {
 }
 
 /// What the start is worth, in one line.
-std::string start_told(const SolveInput& input, const SpanOptions& span,
-                       const SolveReport& report) {
+std::string start_told(const SolveInput& input, const SpanOptions& span, const SpanResult& result) {
+    const SolveReport& report = result.report;
     if (span.begin == SpanStart::state) return "it adds nothing to what that run had";
     std::string line;
-    if (report.periodic_residual > 0.0 && !report.converged) {
+    if (report.periodic_residual > 0.0 && !result.repeated) {
         line = fmt::format("the repeated day has not been found, Newton is {:.1e} K from it; ",
-                           report.periodic_residual);
+                           std::max(report.periodic_residual, report.target_residual));
     } else if (report.periodic_residual > 0.0) {
         line = fmt::format("Newton's residual of the repeated day is worth {:.1e} K; ",
-                           report.estimated_error);
+                           result.repeated_error);
     }
     return line + told(measure_start(input, span));
 }
@@ -86,10 +86,21 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
 
 std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
-    return fmt::format(
+    std::string told = fmt::format(
         "the heat balance has not converged in {} passes: periodic to {:.1e} K (tolerance {:.0e} "
         "K), estimated error {:.1e} K",
         report.passes, report.periodic_residual, SolveOptions{}.tolerance, report.estimated_error);
+    // What changed to the last, of passes that wait for one another.
+    if (report.light_change > 0.05) {
+        told +=
+            fmt::format("; light that wet or snowed facets reflect still changed by {:.1g} W/m2",
+                        report.light_change);
+    }
+    if (report.target_residual > SolveOptions{}.settled) {
+        told +=
+            fmt::format("; targets are {:.1g} K from their repeated day", report.target_residual);
+    }
+    return told;
 }
 
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
@@ -165,7 +176,7 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     }
     SpanResult result = needed ? solve_needed(parts, span, needed->who) : solve_span(parts, span);
     if (needed) result.notes.push_back(told(*needed, result.temperature));
-    result.start += ": " + start_told(first.input(), span, result.report);
+    result.start += ": " + start_told(first.input(), span, result);
     for (std::string& note : first.told(result.report)) {
         result.notes.push_back(std::move(note));
     }

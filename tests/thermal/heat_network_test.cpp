@@ -9,6 +9,7 @@
 #include "materials/base/units.hpp"
 #include "tests/support/triangle_sheet.hpp"
 #include "thermal/network/network_step.hpp"
+#include "thermal/solve/network_period.hpp"
 
 using namespace diurna;
 using namespace diurna::testing;
@@ -270,4 +271,53 @@ TEST_CASE("a part that is held cold or hot goes there at once", "[thermal][netwo
         CHECK(stepper.state.node[0] == Approx(held + 2e-4 * (300.0 - held)).margin(0.01));
         CHECK(stepper.count.limited == 0);
     }
+}
+
+TEST_CASE("a period is found whatever its lumps take to follow", "[thermal][network]") {
+    // A lump of rate λ to surroundings of 280 K, begun 20 K off, ends a day 20 exp(-λ P) off. Of
+    // that the next start keeps a twelfth at most, and next to nothing where a lump takes weeks.
+    constexpr double day = 86400.0, conductance = 5.0;
+    HeatNetwork lumps;
+    lumps.lump = {HeatLump{.fixed = true}};
+    const std::vector<double> of_period{0.001, 0.1, 0.5, 2.2, 10.0, 100.0};  // λ P
+    std::vector<double> start{280.0}, end{280.0};
+    for (const double x : of_period) {
+        lumps.link.push_back({0, std::uint32_t(lumps.lump.size()), conductance});
+        lumps.lump.push_back({.capacity = conductance * day / x});
+        start.push_back(300.0);
+        end.push_back(280.0 + 20.0 * std::exp(-x));
+    }
+    NetworkPeriod period(lumps);
+    const std::vector<double> next = period.next(start, end, day);
+    CHECK(next[0] == 280.0);
+    for (std::size_t k = 0; k < of_period.size(); ++k) {
+        CAPTURE(of_period[k], next[k + 1]);
+        CHECK(std::abs(next[k + 1] - 280.0) < 20.0 / 12.0);
+        if (of_period[k] <= 0.1) CHECK(next[k + 1] == Approx(280.0).margin(0.05));
+    }
+    // And two that exchange: once more from there, by their own way through the day.
+    HeatNetwork pair;
+    pair.lump = {HeatLump{.fixed = true}, HeatLump{.capacity = 2e6}, HeatLump{.capacity = 4e7}};
+    pair.link = {{0, 1, 20.0}, {1, 2, 40.0}};
+    NetworkStepper stepper(pair);
+    NetworkPeriod of_pair(pair);
+    const NetworkForcing given{.loads =
+                                   [](double, NetworkLoads& loads) {
+                                       loads.fixed[0] = 280.0;
+                                       loads.lump[2] = 100.0;
+                                   },
+                               .faces = {}};
+    std::vector<double> begun{280.0, 300.0, 260.0};
+    for (int i = 0; i < 4; ++i) {
+        stepper.state.lump = begun;
+        stepper.begin();
+        of_pair.begin();
+        for (int s = 0; s < 288; ++s) {
+            stepper.advance(300.0, given);
+            of_pair.add(stepper);
+        }
+        begun = of_pair.next(begun, stepper.state.lump, day);
+    }
+    CHECK(begun[1] == Approx(285.0).margin(0.01));  // 100 W over 20 W/K
+    CHECK(begun[2] == Approx(287.5).margin(0.01));  // and over 40
 }

@@ -59,6 +59,10 @@ class NetworkStepper {
     /// The facets' ends (facet) [K].
     void ends(std::vector<double>& outer, std::vector<double>& inner) const;
     const NetworkSystem& system() const { return system_; }
+    /// Of the last stage.
+    NetworkSystem::Ends slopes() const {
+        return {faces_.outer_slope, faces_.inner_slope, to_star_};
+    }
 
  private:
     void stage(double tau, double share, const NetworkForcing& forcing, const NetworkState& start);

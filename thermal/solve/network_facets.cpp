@@ -33,6 +33,12 @@ std::vector<double> flat(const NetworkState& state) {
     return all;
 }
 
+double farthest_apart(const std::vector<double>& a, const std::vector<double>& b) {
+    double most = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) most = std::max(most, std::abs(a[k] - b[k]));
+    return most;
+}
+
 void set_out(const std::vector<double>& all, NetworkStepper& stepper) {
     NetworkState& state = stepper.state;
     const auto lumps = all.begin() + std::ptrdiff_t(state.node.size());
@@ -77,10 +83,9 @@ double NetworkFacets::moved(const Target& target) const {
     return most;
 }
 
-/// [K] of a day's end from what many more would lead to, and of what neighbours' heat since is
-/// worth.
+/// [K] of a day from what many more would lead to, and of what neighbours' heat since is worth.
 double NetworkFacets::error(const Target& target) const {
-    const double open = solve_.options.periodic ? target.residual / (1.0 - target.left_of_it) : 0.0;
+    const double open = solve_.options.periodic ? target.move : 0.0;
     return std::max(open, target.closed ? moved(target) / usual_loss : 0.0);
 }
 
@@ -131,14 +136,14 @@ void NetworkFacets::put_down(std::size_t i, const NetworkStepper& stepper,
     around.follow(i, outer, inner);
 }
 
-void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper, DeepColumns& deep,
-                          Target& target) const {
+void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper,
+                          NetworkPeriod& period, Target& target) const {
     const std::size_t values = (around.steps() + 1) * target.object->size();
     target.kelvin.resize(values);
     target.back_kelvin.resize(values);
     target.excess.clear();
     around.begin();
-    deep.begin();
+    period.begin();
     std::vector<double> outer(target.object->size()), inner(outer);
     stepper.ends(outer, inner);
     constexpr int reflections = 2;
@@ -153,7 +158,7 @@ void NetworkFacets::march(NetworkSurroundings& around, NetworkStepper& stepper, 
         for (int s = 0; s < parts; ++s) {
             stepper.advance(level_step / parts, around.of_part(i, s, parts));
         }
-        deep.add(stepper.state);
+        if (solve_.options.periodic) period.add(stepper);
         put_down(i + 1, stepper, around, target);
     }
 }
@@ -162,11 +167,8 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const double open = target.level == level.stride ? moved(target) : 1e9;
     const bool in_hours = level.stride > 1;
     // While neighbours still change, once each time, from the start that the time before has found.
-    const bool first = target.start.empty();
     const bool once =
         !target.kelvin.empty() && open > (in_hours ? about_alike : usual_loss * repeats);
-    // What was found under other neighbours tells nothing of this period.
-    if (open > about_alike) target.search = {};
     const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);
@@ -179,28 +181,19 @@ void NetworkFacets::run(const Level& level, Target& target) const {
         guess(target, around, stepper);
         target.start = flat(stepper.state);
     }
-    DeepColumns deep(target.object->network, stepper.system());
+    NetworkPeriod period(target.object->network);
+    const double span = solve_.step * double(solve_.steps());
     for (int i = 0; i < most_marches; ++i) {
         stepper.count = {};
         set_out(target.start, stepper);
-        march(around, stepper, deep, target);
+        march(around, stepper, period, target);
         target.end = flat(stepper.state);
         if (!solve_.options.periodic) break;
-        const double before = std::exchange(target.residual, 0.0);
-        std::vector<double> onward = target.end;
-        deep.settle(onward);
-        for (std::size_t k = 0; k < onward.size(); ++k) {
-            target.residual = std::max(target.residual, std::abs(onward[k] - target.start[k]));
-        }
-        constexpr double most_left = 0.9;
-        if (first && i > 0) {
-            const double left = std::min(most_left, target.residual / before);
-            target.left_of_it = std::max(left, target.left_of_it);
-        }
-        const std::vector<double> start = std::exchange(target.start, onward);
-        if (target.residual <= 0.1 * repeats) break;
-        target.start = target.search.next(start, onward);
-        if (target.residual <= repeats) break;
+        const std::vector<double> onward = period.next(target.start, target.end, span);
+        target.residual = farthest_apart(target.end, target.start);
+        target.move = farthest_apart(onward, target.start);
+        target.start = onward;
+        if (target.move <= repeats) break;
     }
     target.count = stepper.count;
 }

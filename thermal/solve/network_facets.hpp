@@ -48,14 +48,13 @@ class NetworkFacets {
         std::vector<float> kelvin{}, back_kelvin{};  // (instant of that, facet)
         std::vector<float> excess{};         // (instant of that, facet, side) under which it ran
         std::vector<double> start{}, end{};  // [K] nodes, then lumps
-        NetworkPeriod search{};
-        double residual = 0.0;    // [K] |P(T) − T|
-        double left_of_it = 0.0;  // what a day leaves of it, at most
+        double residual = 0.0;               // [K] |P(T) − T|
+        double move = 0.0;                   // [K] of the start after it
         NetworkCount count{};
         bool closed = false;  // to the last digit, as the last run has to be
     };
     void run(const Level& level, Target& target) const;
-    void march(NetworkSurroundings& around, NetworkStepper& stepper, DeepColumns& deep,
+    void march(NetworkSurroundings& around, NetworkStepper& stepper, NetworkPeriod& period,
                Target& target) const;
     void put_down(std::size_t i, const NetworkStepper& stepper, NetworkSurroundings& around,
                   Target& target) const;

@@ -1,75 +1,72 @@
 #include "thermal/solve/network_period.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 
 namespace diurna {
 
-std::vector<double> NetworkPeriod::next(const std::vector<double>& start,
-                                        const std::vector<double>& end) {
-    start_.push_back(Eigen::Map<const Eigen::VectorXd>(start.data(), Eigen::Index(start.size())));
-    end_.push_back(Eigen::Map<const Eigen::VectorXd>(end.data(), Eigen::Index(end.size())));
-    const std::size_t n = end_.size(), used = std::min<std::size_t>(n - 1, 3);
-    Eigen::VectorXd mixed = end_.back();
-    if (used > 0) {
-        Eigen::MatrixXd change(mixed.size(), Eigen::Index(used)), moved = change;
-        const Eigen::VectorXd missing = end_.back() - start_.back();
-        for (std::size_t k = 0; k < used; ++k) {
-            const std::size_t a = n - 1 - k, b = a - 1;
-            moved.col(Eigen::Index(k)) = end_[a] - end_[b];
-            change.col(Eigen::Index(k)) = (end_[a] - start_[a]) - (end_[b] - start_[b]);
-        }
-        mixed -= moved * change.colPivHouseholderQr().solve(missing);
-    }
-    return {mixed.data(), mixed.data() + mixed.size()};
-}
-
-DeepColumns::DeepColumns(const HeatNetwork& network, const NetworkSystem& system)
-    : network_(network) {
-    for (std::size_t f = 0; f < network.facet.size(); ++f) {
-        const NetworkFacet& facet = network.facet[f];
-        const bool joined = facet.edge[0][0] != no_number || facet.edge[1][0] != no_number ||
-                            std::any_of(facet.lump.begin(), facet.lump.end(),
-                                        [](std::uint32_t lump) { return lump != no_number; });
-        const std::size_t nodes = network.grid_of(f).size();
-        if (!joined && nodes > 1) deep_.push_back({f, system.node_of(f), {}});
-    }
+NetworkPeriod::NetworkPeriod(const HeatNetwork& network) : network_(network), system_(network) {
     begin();
 }
 
-void DeepColumns::begin() {
+void NetworkPeriod::begin() {
     steps_ = 0.0;
-    for (Deep& deep : deep_) deep.sum.assign(network_.grid_of(deep.facet).size(), 0.0);
+    for (std::vector<double>* of : {&outer_, &inner_, &to_star_}) {
+        of->assign(network_.facet.size(), 0.0);
+    }
 }
 
-void DeepColumns::add(const NetworkState& state) {
+void NetworkPeriod::add(const NetworkStepper& stepper) {
+    const NetworkSystem::Ends slopes = stepper.slopes();
     steps_ += 1.0;
-    for (Deep& deep : deep_) {
-        for (std::size_t j = 0; j < deep.sum.size(); ++j) {
-            deep.sum[j] += state.node[deep.node + j];
-        }
+    for (std::size_t f = 0; f < outer_.size(); ++f) {
+        outer_[f] += slopes.outer_slope[f];
+        inner_[f] += slopes.inner_slope[f];
+        to_star_[f] += slopes.to_star[f];
     }
 }
 
-void DeepColumns::settle(std::vector<double>& end) const {
-    for (const Deep& deep : deep_) {
-        const ColumnGrid& grid = network_.grid_of(deep.facet);
-        const std::size_t last = grid.size() - 1;
-        double resistance = 0.0;
-        for (std::size_t j = 0; j < last; ++j) resistance += 1.0 / grid.conductance[j];
-        const double surface = deep.sum[0] / steps_;
-        // What rises: all that comes from below.
-        double rising = grid.below_flux;
-        if (const double below = grid.conductance.back(); below > 0.0) {
-            rising = (grid.below_flux + below * (grid.below_temperature - surface)) /
-                     (1.0 + below * resistance);
-        }
-        double steady = surface;
-        for (std::size_t j = 1; j <= last; ++j) {
-            steady += rising / grid.conductance[j - 1];
-            end[deep.node + j] += steady - deep.sum[j] / steps_;
+/// [W] that a change of temperatures stores within some time.
+void NetworkPeriod::heat_of(const std::vector<double>& change, double over,
+                            NetworkSystem::Residual& heat) const {
+    heat.node.assign(system_.nodes(), 0.0);
+    heat.edge.assign(network_.edges, 0.0);
+    heat.lump.assign(network_.lump.size(), 0.0);
+    for (std::size_t f = 0; f < network_.facet.size(); ++f) {
+        const ColumnGrid& grid = network_.grid_of(f);
+        const std::size_t at = system_.node_of(f);
+        for (std::size_t j = 0; j < grid.size(); ++j) {
+            heat.node[at + j] = network_.facet[f].area * grid.capacity[j] / over * change[at + j];
         }
     }
+    for (std::size_t k = 0; k < heat.lump.size(); ++k) {
+        heat.lump[k] = network_.lump[k].capacity / over * change[system_.nodes() + k];
+    }
+}
+
+std::vector<double> NetworkPeriod::next(const std::vector<double>& start,
+                                        const std::vector<double>& end, double span) {
+    constexpr double at_rest = 1e12;                        // [s]
+    constexpr double linear_error = 1e-6, farthest = 50.0;  // [K]
+    for (std::vector<double>* of : {&outer_, &inner_, &to_star_}) {
+        for (double& slope : *of) slope /= std::max(1.0, steps_);
+    }
+    steps_ = 1.0;
+    std::vector<double> change(end.size());
+    for (std::size_t k = 0; k < end.size(); ++k) change[k] = end[k] - start[k];
+    NetworkSystem::Residual heat;
+    for (const double tau : {at_rest, 0.5 * span}) {
+        heat_of(change, tau == at_rest ? span : tau, heat);
+        system_.factorise(tau, {outer_, inner_, to_star_});
+        system_.solve(heat, linear_error);
+        std::copy(heat.node.begin(), heat.node.end(), change.begin());
+        std::copy(heat.lump.begin(), heat.lump.end(),
+                  change.begin() + std::ptrdiff_t(heat.node.size()));
+    }
+    std::vector<double> next(end);
+    for (std::size_t k = 0; k < end.size(); ++k) {
+        next[k] += std::clamp(change[k], -farthest, farthest);
+    }
+    return next;
 }
 
 }  // namespace diurna

@@ -70,6 +70,7 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.unfollowed = std::max(all.unfollowed, one.unfollowed);
     all.most_dew_unfollowed = std::max(all.most_dew_unfollowed, one.most_dew_unfollowed);
     all.target_facets = one.target_facets;
+    all.target_residual = std::max(all.target_residual, one.target_residual);
     all.dew_left_out = std::max(all.dew_left_out, one.dew_left_out);
     all.worst_water_closure = std::max(all.worst_water_closure, one.worst_water_closure);
     all.coldest = first ? one.coldest : std::min(all.coldest, one.coldest);
@@ -173,6 +174,10 @@ void solve_piece(const Piece& piece, Walk& walk) {
                        begun && walk.days > 1 && !changed ? &walk.day_before : nullptr),
               options);
     add_report(result.report, walk.result.report);
+    if (piece.periodic) {
+        walk.result.repeated = result.report.converged;
+        walk.result.repeated_error = result.report.estimated_error;
+    }
     for (const Instant when : told) walk.result.heat.add_between(result.heat, when);
     if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);
     walk.state = std::move(result.end);

@@ -48,8 +48,10 @@ struct SpanStage {
 
 struct SpanResult {
     TemperatureField temperature;  // at the wanted instants, straight between steps
-    SolveReport report;  // of all days: sums of passes, steps and seconds, worst of all else
-    std::string start;   // in one line: how the start was found
+    SolveReport report;    // of all days: sums of passes, steps and seconds, worst of all else
+    bool repeated = true;  // the day that repeats was found, if one had to be
+    double repeated_error = 0.0;       // [K] SolveReport::estimated_error of it alone
+    std::string start;                 // in one line: how the start was found
     std::vector<std::string> notes{};  // in a line each: what else is to be known of it
     HeatState end{};                   // of the span, where it goes on
     HeatFluxField heat{};  // at the wanted instants, straight between steps; if asked for

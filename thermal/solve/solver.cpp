@@ -282,6 +282,7 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.worst_water_closure = single.worst_water_closure;
     const NetworkFacets::Summary network = targets.summary();
     report.target_facets = network.facets;
+    if (solve.options.periodic) report.target_residual = network.residual;
     report.limited += network.limited;
     report.worst_energy_closure =
         std::max({record.worst_closure, single.worst_closure, network.worst_closure});

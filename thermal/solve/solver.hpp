@@ -38,6 +38,7 @@ struct SolveReport {
     std::size_t unfollowed = 0;
     double most_dew_unfollowed = 0.0, dew_left_out = 0.0;
     double worst_water_closure = 0.0;  // [kg m⁻²] fallen + condensed − evaporated − run off − kept
+    double target_residual = 0.0;       // [K] likewise |P(T) − T| of targets' nodes and lumps
     std::size_t target_facets = 0;      // of targets (thermal/solve/network_facets.hpp)
     int point_passes = 0;               // over the span, the worst of them
     int limited = 0;                    // their steps that had to be taken otherwise than asked

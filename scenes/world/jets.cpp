@@ -252,6 +252,10 @@ class Blowing {
     }
 
     void tell(std::size_t t, const std::string& who, double area, double share, double has) {
+        if (area == 0.0) {
+            all_[t].notes.push_back(who + " meets nothing that it warms");
+            return;
+        }
         all_[t].notes.push_back(fmt::format(
             "{} gives up to {:.2g} % of its {:.3g} W/K to {:.2g} m2{}", who,
             100.0 * std::min(1.0, share), has, area,

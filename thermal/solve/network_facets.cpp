@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "thermal/solve/network_period.hpp"
 
@@ -55,6 +56,12 @@ NetworkFacets::NetworkFacets(const SolveState& solve) : solve_(solve) {
 
 void NetworkFacets::set_out_from(const std::vector<std::vector<double>>& left) {
     for (std::size_t t = 0; t < std::min(left.size(), target_.size()); ++t) {
+        const HeatNetwork& network = target_[t].object->network;
+        std::size_t values = network.lump.size();
+        for (std::size_t f = 0; f < network.facet.size(); ++f) values += network.grid_of(f).size();
+        if (left[t].size() != values) {
+            throw InputError("thermal solve", "the state to go on from belongs to other targets");
+        }
         target_[t].start = left[t];
     }
 }

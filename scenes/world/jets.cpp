@@ -30,7 +30,7 @@ struct Placed {
 
 Placed placed(const JetInput& input, const ObjectInput& object, const TargetFacets& target,
               double sea_level_height) {
-    const MeshFrame frame(object.mesh, object.placing);
+    const MeshFrame frame(*object.mesh, object.placing);
     Placed placed{.jet = {.diameter = input.diameter,
                           .speed = input.speed,
                           .temperature = std::isnan(input.kelvin) ? lump_gas : input.kelvin},

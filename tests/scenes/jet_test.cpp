@@ -284,7 +284,7 @@ TEST_CASE("a vehicle's exhaust leaves a spot on the ground that fades", "[scenes
     const Eigen::Vector3f at = on.prepared.world.facets.centroid[spot];
     const ObjectInput& input = on.prepared.scene.terrain.objects.at(0);
     const Eigen::Vector3d outlet =
-        MeshFrame(input.mesh, input.placing).place(input.target.jet.at(0).outlet);
+        MeshFrame(*input.mesh, input.placing).place(input.target.jet.at(0).outlet);
     CHECK(at.x() == Approx(outlet.x()).margin(0.2));
     CHECK(at.y() == Approx(outlet.y() - outlet.z() * 0.82 / 0.57).margin(0.2));
     const double h = std::max(10.0, film) + 4.0 * stefan_boltzmann * std::pow(292.0, 3);

@@ -1,5 +1,7 @@
 #include "scenes/run/stepper.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -9,6 +11,7 @@
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
+#include "tests/support/crate.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;
@@ -17,21 +20,7 @@ namespace {
 
 /// A box of thin sheet on a plain part of the small scene, with a way as told.
 Scene crate_scene(const ScratchFolder& folder, const std::string& way) {
-    write_text(folder.path / "crate.obj", R"(v -2 -2 0
-v 2 -2 0
-v 2 2 0
-v -2 2 0
-v -2 -2 2
-v 2 -2 2
-v 2 2 2
-v -2 2 2
-f 1 4 3 2
-f 5 6 7 8
-f 1 2 6 5
-f 2 3 7 6
-f 3 4 8 7
-f 4 1 5 8
-)");
+    write_text(folder.path / "crate.obj", crate_mesh);
     std::string text = small_scene();
     text = with(text, "radius_m = 4000.0", "radius_m = 800.0");
     text = with(text, "place_m = [2000.0, 1100.0]", "place_m = [-100.0, -100.0]");
@@ -57,6 +46,23 @@ times_s = [0.0, 36000.0, 36060.0, 86400.0]
 )";
 /// The same way, and so the same fine ground along it, days behind the span.
 const std::string stays = goes_at_ten + "start = 2026-07-18T00:00:00-04:00\n";
+
+std::string a_crate(const std::string& name, const std::string& stands) {
+    return "[[object]]\nname = \"" + name + "\"\nmesh = \"crate.obj\"\nup = \"z\"\n" + stands;
+}
+
+/// Of an object's facets that look up, by area [K].
+double lid(Stepper& scene, ObjectId object) {
+    const FacetSet& facets = scene.prepared().world.facets;
+    const std::vector<float> kelvin = scene.temperature();
+    double sum = 0.0, area = 0.0;
+    for (std::size_t f = scene.prepared().world.ground_facets; f < facets.size(); ++f) {
+        if (facets.object[f] != object || facets.normal[f].z() < 0.9f) continue;
+        sum += double{facets.area[f]} * double{kelvin[f]};
+        area += double{facets.area[f]};
+    }
+    return sum / area;
+}
 
 Instant clock(const char* at) { return parse_instant(std::string("2026-07-15T") + at + "-04:00"); }
 
@@ -95,6 +101,77 @@ TEST_CASE("a program that does what a trajectory does finds what a run finds",
     CHECK(worst("11:00:00") < 0.02);
     CHECK(worst("16:00:00") < 0.02);
     CHECK(worst("22:00:00") < 0.02);
+}
+
+TEST_CASE("a black plate that comes into the sun follows its exponential", "[scenes][stepper]") {
+    const ScratchFolder folder("stepper_plate");
+    write_text(folder.path / "crate.obj", crate_mesh);
+    // 800 W/m² from the sun and nothing from the sky, in still air of 300 K for ever.
+    std::string weather =
+        "time,air_temperature_K,relative_humidity,wind_speed_m_s,direct_normal_W_m2,diffuse_W_m2\n";
+    for (int h = 0; h <= 48; ++h) {
+        weather +=
+            fmt::format("2026-07-{:02}T{:02}:00:00-04:00,300,0.3,2,800,0\n", 14 + h / 24, h % 24);
+    }
+    write_text(folder.path / "weather.csv", weather);
+    std::string text = with(with(with(small_scene(), "radius_m = 4000.0", "radius_m = 800.0"),
+                                 "place_m = [2000.0, 1100.0]", "place_m = [-100.0, -100.0]"),
+                            "height_above_ground_m = 450.0", "height_above_ground_m = 60.0");
+    const std::string file = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv";
+    text = with(text, file, (folder.path / "weather.csv").string());
+    text = with(text, "start = 2026-07-15T00:00:00-04:00\nstep_s = 1200.0\nframe_every_s = 21600.0",
+                "start = 2026-07-15T11:00:00-04:00\nduration_h = 4.0\nstep_s = 300.0\n"
+                "spin_up = \"periodic\"");
+    for (const char* material :
+         {"grass", "forest", "asphalt", "concrete_wall", "glass", "painted_steel"}) {
+        text = with(text, fmt::format("\"{}\"", material), "\"black\"");
+    }
+    // All is black, so that no light comes by ground and roof, and 5 mm of steel that neither
+    // radiates nor loses heat inwards.
+    text += R"([material.black]
+albedo = 0.0
+emissivity = 0.0
+roughness_length_m = 0.01
+bottom = { kind = "flux", value_W_m2 = 0.0 }
+convection = { kind = "constant", value_W_m2K = 10.0 }
+layers = [{ thickness_m = 0.005, conductivity_W_mK = 50.0, density_kg_m3 = 7800.0, heat_capacity_J_kgK = 500.0 }]
+)";
+    text += a_crate("plate", "place_m = [-50.0, -50.0]\nmaterial = \"black\"\n");
+    text += a_crate("roof",
+                    "trajectory = \"stays\"\nscale = 10.0\n"
+                    "material = \"black\"\nlargest_edge_m = 10.0\n");
+    text += R"([[trajectory]]
+name = "stays"
+waypoints_m = [[-50.0, -50.0, 10.0], [-50.0, -49.0, 10.0]]
+times_s = [0.0, 1.0]
+start = 2026-07-18T00:00:00-04:00
+)";
+    write_text(folder.path / "scene.toml", text);
+    Stepper scene(read_scene(folder.path / "scene.toml"));
+    const ObjectId plate{3};
+    // Shaded since the morning: as warm as the air.
+    scene.advance(parse_instant("2026-07-15T13:25:00-04:00"));
+    CHECK(lid(scene, plate) == Approx(300.0).margin(0.1));
+    // At noon (13:42 on that clock) the sun stands 90 - 36.32 + 21.5 degrees high (Meeus' low
+    // precision sun: declination 21.5 in mid-July), 0.2 % less of it on the lid 15 minutes off.
+    Eigen::Isometry3d away = scene.pose("roof");
+    away.translation().y() += 300.0;
+    scene.put("roof", away);
+    const double absorbed = 800.0 * std::sin((90.0 - 36.32 + 21.5) * M_PI / 180.0);
+    const double film = 10.0, capacity = 0.005 * 7800.0 * 500.0;
+    for (const double minutes : {5.0, 15.0, 30.0}) {
+        scene.advance(later(parse_instant("2026-07-15T13:25:00-04:00"), 60.0 * minutes));
+        const double risen = absorbed / film * (1.0 - std::exp(-film * 60.0 * minutes / capacity));
+        CAPTURE(minutes);
+        CHECK(lid(scene, plate) - 300.0 == Approx(risen).epsilon(0.01).margin(0.1));
+    }
+    // Back in the shade it falls as it rose.
+    const double warm = lid(scene, plate) - 300.0;
+    away.translation().y() -= 300.0;
+    scene.put("roof", away);
+    scene.advance(later(scene.now(), 1200.0));
+    CHECK(lid(scene, plate) - 300.0 ==
+          Approx(warm * std::exp(-film * 1200.0 / capacity)).epsilon(0.01).margin(0.1));
 }
 
 TEST_CASE("pictures cost no solve, and show what was put where", "[scenes][stepper]") {

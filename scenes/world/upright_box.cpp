@@ -1,7 +1,10 @@
 #include "scenes/world/upright_box.hpp"
 
 #include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
 
+#include "scenes/world/some_facets.hpp"
 #include "terrain/place/site.hpp"
 
 namespace diurna {
@@ -10,20 +13,11 @@ FacetSet object_facets(const World& world, ObjectId id) {
     for (std::size_t c = 0; c < world.copies.size(); ++c) {
         if (world.copies[c].object == id) return in_place(world.facets, world.copies[c]);
     }
-    FacetSet own;
-    const FacetSet& all = world.facets;
-    for (std::size_t f = 0; f < all.size(); ++f) {
-        if (all.object[f] != id) continue;
-        const auto first = static_cast<std::uint32_t>(own.vertex.size());
-        for (const std::uint32_t v : all.corner[f]) own.vertex.push_back(all.vertex[v]);
-        own.corner.push_back({first, first + 1, first + 2});
-        own.centroid.push_back(all.centroid[f]);
-        own.normal.push_back(all.normal[f]);
-        own.area.push_back(all.area[f]);
-        own.material.push_back(all.material[f]);
-        own.object.push_back(id);
+    std::vector<std::uint32_t> own;
+    for (std::uint32_t f = 0; f < world.facets.size(); ++f) {
+        if (world.facets.object[f] == id) own.push_back(f);
     }
-    return own;
+    return some_facets(world.facets, own);
 }
 
 std::optional<UprightBox> upright_box(const FacetSet& facets, ObjectId id, double heading_deg) {

@@ -50,19 +50,27 @@ void NetworkStepper::ends(std::vector<double>& outer, std::vector<double>& inner
     }
 }
 
+namespace {
+
+/// Heat that goes into nodes, and how much of it there is in all.
+struct Flows {
+    double sum = 0.0;  // [W]
+    void into(double watts, double& to) {
+        to += watts;
+        sum += std::abs(watts);
+    }
+    void pass(double watts, double& from, double& to) {
+        from -= watts;
+        into(watts, to);
+    }
+};
+
+}  // namespace
+
 /// What the equations of a facet's nodes lack, and what it gives others; returns all that flows.
 double NetworkStepper::facet_residual(std::size_t f, std::size_t block, double tau,
                                       const NetworkState& start) {
-    double here_flows = 0.0;
-    const auto pass = [&](double watts, double& from, double& to) {
-        from -= watts;
-        to += watts;
-        here_flows += std::abs(watts);
-    };
-    const auto into = [&](double watts, double& to) {
-        to += watts;
-        here_flows += std::abs(watts);
-    };
+    Flows flows;
     const NetworkFacet& facet = network_.facet[f];
     const NetworkColumn& column = network_.column[facet.column];
     const ColumnGrid& grid = column.grid;
@@ -70,21 +78,21 @@ double NetworkStepper::facet_residual(std::size_t f, std::size_t block, double t
     const double area = facet.area;
     for (std::size_t j = at; j <= last; ++j) {
         const double store = grid.capacity[j - at] / tau;
-        into(-area * store * (state.node[j] - start.node[j]), missing_.node[j]);
+        flows.into(-area * store * (state.node[j] - start.node[j]), missing_.node[j]);
         if (j == last) break;
-        pass(area * grid.conductance[j - at] * (state.node[j] - state.node[j + 1]),
-             missing_.node[j], missing_.node[j + 1]);
+        flows.pass(area * grid.conductance[j - at] * (state.node[j] - state.node[j + 1]),
+                   missing_.node[j], missing_.node[j + 1]);
     }
-    into(facet.open * area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
+    flows.into(facet.open * area * (faces_.outer[f] + loads_.outer[f]), missing_.node[at]);
     for (const HeatTouch& touch : system_.touches_of(f)) {
         double& there = given_.to_touched(std::size_t(&touch - network_.touch.data()));
         there = 0.0;
-        pass(touch.conductance * (state.node[at] - state.edge[touch.edge]), missing_.node[at],
-             there);
+        flows.pass(touch.conductance * (state.node[at] - state.edge[touch.edge]), missing_.node[at],
+                   there);
     }
-    into(area * (faces_.inner[f] + loads_.inner[f] + grid.below_flux +
-                 grid.conductance.back() * (grid.below_temperature - state.node[last])),
-         missing_.node[last]);
+    flows.into(area * (faces_.inner[f] + loads_.inner[f] + grid.below_flux +
+                       grid.conductance.back() * (grid.below_temperature - state.node[last])),
+               missing_.node[last]);
     for (int end = 0; end < 2; ++end) {
         if (facet.edge[end][0] == no_number || column.spread[end] == 0.0) continue;
         double& node = missing_.node[end == 0 ? at : last];
@@ -98,7 +106,7 @@ double NetworkStepper::facet_residual(std::size_t f, std::size_t block, double t
         for (int s = 0; s < 3; ++s) {
             double& there = given_.to_edge(f, end, s);
             there = 0.0;
-            pass(column.spread[end] * out[s], node, there);
+            flows.pass(column.spread[end] * out[s], node, there);
         }
     }
     for (const auto b : {behind_air, behind_star, behind_touched}) {
@@ -108,10 +116,10 @@ double NetworkStepper::facet_residual(std::size_t f, std::size_t block, double t
         if (b == behind_star) {
             film = to_star_[f] = star_conductance(facet.radiant, state.node[last], there);
         }
-        pass(area * film * (state.node[last] - there), missing_.node[last],
-             given_.to_lump(block, facet.lump[b]));
+        flows.pass(area * film * (state.node[last] - there), missing_.node[last],
+                   given_.to_lump(block, facet.lump[b]));
     }
-    return here_flows;
+    return flows.sum;
 }
 
 /// What every equation lacks at the present state; returns its share of all heat that flows.
@@ -126,29 +134,21 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
         }
     });
     given_.add_to(missing_.edge.data(), missing_.lump.data());
-    double flowing = 0.0, here_flows = 0.0;
+    double flowing = 0.0;
+    Flows flows;
     for (const double of_block : flowing_) flowing += of_block;
-    const auto pass = [&](double watts, double& from, double& to) {
-        from -= watts;
-        to += watts;
-        here_flows += std::abs(watts);
-    };
-    const auto into = [&](double watts, double& to) {
-        to += watts;
-        here_flows += std::abs(watts);
-    };
     for (const HeatLink& link : network_.link) {
-        pass(link.conductance * (state.lump[link.a] - state.lump[link.b]), missing_.lump[link.a],
-             missing_.lump[link.b]);
+        flows.pass(link.conductance * (state.lump[link.a] - state.lump[link.b]),
+                   missing_.lump[link.a], missing_.lump[link.b]);
     }
     for (const HeatStream& stream : network_.stream) {
-        into(stream.conductance * (state.lump[stream.from] - state.lump[stream.to]),
-             missing_.lump[stream.to]);
+        flows.into(stream.conductance * (state.lump[stream.from] - state.lump[stream.to]),
+                   missing_.lump[stream.to]);
     }
     double missing = 0.0;
     for (std::size_t k = 0; k < state.lump.size(); ++k) {
         const double store = network_.lump[k].capacity / tau;
-        into(loads_.lump[k] - store * (state.lump[k] - start.lump[k]), missing_.lump[k]);
+        flows.into(loads_.lump[k] - store * (state.lump[k] - start.lump[k]), missing_.lump[k]);
         if (network_.lump[k].fixed) missing_.lump[k] = 0.0;
         missing += std::abs(missing_.lump[k]);
     }
@@ -158,7 +158,7 @@ double NetworkStepper::residual(double tau, const NetworkState& start) {
         return (part[0] + part[1]) + (part[2] + part[3]);
     };
     missing += sum(missing_.node) + sum(missing_.edge);
-    flowing += here_flows;
+    flowing += flows.sum;
     return flowing > 0.0 ? missing / flowing : 0.0;
 }
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <tuple>
+#include <vector>
 
 #include "materials/radiation/planck.hpp"
 #include "render/light/node_spectra.hpp"
@@ -100,11 +103,25 @@ Spectra receivers_of(std::span<const NodeOptics> optics, const IncidentLight& li
     return receivers;
 }
 
+/// Those that are used and differ from all before them. Samples go with the square of their number,
+/// and the parts of twenty trucks are three hundred materials of fifteen finishes.
+std::vector<NodeOptics> distinct(std::span<const NodeOptics> optics) {
+    using Key = std::tuple<std::vector<double>, std::vector<double>, std::vector<double>>;
+    std::set<Key> known;
+    std::vector<NodeOptics> some;
+    for (const NodeOptics& a : optics) {
+        if (a.reflectance.empty()) continue;
+        if (known.emplace(a.reflectance, a.emissivity, a.room).second) some.push_back(a);
+    }
+    return some;
+}
+
 }  // namespace
 
-SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> optics,
+SpectralBasis scene_basis(const Band& band, std::span<const NodeOptics> all_optics,
                           const ThreeHeights& incident, float surrounded,
                           const TemperatureExtent& extent) {
+    const std::vector<NodeOptics> optics = distinct(all_optics);
     const Spectra black = black_bodies(band, extent);
     const auto samples = radiosity_samples(optics, incident, black);
     const Spectra receivers = receivers_of(optics, incident[1], black[0], double{surrounded});

@@ -44,6 +44,8 @@ between = ["engine", "hood"]
 [[object.stream]]
 from = "engine"
 to = "cab"
+[[object.contact]]
+between = ["hood", "ground"]
 [[object.jet]]
 name = "exhaust"
 [[shapes]]  # ground

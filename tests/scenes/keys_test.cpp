@@ -141,6 +141,13 @@ TEST_CASE("the page tells type, unit, default, range and on what a key depends",
     CHECK(entry(book().material, "bottom.film_W_m2K").condition == "kind = \"interior\"");
     CHECK(unit_of("film_W_m2K") == "W/m²K");
     CHECK(unit_of("velocity_m_s") == "m/s");
+    CHECK(unit_of("conductance_W_K") == "W/K");
+    CHECK(unit_of("heat_capacity_J_K") == "J/K");
+    CHECK(unit_of("flow_kg_s") == "kg/s");
+    CHECK(unit_of("air_changes_per_h") == "1/h");
+    CHECK(unit_of("volume_m3") == "m³");
+    CHECK(unit_of("heat_W") == "W");
+    CHECK(unit_of("inside_K") == "K");
     CHECK(unit_of("leaf_area").empty());
 }
 

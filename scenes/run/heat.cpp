@@ -107,12 +107,17 @@ void check_start(const Prepared& prepared) { earlier_state(prepared); }
 
 namespace {
 
-/// Whether a scene can be solved in part: not where its heat is handed on, and not where little
-/// would be saved.
-bool can_stand_for(const Prepared& scene) {
+/// Why a scene is solved whole though a tolerance is given; "" where it need not be.
+std::string why_whole(const Prepared& scene, double tolerance) {
     constexpr std::size_t few_facets = 5000;
-    return scene.world.surfaces().size() > few_facets && !scene.scene.output.state &&
-           scene.scene.time.spin_up != SpanStart::state && !scene.sequences.empty();
+    if (!(tolerance > 0.0)) return "temperatures are asked for apart from pictures";
+    if (scene.scene.output.state) return "the heat of all is kept (output.state)";
+    if (scene.scene.time.spin_up == SpanStart::state) return "it goes on from a state of all";
+    if (scene.sequences.empty()) return "there are no pictures";
+    if (scene.world.surfaces().size() <= few_facets) {
+        return fmt::format("there are no more than {}", few_facets);
+    }
+    return "";
 }
 
 /// The span of facets that stand for all.
@@ -170,12 +175,17 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     }
     const StageHeat& first = *heat.front();
     std::optional<NeededFacets> needed;
-    if (tolerance > 0.0 && can_stand_for(scene)) {
+    const std::string whole = why_whole(scene, tolerance);
+    if (whole.empty()) {
         needed = needed_facets(stages, first.input().network, tolerance);
         for (const auto& own : heat) own->ask_for(solid_facets(*needed, scene.world));
     }
     SpanResult result = needed ? solve_needed(parts, span, needed->who) : solve_span(parts, span);
-    if (needed) result.notes.push_back(told(*needed, result.temperature));
+    if (needed) {
+        result.notes.push_back(told(*needed, result.temperature));
+    } else if (scene.scene.tolerance > 0.0) {
+        result.notes.push_back("solved: every facet, in spite of tolerance_K: " + whole);
+    }
     result.start += ": " + start_told(first.input(), span, result);
     for (std::string& note : first.told(result.report)) {
         result.notes.push_back(std::move(note));

@@ -73,8 +73,11 @@ void add_felt(const FacetViews& views, const std::vector<float>& share,
     };
     while (fewest < most) {
         const std::size_t middle = (fewest + most) / 2;
-        (weight_of(views, share, with(middle)) > allowed ? fewest : most) =
-            weight_of(views, share, with(middle)) > allowed ? middle + 1 : middle;
+        if (weight_of(views, share, with(middle)) > allowed) {
+            fewest = middle + 1;
+        } else {
+            most = middle;
+        }
     }
     solved = with(most);
 }

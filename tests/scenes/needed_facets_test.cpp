@@ -76,8 +76,15 @@ TEST_CASE("a scene whose state is kept is solved whole", "[scenes][needed]") {
     const ScratchFolder folder("needed_state");
     Scene scene = valley(folder);
     scene.output.state = true;
+    scene.tolerance = 0.1;
     const Prepared prepared = prepare(std::move(scene));
     Progress silent(ProgressStyle::silent);
     const SpanResult result = solve_scene(Stages(prepared), silent, 0.1);
     CHECK(result.report.facets == prepared.world.surfaces().size());
+    const auto told = [](const SpanResult& of, const std::string& why) {
+        return std::any_of(of.notes.begin(), of.notes.end(), [&](const std::string& note) {
+            return note.find("every facet, in spite of tolerance_K: " + why) != std::string::npos;
+        });
+    };
+    CHECK(told(result, "the heat of all is kept"));
 }

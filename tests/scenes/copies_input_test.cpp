@@ -1,0 +1,100 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/plan/prepared.hpp"
+#include "tests/support/copied_crates.hpp"
+
+// What copies may be told, and the ground that is made fine for them.
+
+using namespace diurna;
+using namespace copied_crates;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string mistakes_of(const fs::path& folder, const std::string& objects) {
+    std::string all;
+    try {
+        prepare(read_scene(written(folder, objects)));
+    } catch (const InputError& error) {
+        for (const Mistake& mistake : error.mistakes()) all += mistake.line() + "\n";
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("the ground of many copies is made fine once", "[scenes][copies]") {
+    const ScratchFolder folder("copies_ground");
+    const auto ground = [&](const std::string& objects) {
+        const Prepared built = prepare(read_scene(written(folder.path, objects)));
+        // Nothing left out and nothing twice.
+        double area = 0.0;
+        for (std::size_t f = 0; f < built.world.ground_facets; ++f) {
+            area += double{built.world.facets.area[f]} * built.world.facets.normal[f].z();
+        }
+        return std::pair{built.world.ground_facets, area};
+    };
+    const auto [copied, area] = ground(copies(alike_within));
+    const auto [built_out, same] = ground(apart(stands));
+    const auto [none, plain] = ground("");
+    CAPTURE(copied, built_out, none);
+    // Patches that lie over one another are cut along all their sides and filled by all lattices.
+    CHECK(copied < 0.7 * double(built_out));
+    CHECK(copied > none + 1000);
+    CHECK(area == Approx(plain).epsilon(1e-5));
+    CHECK(same == Approx(plain).epsilon(1e-5));
+}
+
+TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mistakes]") {
+    const ScratchFolder folder("copies_mistakes");
+    const auto told = [&](const std::string& keys) {
+        const std::string all =
+            mistakes_of(folder.path, "[[object]]\nname = \"crate\"\n" + about_crate + keys);
+        CAPTURE(all);
+        CHECK(std::count(all.begin(), all.end(), '\n') == 1);
+        return all;
+    };
+    const auto has = [](const std::string& text, const std::string& part) {
+        CAPTURE(text, part);
+        CHECK(text.find(part) != std::string::npos);
+    };
+    has(told("copies = [[0.0, 0.0, 0.0]]\nplace_m = [0.0, 0.0]"), "place_m: stands beside copies");
+    has(told("copies = [[0.0, 0.0, 500.0]]"), "found heading_deg 500");
+    has(told("copies = [[0.0, 0.0]]"), "copies");
+    has(told("copies = [[9000.0, 0.0, 0.0]]"), "crate_0001");
+    has(told("place_m = [0.0, 0.0]\ncopies_alike_K = 1.0"), "copies_alike_K: stands without");
+
+    has(told("copies_file = \"none.csv\""), "no such file");
+    has(told("copies = [[0.0, 0.0, 0.0]]\n[[object.part]]\nname = \"*\"\n[[object.contact]]\n"
+             "between = [\"*\", \"ground\"]\nconductance_W_m2K = 10.0"),
+        "contact with the ground");
+    const std::string texture =
+        "\n[[texture]]\nname = \"worn\"\nstd = 0.01\ncorrelation_length_m = 1.0\n";
+    has(told("copies = [[0.0, 0.0, 0.0]]\ntexture = \"worn\"" + texture), "texture: not on an");
+    has(mistakes_of(folder.path, "[[object]]\nname = \"crate\"\ncopies = [[0.0, 0.0, 0.0]]\n" +
+                                     with(about_crate, "painted_sheet", "rusty") +
+                                     "[material.rusty]\nlike = \"painted_sheet\"\n"
+                                     "texture = \"worn\"" +
+                                     texture),
+        "on which a texture lies");
+    write_text(folder.path / "park.csv",
+               "# a yard\neast_m,north_m,heading_deg\n1,2,3\n\n4,\"5\",six\n");
+    has(told("copies_file = \"park.csv\""), "park.csv:5:");
+    write_text(folder.path / "park.csv", "east_m,nord_m,heading_deg\n1,2,3\n");
+    has(told("copies_file = \"park.csv\""), "north_m");
+    write_text(folder.path / "park.csv", "east_m,north_m,heading_deg\n0,0,0\n10,0,90\n");
+    CHECK(mistakes_of(folder.path,
+                      "[[object]]\nname = \"crate\"\n" + about_crate + "copies_file = \"park.csv\"")
+              .empty());
+    has(mistakes_of(folder.path, "[[object]]\nname = \"crate_0002\"\nplace_m = [30.0, 0.0]\n" +
+                                     about_crate + "[[object]]\nname = \"crate\"\n" + about_crate +
+                                     "copies_file = \"park.csv\""),
+        "crate_0002");
+}

@@ -19,8 +19,6 @@ namespace diurna {
 
 namespace {
 
-constexpr double lump_gas = 600.0;  // [K] a lump's gas is as dense as that
-
 /// A jet where it stands in the scene.
 struct Placed {
     HotJet jet;
@@ -31,12 +29,13 @@ struct Placed {
 Placed placed(const JetInput& input, const ObjectInput& object, const TargetFacets& target,
               double sea_level_height) {
     const MeshFrame frame(*object.mesh, object.placing);
-    Placed placed{.jet = {.diameter = input.diameter,
-                          .speed = input.speed,
-                          .temperature = std::isnan(input.kelvin) ? lump_gas : input.kelvin},
-                  .outlet = target.pose * frame.place(input.outlet),
-                  .direction = target.pose.linear() * frame.direction(input.direction),
-                  .reach = 0.0};
+    Placed placed{
+        .jet = {.diameter = input.diameter,
+                .speed = input.speed,
+                .temperature = std::isnan(input.kelvin) ? JetInput::lump_gas : input.kelvin},
+        .outlet = target.pose * frame.place(input.outlet),
+        .direction = target.pose.linear() * frame.direction(input.direction),
+        .reach = 0.0};
     placed.jet.pressure = standard_pressure(sea_level_height);
     if (std::isnan(input.speed)) placed.jet.speed = speed_of(input.flow, placed.jet);
     placed.reach = jet_reach(placed.jet);
@@ -187,8 +186,8 @@ class Blowing {
         const std::string who = fmt::format("the jet \"{}\" of \"{}\"", told.name, input.name);
         if (way.shut()) {
             all_[t].notes.push_back(who +
-                                    " blows nowhere: its outlet lies within the mesh, or "
-                                    "faces it");
+                                    " meets something right at its outlet, which lies within "
+                                    "the mesh, or close before something");
         }
         struct Found {
             std::uint32_t facet;
@@ -307,7 +306,7 @@ std::vector<GroundPatch> jet_patches(const ObjectInput& object) {
         if (!(range > 0.0 && range < jet.reach)) continue;
         const Eigen::Vector2d middle = (jet.outlet + range * jet.direction).head<2>();
         const double diameter = std::max(told.diameter, range / 12.0);
-        constexpr double least = 0.12;  // [m] the ground's mesh takes no less than 0.1
+        constexpr double least = 0.03;  // [m]
         for (const auto& [half, edge] : {std::pair{8.0, 2.0}, {3.0, 0.8}}) {
             GroundPatch patch{.ring = {}, .largest_edge = std::max(least, edge * diameter)};
             for (const auto& [x, y] :

@@ -139,9 +139,10 @@ class Cutting {
         for (const auto& p : footprint.ring) {
             if (!p.allFinite()) throw refuse("a corner is not a finite number");
         }
-        if (!(footprint.largest_edge > 0.1)) {
-            throw refuse(fmt::format("found a largest edge of {} m; expected more than 0.1 m",
-                                     footprint.largest_edge));
+        constexpr double least_edge = 0.01;  // [m]
+        if (!(footprint.largest_edge >= least_edge)) {
+            throw refuse(fmt::format("found a largest edge of {} m; expected {} m or more",
+                                     footprint.largest_edge, least_edge));
         }
         Ring ring = clipped(footprint.ring, dem_.columns, dem_.rows);
         if (ring.size() < 3) throw refuse("lies wholly outside the elevation data");

@@ -8,12 +8,17 @@ namespace diurna {
 
 namespace {
 
-/// Distance within which a ring runs through a post instead of beside it, so that no sliver
-/// arises [posts].
-constexpr double snap = 0.005;
+/// Distance [posts] within which a ring runs through a post instead of beside it, so that no sliver
+/// arises: little to what is cut, too, where posts are far apart.
+double snapping_distance(const Ring& ring, double largest_edge, const Eigen::Vector2d& spacing) {
+    const Extent extent(ring);
+    const double size = (extent.high - extent.low).cwiseProduct(spacing).minCoeff();
+    return std::min(
+        {0.005, 0.2 * largest_edge / spacing.maxCoeff(), 0.02 * size / spacing.maxCoeff()});
+}
 
 /// Posts within the snapping distance of the way from `a` to `b`, ends left out, in order.
-Ring posts_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+Ring posts_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double snap) {
     const Eigen::Vector2d way = b - a;
     const double length = way.norm();
     Ring found;
@@ -83,6 +88,8 @@ Ring clipped(Ring ring, int columns, int rows) {
 
 Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spacing) {
     Ring points;
+    if (ring.empty()) return points;
+    const double snap = snapping_distance(ring, largest_edge, spacing);
     const auto add = [&](Eigen::Vector2d p) {
         const Eigen::Vector2d post(std::round(p.x()), std::round(p.y()));
         if ((p - post).norm() < snap) p = post;
@@ -95,7 +102,8 @@ Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spaci
         for (int k = 0; k < count; ++k) {
             const Eigen::Vector2d from = ring[i] + step * (k / double(count));
             add(from);
-            for (const auto& post : posts_along(from, ring[i] + step * ((k + 1) / double(count)))) {
+            for (const auto& post :
+                 posts_along(from, ring[i] + step * ((k + 1) / double(count)), snap)) {
                 add(post);
             }
         }

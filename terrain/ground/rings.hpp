@@ -32,7 +32,8 @@ Ring clipped(Ring ring, int columns, int rows);
 
 /// Points along the ring no further apart than `largest_edge` [m], where `spacing` is the distance
 /// of columns and of rows [m]. The ring runs through posts that it comes nearer to than 0.005
-/// posts, so that no sliver arises between them.
+/// posts, a fifth of `largest_edge` and a fiftieth of its own width, so that no sliver arises
+/// between them. Less than three points only of a ring without a width.
 Ring divided(const Ring& ring, double largest_edge, const Eigen::Vector2d& spacing);
 
 /// A lattice along the longest side of a ring of the given corners, inside its divided border and

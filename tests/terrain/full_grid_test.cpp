@@ -82,3 +82,31 @@ TEST_CASE("footprints cut the full grid and it keeps every post", "[terrain][gri
     const double exact = 0.5 * std::abs((12.9 - 5.3) * (15.7 - 4.2) - (9.4 - 5.3) * (6.1 - 4.2));
     CHECK(inside == Approx(exact).epsilon(1e-9));
 }
+
+TEST_CASE("a small footprint on a coarse raster is cut as fine as it asks",
+          "[terrain][grid][ground]") {
+    Dem dem = bumps(5, 5);
+    dem.transform = {420e3, 550.0, 0.0, 5100e3, 0.0, -550.0};
+    // Squares of 0.6 m with edges of 0.08 m, and one of 2 m that asks for none.
+    const auto square = [](double column, double row, double side) {
+        const double half = 0.5 * side / 550.0;
+        return std::vector<Eigen::Vector2d>{{column - half, row - half},
+                                            {column + half, row - half},
+                                            {column + half, row + half},
+                                            {column - half, row + half}};
+    };
+    const std::vector<Footprint> footprints{{square(1.3, 2.4, 0.6), 0.08}, {square(2.6, 1.7, 2.0)}};
+    const GroundMesh mesh = ground_mesh(dem, full_grid(dem), 0.0, footprints);
+    double area[2] = {0.0, 0.0}, longest = 0.0;
+    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+        if (mesh.footprint[t] < 0) continue;
+        const auto& [a, b, c] = mesh.triangle[t];
+        const Eigen::Vector2d u = 550.0 * (mesh.place[b] - mesh.place[a]),
+                              v = 550.0 * (mesh.place[c] - mesh.place[a]);
+        area[mesh.footprint[t]] += 0.5 * std::abs(u.x() * v.y() - u.y() * v.x());
+        if (mesh.footprint[t] == 0) longest = std::max({longest, u.norm(), v.norm()});
+    }
+    CHECK(area[0] == Approx(0.36).epsilon(1e-6));
+    CHECK(area[1] == Approx(4.0).epsilon(1e-6));
+    CHECK(longest < 1.5 * 0.08);
+}

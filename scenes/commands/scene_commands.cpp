@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -18,9 +19,11 @@
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/job.hpp"
+#include "scenes/run/picture_shares.hpp"
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
+#include "scenes/world/targets.hpp"
 
 namespace diurna {
 
@@ -117,9 +120,13 @@ void check_verb(const SceneArguments& a) {
     }
     const Prepared prepared = prepare(std::move(scene));
     check_start(prepared);
+    const std::vector<NetworkObject> networks = targets(prepared.world, prepared.scene);
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.surfaces().size(), prepared.sequences.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const NetworkObject& network : networks) {
+        for (const std::string& note : network.notes) fmt::print(stderr, "note: {}\n", note);
+    }
 }
 
 void run_verb(const SceneArguments& a, RunArguments run) {
@@ -172,6 +179,23 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_converged(not_converged(result.report));
 }
 
+/// Throws InputError for pictures of facets that another run left to others of their kind.
+void check_solved(const Stages& stages, const TemperatureField& field,
+                  const std::filesystem::path& temperatures) {
+    if (field.solved_as.empty()) return;
+    const std::vector<float> share = picture_shares(stages);
+    float most = 0.0f;
+    for (std::size_t f = 0; f < share.size(); ++f) {
+        if (field.solved_as[f] != f) most = std::max(most, share[f]);
+    }
+    if (most == 0.0f) return;
+    throw InputError(temperatures.string(),
+                     fmt::format("was solved for other pictures (tolerance_K): of these a facet "
+                                 "that fills {:.2g} % of one was left to others of its kind",
+                                 100.0f * most),
+                     "run the scene with these observers, or solve it without tolerance_K");
+}
+
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,
                  const std::filesystem::path& out) {
     const Prepared prepared = prepare(a.read());
@@ -187,6 +211,7 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     progress.stage("sky view");
     const Stages stages(prepared);
     stages.at(0);
+    check_solved(stages, field, temperatures);
     render_frames(stages, field, out, progress);
 }
 

@@ -38,9 +38,20 @@ std::optional<ClockHours::Window> window_of(const std::string& text) {
     window.from = 3600.0 * h1 + 60.0 * m1;
     window.to = 3600.0 * h2 + 60.0 * m2;
     const bool good = m1 < 60 && m2 < 60 && window.from < day && window.to <= day &&
-                      window.from != window.to && window.share >= 0.0 && window.share <= 100.0;
+                      window.from != window.to && window.share >= 0.0 && window.share <= 1.0;
     if (window.to < window.from) window.to += day;  // over midnight
     return good ? std::optional(window) : std::nullopt;
+}
+
+/// Whether two windows have a moment in common, on some day.
+bool overlap(const ClockHours::Window& a, const ClockHours::Window& b) {
+    const long apart = a.day && b.day ? *b.day - *a.day : 0;
+    for (const long days : {apart - 1, apart, apart + 1}) {
+        if (a.day && b.day && days != apart) continue;
+        const double later = double(days) * day;
+        if (a.from < b.to + later && b.from + later < a.to) return true;
+    }
+    return false;
 }
 
 }  // namespace
@@ -52,23 +63,43 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
         if (const auto window = window_of(text)) {
             hours.push_back(*window);
         } else {
-            section.mistake(key, fmt::format("found '{}', expected hours and a share as "
-                                             "05:30-06:10 0.3",
-                                             text.substr(0, 60)));
+            section.mistake(key,
+                            fmt::format("found '{}', expected hours and a share as "
+                                        "05:30-06:10 0.3",
+                                        text.substr(0, 60)),
+                            "hours of a day to 24:00, a share from 0 to 1, 1 unless told");
+        }
+    }
+    for (std::size_t i = 0; i < hours.size() && hours.size() == texts.size(); ++i) {
+        for (std::size_t k = 0; k < i; ++k) {
+            if (!overlap(hours[k], hours[i])) continue;
+            section.mistake(key, fmt::format("'{}' overlaps '{}', expected one share at a time",
+                                             texts[i].substr(0, 60), texts[k].substr(0, 60)));
         }
     }
     return hours;
 }
 
 std::vector<ClockHours::Window> read_hours(const Section& section) {
-    return windows_of(
-        section, "hours",
-        section.texts_or(
-            "hours",
-            "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
-            "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
-            "05:30-06:10\"; a temperature is held then, and is the air's else",
-            {std::vector<std::string>{}, "always"}));
+    const std::vector<std::string> texts = section.texts_or(
+        "hours",
+        "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
+        "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
+        "05:30-06:10\"; a temperature is held then, and is the air's else",
+        {std::vector<std::string>{}, "always"});
+    if (section.has("hours") && texts.empty()) {
+        section.mistake("hours", "found none, expected one or more; without the key it is always");
+    }
+    return windows_of(section, "hours", texts);
+}
+
+bool read_runs(const Section& section) {
+    const bool runs = section.flag_or(
+        "runs", "its heat is released in the hours of the object's `running` alone", false);
+    if (runs && section.has("hours")) {
+        section.mistake("hours", "stands beside runs = true, expected one of the two");
+    }
+    return runs;
 }
 
 }  // namespace diurna

@@ -15,4 +15,7 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
 /// The key `hours` of what releases heat or is held at a temperature.
 std::vector<ClockHours::Window> read_hours(const Section& section);
 
+/// The key `runs` of what releases heat in the hours of the object's `running` alone.
+bool read_runs(const Section& section);
+
 }  // namespace diurna

@@ -7,10 +7,13 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/input/read_hours.hpp"
+#include "thermal/surface/hot_jet.hpp"
 
 namespace diurna {
 
 namespace {
+
+constexpr double fastest = 250.0;  // [m s⁻¹] that the laws of jets are for
 
 Eigen::Vector3d read_vector(const Section& section, const char* key, const char* says) {
     const std::vector<double> v = section.numbers(key, says, 3);
@@ -35,16 +38,16 @@ JetInput read_jet(const Section& section, std::span<const std::string> lumps) {
     }
     jet.diameter = section.number("diameter_m", "of the outlet", {0.005, 5.0});
     jet.speed = section.number_or("speed_m_s", "mean over the outlet",
-                                  {JetInput::none, "needed, or flow_kg_s"}, {0.1, 250.0});
+                                  {JetInput::none, "needed, or flow_kg_s"}, {0.1, fastest});
     jet.flow = section.number_or("flow_kg_s", "of gas", {JetInput::none, "needed, or speed_m_s"},
                                  {1e-5, 1e3});
-    if (std::isnan(jet.speed) == std::isnan(jet.flow)) {
+    if (section.has("speed_m_s") == section.has("flow_kg_s")) {
         section.mistake("speed_m_s", "expected either this or flow_kg_s");
     }
     jet.kelvin = section.number_or("temperature_K", "of the gas at the outlet",
                                    {JetInput::none, "needed, or lump"}, {200.0, 2500.0});
     jet.lump = section.text_or("lump", "the lump or enclosure that the gas is as warm as", "");
-    if (std::isnan(jet.kelvin) == jet.lump.empty()) {
+    if (section.has("temperature_K") != jet.lump.empty()) {
         section.mistake("temperature_K", "expected either this or lump");
     }
     if (!jet.lump.empty() && std::find(lumps.begin(), lumps.end(), jet.lump) == lumps.end()) {
@@ -53,6 +56,17 @@ JetInput read_jet(const Section& section, std::span<const std::string> lumps) {
                                     lumps.empty() ? std::string("none")
                                                   : fmt::format("{}", fmt::join(lumps, ", "))),
                         did_you_mean(jet.lump, lumps));
+    }
+    if (!std::isnan(jet.flow)) {
+        const HotJet gas{.diameter = jet.diameter,
+                         .speed = fastest,
+                         .temperature = std::isnan(jet.kelvin) ? JetInput::lump_gas : jet.kelvin};
+        if (const double speed = speed_of(jet.flow, gas); speed > fastest) {
+            section.mistake("flow_kg_s",
+                            fmt::format("is {:.3g} m/s through the outlet, expected {:g} m/s at "
+                                        "the most: {:.3g} kg/s",
+                                        speed, fastest, mass_flow(gas)));
+        }
     }
     jet.hours = read_hours(section);
     jet.runs =

@@ -15,6 +15,7 @@ namespace diurna {
 /// (thermal/surface/hot_jet.hpp).
 struct JetInput {
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    static constexpr double lump_gas = 600.0;  // [K] a lump's gas is as dense as that
     std::string name;
     Eigen::Vector3d outlet = Eigen::Vector3d::Zero();      // its middle, as the mesh's vertices are
     Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();  // in the mesh's axes, unit

@@ -370,6 +370,21 @@ class Builder {
     std::uint32_t corners_ = 0;
 };
 
+/// Tells of hours of which none is within the span.
+void tell_idle(const ObjectInput& input, const TimeInput& time, NetworkObject& object) {
+    const auto tell = [&](const char* what, const std::string& name,
+                          const std::vector<ClockHours::Window>& windows) {
+        const ClockHours hours{windows, time.utc_offset};
+        if (windows.empty() || hours.mean(time.start, time.end()) > 0.0) return;
+        object.notes.push_back(
+            fmt::format("no hour of the {} \"{}\" of \"{}\" lies within the span: it does nothing",
+                        what, name, input.name));
+    };
+    for (const PartInput& part : input.target.part) tell("part", part.name, part.hours);
+    for (const LumpInput& lump : input.target.lump) tell("lump", lump.name, lump.hours);
+    for (const JetInput& jet : input.target.jet) tell("jet", jet.name, jet.hours);
+}
+
 }  // namespace
 
 TargetFacets target_facets(const ObjectInput& input, std::size_t object, ObjectId id,
@@ -392,6 +407,7 @@ std::vector<NetworkObject> targets(const World& world, const Scene& scene) {
     std::vector<bool> taken(world.surfaces().size());
     for (const TargetFacets& target : world.targets) {
         all.push_back(Builder(world, scene, target).build(world, scene, taken));
+        tell_idle(scene.terrain.objects[target.object], scene.time, all.back());
     }
     blow(world, scene, all);
     return all;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -332,7 +333,7 @@ TEST_CASE("a jet as warm as a lump, and one that has less than it would give", "
     const Blown shut = blown(slab(), jet("outlet = [0.0, 0.0, 0.01]\ndirection = [0, 0, "
                                          "-1]\ndiameter_m = 0.02\nspeed_m_s = 1\ntemperature_K = "
                                          "500.0\n"));
-    CHECK(shut.notes().find("blows nowhere") != std::string::npos);
+    CHECK(shut.notes().find("meets something right at its outlet") != std::string::npos);
 }
 
 TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
@@ -356,4 +357,32 @@ TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
               .find("nothing but zeros") != std::string::npos);
     CHECK(told(std::string(from_above) + "runs = true\nhours = [\"06:00-07:00\"]\n")
               .find("stands beside runs = true") != std::string::npos);
+    // A pipe of 0.1 m passes 1.38 kg/s of air of 500 K (0.706 kg/m3) at 250 m/s.
+    CHECK(told("outlet = [0, 0, 1]\ndirection = [0, 0, -1]\ndiameter_m = 0.1\nflow_kg_s = "
+               "100.0\ntemperature_K = 500.0\n")
+              .find("expected 250 m/s at the most: 1.39 kg/s") != std::string::npos);
+    CHECK(told(std::string(from_above) + "hours = []\n").find("hours: found none") !=
+          std::string::npos);
+    CHECK(told(std::string(from_above) + "hours = [\"06:00-07:00 2\"]\n")
+              .find("a share from 0 to 1") != std::string::npos);
+    CHECK(told(std::string(from_above) + "hours = [\"22:00-02:00\", \"2026-03-21 01:00-03:00\"]\n")
+              .find("'2026-03-21 01:00-03:00' overlaps '22:00-02:00'") != std::string::npos);
+    CHECK(told(std::string(from_above) + "hours = [\"22:00-02:00\", \"02:00-03:00\"]\n").empty());
+    CHECK(told(std::string(from_above) + "[[object.jet]]\nname = \"exhaust\"\n" + from_above)
+              .find("'exhaust' stands twice") != std::string::npos);
+    // What is out of its range is told once.
+    const std::string slow = told(
+        "outlet = [0, 0, 1]\ndirection = [0, 0, -1]\ndiameter_m = "
+        "0.1\nspeed_m_s = 0\ntemperature_K = 500.0\n");
+    CHECK(std::count(slow.begin(), slow.end(), '\n') == 1);
+}
+
+TEST_CASE("a jet whose hours lie outside the span is told", "[scenes][jet]") {
+    const Blown never =
+        blown(slab(), jet(std::string(from_above) + "hours = [\"2026-09-01 06:00-07:00\"]\n"));
+    CHECK(never.notes().find("no hour of the jet \"exhaust\" of \"sheet\" lies within the span") !=
+          std::string::npos);
+    const Blown now =
+        blown(slab(), jet(std::string(from_above) + "hours = [\"2026-03-20 06:00-07:00\"]\n"));
+    CHECK(now.notes().find("lies within the span") == std::string::npos);
 }

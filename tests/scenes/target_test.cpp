@@ -381,6 +381,17 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
                Contains("no 'engin' in this object") && Contains("did you mean 'engine'?"));
     CHECK_THAT(told("[[object.lump]]\nname = \"engine\"\n"),
                Contains("object[0].part: missing, expected at least one"));
+    const std::string lid = "[[object.part]]\nname = \"lid\"\n";
+    CHECK_THAT(told(lid + "runs = true\n"), Contains("runs: of no heat and no temperature"));
+    CHECK_THAT(told(lid + "[[object.lump]]\nname = \"oil\"\ntemperature_K = 350\n"
+                          "heat_capacity_J_K = 1000\n"),
+               Contains("heat_capacity_J_K: of a lump that is held"));
+    CHECK_THAT(told(lid + "[[object.lump]]\nname = \"ground\"\n"),
+               Contains("'ground' stands for something else already"));
+    const std::string on_ground = "[[object.contact]]\nconductance_W_m2K = 50\nbetween = ";
+    CHECK_THAT(
+        told(lid + on_ground + "[\"lid\", \"ground\"]\n" + on_ground + "[\"ground\", \"lid\"]\n"),
+        Contains("between: joins 'lid' and 'ground' as"));
     CHECK_THAT(told("part_file = \"none.toml\"\n"), Contains("part_file: no such file"));
     write_text(folder.path / "mesh.parts.toml", "[[part]]\nname = \"lid\"\nheat = 5\n");
     CHECK_THAT(told(""), Contains("mesh.parts.toml:3:1: part[0].heat: unknown key"));

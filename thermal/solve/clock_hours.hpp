@@ -17,7 +17,7 @@ struct ClockHours {
     std::vector<Window> window{};  // empty: always, all of it
     double utc_offset = 0.0;       // [s] that the clock is ahead of UTC
 
-    /// The mean share from one instant to a later one. Windows that overlap add up.
+    /// The mean share from one instant to a later one. Windows must not overlap.
     double mean(Instant from, Instant to) const;
 };
 

@@ -1,0 +1,141 @@
+#include "scenes/input/read_lumps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "materials/base/error.hpp"
+#include "scenes/input/read_hours.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double water_heat_capacity = 4186.0;
+
+/// A name of its own among those an object's links may give.
+std::string own_name(const Section& section, const char* says, const TargetInput& target) {
+    std::string name = section.text("name", says);
+    if (name == outdoors_name || name == ground_name || target.has_enclosure(name) ||
+        target.has_lump(name) || (!name.empty() && target.find_part(name) >= 0)) {
+        section.mistake("name", fmt::format("'{}' stands for something else already", name));
+    }
+    return name;
+}
+
+/// One of the object's parts, enclosures and lumps, or the air outdoors.
+void check_end(const Section& section, const std::string& key, const std::string& name,
+               const TargetInput& target, bool parts) {
+    std::vector<std::string> known{outdoors_name};
+    for (const EnclosureInput& room : target.enclosure) known.push_back(room.name);
+    for (const LumpInput& lump : target.lump) known.push_back(lump.name);
+    if (parts) {
+        for (const PartInput& part : target.part) known.push_back(part.name);
+    }
+    if (name.empty() || std::find(known.begin(), known.end(), name) != known.end()) return;
+    section.mistake(
+        key, fmt::format("no '{}' in this object, which has {}", name, fmt::join(known, ", ")),
+        did_you_mean(name, known));
+}
+
+}  // namespace
+
+EnclosureInput read_enclosure(const Section& section, const TargetInput& target) {
+    EnclosureInput room;
+    room.name = own_name(section, "by which parts name it", target);
+    room.volume = section.number("volume_m3", "of its air", {1e-6, 1e7});
+    room.air_changes =
+        section.number_or("air_changes_per_h", "of its air with that outdoors", 0.5, {0.0, 1e5});
+    room.film =
+        section.number_or("film_W_m2K", "between its air and its inner faces", 3.0, {0.0, 1000.0});
+    return room;
+}
+
+LumpInput read_lump(const Section& section, const TargetInput& target) {
+    LumpInput lump;
+    lump.name = own_name(section, "of a thing of one temperature: an engine, coolant, oil", target);
+    lump.capacity = section.number_or("heat_capacity_J_K", "of all of it", 0.0, {0.0, 1e12});
+    lump.watts = section.number_or("heat_W", "released in it", 0.0, {-1e8, 1e8});
+    lump.kelvin = section.number_or("temperature_K", "that it is held at",
+                                    {not_given, "none: it finds its own"}, {150.0, 2500.0});
+    lump.hours = read_hours(section);
+    lump.runs = read_runs(section);
+    if ((!lump.hours.empty() || lump.runs) && std::isnan(lump.kelvin) && lump.watts == 0.0) {
+        section.mistake(lump.runs ? "runs" : "hours", "of no heat and no temperature");
+    }
+    if (!std::isnan(lump.kelvin) && lump.capacity != 0.0) {
+        section.mistake("heat_capacity_J_K",
+                        "of a lump that is held at temperature_K does nothing");
+    }
+    if (!std::isnan(lump.kelvin) && lump.watts != 0.0) {
+        section.mistake("heat_W", "of a lump that is held at temperature_K does nothing");
+    }
+    return lump;
+}
+
+LinkInput read_link(const Section& section, TargetInput& target) {
+    LinkInput link;
+    const std::vector<std::string> between = section.texts_or(
+        "between", "two of the names of lumps, enclosures, parts (one at most) and \"outdoors\"",
+        {std::vector<std::string>{}, "required"});
+    if (between.size() != 2) {
+        section.mistake("between", fmt::format("found {} names, expected two", between.size()));
+        return link;
+    }
+    link.a = between[0];
+    link.b = between[1];
+    for (const std::string& name : between) check_end(section, "between", name, target, true);
+    if (target.find_part(link.a) >= 0) std::swap(link.a, link.b);
+    if (target.find_part(link.a) >= 0) {
+        section.mistake("between", "joins two parts, expected a lump between them",
+                        "parts that share edges conduct over them; others touch by way of a lump");
+    }
+    if (link.a == link.b) section.mistake("between", "joins a thing with itself");
+    const bool to_part = target.find_part(link.b) >= 0;
+    link.conductance = section.number_or("conductance_W_K", "of all of it",
+                                         {not_given, "needed, or film_W_m2K"}, {0.0, 1e9});
+    link.film = section.number_or("film_W_m2K", "of a part's inner face, by its area",
+                                  {not_given, "needed, or conductance_W_K"}, {0.0, 1e6});
+    if (std::isnan(link.conductance) == std::isnan(link.film)) {
+        section.mistake("conductance_W_K", "expected either this or film_W_m2K");
+    } else if (!to_part && !std::isnan(link.film)) {
+        section.mistake("film_W_m2K", "needs a part, whose area it counts by");
+    }
+    link.where = section.where();
+    return link;
+}
+
+StreamInput read_stream(const Section& section, const TargetInput& target) {
+    StreamInput stream;
+    stream.from = section.text("from", "the lump or enclosure that it leaves, or \"outdoors\"");
+    stream.to = section.text("to", "the lump or enclosure that it enters, or \"outdoors\"");
+    check_end(section, "from", stream.from, target, false);
+    check_end(section, "to", stream.to, target, false);
+    if (stream.from == stream.to) section.mistake("to", "leads where it comes from");
+    const double flow = section.number("flow_kg_s", "of mass", {0.0, 1e6});
+    stream.conductance = flow * section.number_or("heat_capacity_J_kgK", "of the fluid",
+                                                  {water_heat_capacity, "water's"}, {10.0, 2e4});
+    return stream;
+}
+
+/// As much must leave each lump and enclosure as enters it, or heat comes of nothing.
+void check_streams(const Section& section, const TargetInput& target) {
+    std::map<std::string, double> more, all;
+    for (const StreamInput& stream : target.stream) {
+        more[stream.to] += stream.conductance;
+        more[stream.from] -= stream.conductance;
+        all[stream.to] += stream.conductance;
+        all[stream.from] += stream.conductance;
+    }
+    for (const auto& [name, watts] : more) {
+        if (name == outdoors_name || std::abs(watts) <= 1e-3 * all[name]) continue;
+        section.mistake(
+            "stream",
+            fmt::format("'{}' gets {:g} W/K more than leaves it, expected as much", name, watts),
+            "close the loop, or lead it to \"outdoors\"");
+    }
+}
+
+}  // namespace diurna

@@ -73,9 +73,21 @@ void BlockRays::ask_which(std::size_t count) {
             follow(k);
             continue;
         }
+        if (from_behind(k, nearest[k])) {
+            hidden[owners_[k]] += 1.0;
+            continue;
+        }
         owner.push_back(owners_[k]);
         seen.push_back({FacetId{nearest[k]}, 1.0f});
     }
+}
+
+bool BlockRays::from_behind(std::size_t k, std::uint32_t met) const {
+    if (met >= facets_.size()) return false;
+    const Eigen::Vector3f& normal = facets_.normal[met];
+    return normal.x() * packet_.direction_x[k] + normal.y() * packet_.direction_y[k] +
+               normal.z() * packet_.direction_z[k] >
+           0.0f;
 }
 
 void BlockRays::follow(std::size_t k) {

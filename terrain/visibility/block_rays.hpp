@@ -41,8 +41,8 @@ struct RayQueue {
 /// behind a facet is followed, heat or sunlight.
 class BlockRays {
  public:
-    BlockRays(const RayScene& scene, bool nearest, bool sunlight)
-        : scene_(scene), nearest_(nearest), sunlight_(sunlight) {}
+    BlockRays(const RayScene& scene, const FacetSet& facets, bool nearest, bool sunlight)
+        : scene_(scene), facets_(facets), nearest_(nearest), sunlight_(sunlight) {}
 
     /// The first lanes of a packet, of the block's facet `from`; `sines` of the elevations above
     /// which there is only sky.
@@ -50,7 +50,8 @@ class BlockRays {
     /// Asks for the rays that are left.
     void finish();
 
-    // (facet of the block) rays; `hidden`: that met the back of a sheet
+    // (facet of the block) rays; `hidden`: that met the back of a sheet, or the inside of a body or
+    // of the ground, in which they then began
     std::array<double, facets_per_block> sky{}, below{}, hidden{};
     // (facet of the block) Σ over what is hidden of the sky above the horizontal, ray by ray
     std::array<SkyVector, facets_per_block> covered{};
@@ -75,7 +76,11 @@ class BlockRays {
     void ask_whether(std::size_t count);
     void ask_which(std::size_t count);
 
+    /// Whether the packet's k-th ray meets a facet, no copy's, from behind.
+    bool from_behind(std::size_t k, std::uint32_t met) const;
+
     const RayScene& scene_;
+    const FacetSet& facets_;
     bool nearest_, sunlight_;
     RayQueue doubtful_{}, blocked_{};
     RayPacket packet_{};

@@ -230,11 +230,13 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
         areas.improve();
         ++report.passes;
     }
-    // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`.
+    // What still exceeds a row's sum is taken off both ways; what is missing goes to `below`,
+    // of what is buried to `hidden`.
     const std::vector<float> sky = views.sky;
     const std::vector<double> shrink = areas.shrink_to_fit(views.sky);
     for (std::size_t f = 0; f < views.shares.size(); ++f) {
-        if (views.sky[f] == sky[f]) continue;
+        if (!(views.sky[f] > 0.0f)) views.shares[f] = {};  // of rays' chance
+        if (views.sky[f] == sky[f] || !(views.sky[f] > 0.0f)) continue;
         views.shares[f] =
             with_sky_view(views.shares[f], facets.normal[f], double{sky[f]}, double{views.sky[f]});
     }
@@ -259,8 +261,16 @@ ReciprocityReport make_reciprocal(const FacetSet& facets, FacetViews& views,
         const double known = sum[f] + views.sky[f] + hidden_from(views, f) + copied_seen(views, f);
         report.worst_closure =
             std::max(report.worst_closure, std::abs(1.0 - known - double{views.below[f]}));
-        views.below[f] = std::max(0.0f, static_cast<float>(1.0 - known));
+        const float missing = std::max(0.0f, static_cast<float>(1.0 - known));
+        if (!views.buried.empty() && views.buried[f]) {
+            views.hidden.resize(n, 0.0f);
+            views.hidden[f] = missing;
+            views.below[f] = 0.0f;
+        } else {
+            views.below[f] = missing;
+        }
     }
+    views.buried.clear();
     add_copied(views);
     return report;
 }

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <span>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
 #include "terrain/visibility/block_rays.hpp"
 #include "terrain/visibility/hemisphere_rays.hpp"
+#include "terrain/visibility/lifted_facet.hpp"
 #include "terrain/visibility/sky_basis.hpp"
 #include "terrain/visibility/sky_bound.hpp"
 
@@ -16,6 +20,7 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t facets_per_bound = 32;  // neighbours along Morton's curve
+constexpr double lies_on = 1e-3;              // [m] nothing is between a facet and ground so near
 
 /// One block's rows of view factors.
 struct FactorRows {
@@ -69,6 +74,51 @@ ViewFactors joined(const std::vector<FactorRows>& blocks, std::size_t facets) {
     return factors;
 }
 
+/// Which facets from `first` on have ground above them. Empty: none.
+std::vector<std::uint8_t> below_ground(const FacetSet& facets, const RayScene& scene,
+                                       std::size_t first) {
+    std::vector<std::uint8_t> buried(facets.size(), 0);
+    for_each_block(
+        facets.size() - first, facets_per_block, [&](std::size_t begin, std::size_t end) {
+            std::vector<Ray> up;
+            for (std::size_t f = first + begin; f < first + end; ++f) {
+                const LiftedFacet lifted(facets, f);
+                const Eigen::Vector3d middle =
+                    lifted.corner + (lifted.to_b + lifted.to_c) / 3.0 + lies_on * lifted.normal;
+                up.push_back({.origin = middle.cast<float>(),
+                              .direction = Eigen::Vector3f::UnitZ(),
+                              .far = std::numeric_limits<float>::infinity()});
+            }
+            // Through what the facet itself may stand below: a lid, a roof.
+            std::vector<Hit> met(up.size());
+            constexpr int most_above = 64;
+            std::vector<std::size_t> open(up.size());
+            std::iota(open.begin(), open.end(), std::size_t{0});
+            for (int i = 0; i < most_above && !open.empty(); ++i) {
+                std::vector<Ray> rays;
+                for (const std::size_t k : open) rays.push_back(up[k]);
+                met.resize(rays.size());
+                scene.closest(rays, met);
+                std::vector<std::size_t> left;
+                for (std::size_t k = 0; k < open.size(); ++k) {
+                    if (met[k].facet == no_facet) continue;
+                    if (index(met[k].facet) < first) {
+                        buried[first + begin + open[k]] = 1;
+                        continue;
+                    }
+                    Ray& ray = up[open[k]];
+                    ray.origin.z() = std::nextafter(ray.origin.z() + met[k].range * (1.0f + 1e-6f),
+                                                    std::numeric_limits<float>::infinity());
+                    left.push_back(open[k]);
+                }
+                open = std::move(left);
+            }
+        });
+    if (std::none_of(buried.begin(), buried.end(), [](std::uint8_t b) { return b != 0; }))
+        return {};
+    return buried;
+}
+
 /// The open plane's, less what rays found hidden. Rays that miss the horizontal by chance count for
 /// what lies just above it.
 ///
@@ -94,6 +144,9 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
     const SkyBound bound(facets, scene.copies());
 
     FacetViews views;
+    if (options.first_object < facets.size()) {
+        views.buried = below_ground(facets, scene, options.first_object);
+    }
     views.rays.assign(facets.size(), static_cast<std::uint16_t>(options.rays));
     for (std::size_t f = options.first_object; f < facets.size(); ++f) {
         views.rays[f] = static_cast<std::uint16_t>(options.object_rays);
@@ -107,12 +160,13 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
-        BlockRays found(scene, options.others, options.sunlight);
+        BlockRays found(scene, facets, options.others, options.sunlight);
         SkyBound::Sines sines = SkyBound::unknown;
         for (std::size_t f = begin; f < end; ++f) {
             if ((f - begin) % facets_per_bound == 0) {
                 sines = bound.sines(facets, f, std::min(end, f + facets_per_bound));
             }
+            if (!views.buried.empty() && views.buried[f]) continue;
             const HemisphereRays& sampler = f < options.first_object ? ground_rays : object_rays;
             for (std::size_t p = 0; p < sampler.packets(); ++p) {
                 sampler.fill(facets, f, p, rays);
@@ -134,6 +188,10 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
             views.sky[f] = static_cast<float>(weight * found.sky[f - begin]);
             views.below[f] = static_cast<float>(weight * found.below[f - begin]);
             views.hidden[f] = static_cast<float>(weight * found.hidden[f - begin]);
+            if (!views.buried.empty() && views.buried[f]) {
+                views.shares[f] = {};
+                continue;
+            }
             views.shares[f] = open_shares(facets.normal[f], found.covered[f - begin], weight,
                                           double{views.sky[f]});
         }

@@ -11,8 +11,9 @@ namespace diurna {
 
 struct FacetViewOptions {
     int rays = 64;  // stratified, cosine-weighted directions per facet, 1 to 65535
-    /// Facets from this one on take so many instead. What a wall sees differs more from place to
-    /// place than what open ground does, and thin metal follows every error.
+    /// Facets before this one are ground, a height field; from it on they take so many rays
+    /// instead. What a wall sees differs more from place to place than what open ground does, and
+    /// thin metal follows every error.
     std::size_t first_object = std::numeric_limits<std::size_t>::max();
     int object_rays = 256;
     std::uint64_t seed = 1;
@@ -27,6 +28,9 @@ struct FacetViewOptions {
 /// over its hemisphere by the cosine (hemisphere_rays.hpp), and each counts 1/n towards the facet
 /// it meets first, the sky, or what lies below the scene's edge. Rows are independent estimates of
 /// F_ij; that A_i F_ij = A_j F_ji is left to reciprocity.hpp.
+///
+/// Rays of a facet whose middle lies below the ground (a box's floor that lies on it, a corner sunk
+/// in a slope) would find nothing, which is no open plain: it is `buried`, and its row left empty.
 ///
 /// Standard error of a facet's sky about 0.65/rays^0.75 (0.03 at 64 rays, 0.011 at 256, measured in
 /// bowls), of means over n facets √n less; the same numbers for any number of threads. Rays above

@@ -32,6 +32,9 @@ struct FacetViews {
     std::vector<float> hidden = {};        // 0 to 1, by the backs of sheets; empty: none
     std::vector<std::uint16_t> rays = {};  // (facet) that this comes from; empty: as many of each
     std::vector<SkyShares> shares = {};    // (facet); empty: as behind a ring of one height
+    /// (facet) 1 where it lies below the ground: it sees what is found to see it (reciprocity.hpp),
+    /// and else is `hidden`. Empty: none, and once rows are reciprocal.
+    std::vector<std::uint8_t> buried = {};
     /// What is seen in copies' places (copies.hpp), by the facets that are copied. These do not
     /// look back: apart from `others` until reciprocity.hpp has made those reciprocal and adds
     /// this; no rows: none.

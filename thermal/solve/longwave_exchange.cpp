@@ -26,7 +26,12 @@ struct Field {
     std::vector<float> leaving, change;
     std::vector<float> most;          // (facet) largest |change|
     std::vector<std::uint8_t> sends;  // (facet) 1 where `leaving` may be worth sending
+    std::vector<float> itself;        // (facet) share of its own like that it sees
     float open = 1.0f;  // 1 − the greatest share of longwave that comes back from a facet
+    /// What arrives for each W m⁻² of others', to and fro between a facet and its own like.
+    float to_and_fro(std::size_t f, float reflectance) const {
+        return 1.0f / std::max(0.01f, 1.0f - itself[f] * reflectance);
+    }
     std::span<float> changes(std::size_t f) { return {change.data() + f * used, used}; }
     std::span<float> leaves(std::size_t f) { return {leaving.data() + f * used, used}; }
 };
@@ -43,12 +48,8 @@ float largest(std::span<const float> x) {
 bool send(const SolveState& solve, float least, int sweeps, Field& field) {
     constexpr std::size_t most_values = 16'000'000;  // at once
     const FacetViews& view = solve.input.views;
-    std::vector<float> itself(solve.facets);
-    for (std::size_t f = 0; f < solve.facets; ++f) itself[f] = seen_as_itself(view, f);
-    const SeenRows<FacetId> rows{.row = view.others.row,
-                                 .source = view.others.facet,
-                                 .factor = view.others.factor,
-                                 .itself = itself};
+    const SeenRows<FacetId> rows{
+        .row = view.others.row, .source = view.others.facet, .factor = view.others.factor};
     const std::size_t room = std::max<std::size_t>(16, most_values / solve.facets);
     const std::size_t chunks = (field.used + room - 1) / room;
     const std::size_t lanes = (field.used + chunks - 1) / chunks;
@@ -72,10 +73,11 @@ bool send(const SolveState& solve, float least, int sweeps, Field& field) {
              .counts = counts},
             [&](std::size_t f, const float* arrived, float* unsent) {
                 const float reflectance = 1.0f - solve.optics.emissivity[f];
+                const float all = field.to_and_fro(f, reflectance);
                 float* const change = field.changes(f).data() + first;
-                for (std::size_t k = 0; k < count; ++k) change[k] += arrived[k];
+                for (std::size_t k = 0; k < count; ++k) change[k] += all * arrived[k];
                 for (std::size_t k = 0; k < count; ++k) {
-                    unsent[k] += reflectance * arrived[k];
+                    unsent[k] += reflectance * all * arrived[k];
                 }
                 return scale * largest({unsent, count});
             },
@@ -170,10 +172,18 @@ void renew_all(SolveState& solve, const Level& level, Field& field) {
     });
 }
 
-/// Puts by for sending what is reflected of the change.
-void reflect(const SolveState& solve, float least, Field& field) {
+/// Puts by for sending what is reflected of the change; what of that comes back from a facet's own
+/// like is taken in at once.
+void reflect(SolveState& solve, const Level& level, float least, Field& field) {
     for_each_index(solve.facets, [&](std::size_t f) {
         const float reflectance = 1.0f - solve.optics.emissivity[f];
+        const float back = field.to_and_fro(f, reflectance) - 1.0f;
+        for (std::size_t k = 0; back > 0.0f && k < field.used; ++k) {
+            float& change = field.change[f * field.used + k];
+            solve.excess[k * level.stride * solve.facets + f] += back * change;
+            change += back * change;
+        }
+        field.most[f] *= 1.0f + back;
         field.sends[f] = reflectance * field.most[f] > least * field.open;
         for (std::size_t k = 0; k < field.used; ++k) {
             field.leaving[f * field.used + k] = reflectance * field.change[f * field.used + k];
@@ -199,19 +209,58 @@ Eigen::MatrixXf arrived_heat(std::span<const std::size_t> facets, float emissivi
     return heat;
 }
 
-/// Tells what more facets send that are warmer by so much, (instant, facet).
-void send_more(const SolveState& solve, const Level& level, std::span<const std::size_t> facets,
+/// Tells what more facets send that are warmer by so much, (instant, facet). What comes back from
+/// their own like has been followed with it (left_of_slopes).
+void send_more(SolveState& solve, const Level& level, std::span<const std::size_t> facets,
                const Eigen::MatrixXd& warmer, Field& field) {
     for (std::size_t l = 0; l < facets.size(); ++l) {
         const std::size_t f = facets[l];
         field.sends[f] = 1;
+        const float emissivity = solve.optics.emissivity[f];
+        const float all = field.to_and_fro(f, 1.0f - emissivity);
         for (std::size_t k = 0; k < field.used; ++k) {
-            const float t = solve.kelvin[k * level.stride * solve.facets + f];
-            field.leaving[f * field.used + k] += 4.0f * solve.optics.emissivity[f] *
-                                                 float(stefan_boltzmann) * t * t * t *
-                                                 float(warmer(Eigen::Index(k), Eigen::Index(l)));
+            const std::size_t at = k * level.stride * solve.facets + f;
+            const float t = solve.kelvin[at];
+            const float more = all * 4.0f * emissivity * float(stefan_boltzmann) * t * t * t *
+                               float(warmer(Eigen::Index(k), Eigen::Index(l)));
+            field.leaving[f * field.used + k] += more;
+            solve.excess[at] += field.itself[f] * more;
         }
     }
+}
+
+/// [W m⁻² K⁻¹] on the mean of the span, of what a warmer facet sends more and gets back from its
+/// own like.
+double back_from_own_like(const SolveState& solve, const Level& level, std::size_t f,
+                          const Field& field) {
+    if (field.itself[f] == 0.0f) return 0.0;
+    double mean = 0.0;
+    for (std::size_t k = 0; k < field.used; ++k) {
+        const double t = solve.kelvin[k * level.stride * solve.facets + f];
+        mean += t * t * t / double(field.used);
+    }
+    const double emissivity = solve.optics.emissivity[f];
+    return field.itself[f] * field.to_and_fro(f, float(1.0 - emissivity)) * 4.0 * emissivity *
+           emissivity * stefan_boltzmann * mean;
+}
+
+/// What is left of facets' slopes where what they send more comes back from their own like: ground
+/// below something that hides all else from it loses nothing by radiation.
+Eigen::RowVectorXd left_of_slopes(const SolveState& solve, const Level& level, const Block& block,
+                                  const Eigen::RowVectorXd& relative, const Field& field) {
+    const double count = double(block.facet.size());
+    double mean = 0.0;  // [W m⁻² K⁻¹]
+    for (const std::vector<double>* slope : {&block.slope, &block.back_slope}) {
+        for (const double of_all : *slope) mean -= of_all / (count * double(slope->size()));
+    }
+    Eigen::RowVectorXd left = Eigen::RowVectorXd::Ones(relative.size());
+    for (std::size_t l = 0; l < block.facet.size(); ++l) {
+        const auto lane = Eigen::Index(l);
+        double back = back_from_own_like(solve, level, block.facet[l], field);
+        if (!block.behind.empty()) back += back_from_own_like(solve, level, block.behind[l], field);
+        if (back > 0.0) left[lane] = std::max(0.02, 1.0 - back / (mean * relative[lane]));
+    }
+    return left;
 }
 
 /// [W m⁻²] that warm by so much that slopes there say nothing of it: left to the block's next run.
@@ -237,7 +286,9 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             const auto n = Eigen::Index(block.start.size() / block.stride);
             const Eigen::MatrixXf heat =
                 arrived_heat(block.facet, solve.optics.emissivity[block.facet.front()], field);
-            LinearisedSpan day{.steep = relative_slopes(block),
+            const Eigen::RowVectorXd relative = relative_slopes(block);
+            LinearisedSpan day{.steep = relative.cwiseProduct(
+                                   left_of_slopes(solve, level, block, relative, field)),
                                .state = Eigen::MatrixXd::Zero(n, count),
                                .warmer = {}};
             if (!block.behind.empty()) {
@@ -246,8 +297,8 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             }
             run_linearised(solve, level, block, heat, day);
             if (solve.options.periodic) {
-                const Eigen::MatrixXd start = close_period(block, day.state);
-                const Eigen::MatrixXd follow = follow_start(block, start);
+                const Eigen::MatrixXd start = close_period(block, day.steep, day.state);
+                const Eigen::MatrixXd follow = follow_start(block, day.steep, start);
                 day.warmer += follow;
                 if (!block.behind.empty()) day.warmer_behind += follow;
                 for (Eigen::Index m = 0; m < n; ++m) {
@@ -296,9 +347,20 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
                 .change = std::vector<float>(used * solve.facets),
                 .most = std::vector<float>(solve.facets),
                 .sends = std::vector<std::uint8_t>(solve.facets, 0),
+                .itself = std::vector<float>(solve.facets),
                 .open = 1.0f - greatest_sent_on(solve.input.views, reflectance)};
+    for (std::size_t f = 0; f < solve.facets; ++f) {
+        field.itself[f] = seen_as_itself(solve.input.views, f);
+    }
     ExchangeChange result;
     renew_all(solve, level, field);
+    for (const Block& block : solve.block) {
+        if (level.kind[block.material].column.surface.emissivity > 0.0) continue;
+        for (const std::size_t f : block.facet) {
+            field.most[f] = 0.0f;
+            std::fill_n(field.changes(f).begin(), field.used, 0.0f);
+        }
+    }
     const float first = *std::max_element(field.most.begin(), field.most.end());
     result.heat = double(first);
     const float least = std::max(least_change, least_share * first);
@@ -308,7 +370,7 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
         }
     };
     tell_blocks();
-    reflect(solve, least, field);
+    reflect(solve, level, least, field);
     bool left = true;
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         const double warmer = follow(solve, level, least, field);

@@ -14,10 +14,16 @@ using Eigen::MatrixXd;
 
 constexpr double steeper = 1.25;
 
-/// How far each facet's slopes are on the way from the mean ones to the steeper ones.
-Eigen::RowVectorXd way_to_steeper(const Block& block) {
+/// How far each facet's slopes, over the block's mean ones, are on the way from those to the
+/// steeper ones.
+Eigen::RowVectorXd way_to_steeper(const Eigen::RowVectorXd& steep) {
     constexpr double furthest = 0.6;  // beyond which a straight line is none
-    return (relative_slopes(block).array() - 1.0).max(-furthest).min(furthest) / (steeper - 1.0);
+    return (steep.array() - 1.0).max(-furthest).min(furthest) / (steeper - 1.0);
+}
+/// The same for what a column makes of a heat that lasts, which goes with 1 / slope.
+Eigen::RowVectorXd way_of_lasting(const Eigen::RowVectorXd& steep) {
+    constexpr double least = 0.1, most = 2.5;  // beyond which a straight line is none
+    return (steep.array().max(least).min(most).inverse() - 1.0) / (1.0 / steeper - 1.0);
 }
 
 void linearise(const SolveState& solve, const Level& level, Block& block) {
@@ -55,7 +61,8 @@ void correct_block(SolveState& solve, const Level& level, Block& block) {
     BlockStates done(block.move.data(), n, count, stride);
     BlockStates planned(block.planned.data(), n, count, stride);
     const MatrixXd change = BlockStates(block.change.data(), n, count, stride);
-    const MatrixXd plan = close_period(block, change);
+    const Eigen::RowVectorXd steep = relative_slopes(block);
+    const MatrixXd plan = close_period(block, steep, change);
     MatrixXd move = plan;
     for (Eigen::Index l = 0; update && l < count; ++l) {
         // Of the move `done` the matrix explains `explained`.
@@ -70,21 +77,21 @@ void correct_block(SolveState& solve, const Level& level, Block& block) {
     planned = plan;
     block.largest_move =
         (kind.modes ? MatrixXd(kind.modes->probe * move) : move).cwiseAbs().maxCoeff();
-    warm(solve, level, block, follow_start(block, move));
+    warm(solve, level, block, follow_start(block, steep, move));
 }
 
 }  // namespace
 
-MatrixXd close_period(const Block& block, const MatrixXd& change) {
+MatrixXd close_period(const Block& block, const Eigen::RowVectorXd& steep, const MatrixXd& change) {
     MatrixXd result = block.period->mean.solve(change);
     const MatrixXd further = block.period->steeper.solve(change);
-    return result + (further - result) * way_to_steeper(block).asDiagonal();
+    return result + (further - result) * way_of_lasting(steep).asDiagonal();
 }
 
-MatrixXd follow_start(const Block& block, const MatrixXd& move) {
+MatrixXd follow_start(const Block& block, const Eigen::RowVectorXd& steep, const MatrixXd& move) {
     const PeriodMap& map = *block.period;
     return map.follow_mean * move +
-           (map.follow_steeper - map.follow_mean) * (move * way_to_steeper(block).asDiagonal());
+           (map.follow_steeper - map.follow_mean) * (move * way_to_steeper(steep).asDiagonal());
 }
 
 void renew_matrices(const SolveState& solve, Level& level, std::vector<Block>& blocks) {

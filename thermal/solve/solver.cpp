@@ -5,8 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
-#include <map>
-#include <tuple>
 #include <utility>
 #include <variant>
 
@@ -14,6 +12,7 @@
 #include "materials/base/parallel.hpp"
 #include "terrain/place/sun_path.hpp"
 #include "thermal/solve/first_guess.hpp"
+#include "thermal/solve/grouping.hpp"
 #include "thermal/solve/heat_record.hpp"
 #include "thermal/solve/incident_light.hpp"
 #include "thermal/solve/longwave_exchange.hpp"
@@ -34,64 +33,6 @@ double seconds_since(Clock::time_point then) {
 }
 /// [s] of all threads of this process, so far
 double cpu_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-/// Which slice of height a facet's block may hold: of columns in modes a whole tier, of others,
-/// which have one air a block, two metres of it.
-std::size_t slice_of(const SolveState& solve, std::size_t f, bool modes) {
-    if (solve.tiers.flat()) return 0;
-    const double gap = solve.tiers.height[1] - solve.tiers.height[0];
-    const double slices = modes ? 1.0 : std::ceil(gap / 2.0);
-    const double within = std::min(slices - 1.0, std::floor(slices * solve.tiers.share[f]));
-    return static_cast<std::size_t>(solve.tiers.low[f] * slices + within);
-}
-
-/// The way of a block's facets from their tier to the next, lanes filled up.
-void tell_heights(const SolveState& solve, Block& block) {
-    if (solve.tiers.flat()) return;
-    for (const std::size_t f : block.facet) block.up.push_back(solve.tiers.share[f]);
-    for (const double up : block.up) block.mean_up += up / double(block.up.size());
-    block.up.resize(block.stride, block.up.front());
-}
-
-/// Cuts the facets into blocks by material, and by height where that makes a difference. Returns
-/// the materials in the order of Block::material.
-std::vector<MaterialId> group_by_material(SolveState& solve) {
-    std::map<std::size_t, std::size_t> place_of;
-    std::vector<MaterialId> materials;
-    std::map<std::tuple<std::size_t, std::size_t, bool, bool, bool>, std::size_t>
-        open;  // still taking facets
-    for (std::size_t f = 0; f < solve.facets; ++f) {
-        if (solve.is_back(f)) continue;
-        const MaterialId id = solve.input.facets.material[f];
-        const ThermalSurface& surface = solve.input.materials[id].thermal;
-        const bool sheet = solve.has_back(f) && surface.back;
-        const FilmPart part = solve.part_of(f);
-        const bool sheltered =
-            part.wind != 1.0f && std::holds_alternative<Louis>(surface.convection);
-        const auto [place, is_new] = place_of.try_emplace(index(id), materials.size());
-        const std::size_t m = place->second;
-        if (is_new) materials.push_back(id);
-        const bool modes = in_modes(solve.options, surface);
-        const bool target = !solve.in_network.empty() && solve.in_network[f];
-        const auto [last, none] =
-            open.try_emplace({m, slice_of(solve, f, modes), sheet, sheltered, target}, 0);
-        if (none || solve.block[last->second].facet.size() == solve.block[last->second].stride) {
-            last->second = solve.block.size();
-            Block& block = solve.block.emplace_back();
-            block.material = m;
-            block.stride = modes ? mode_lanes : lanes;
-            block.tier = solve.tiers.flat() ? 0 : solve.tiers.low[f];
-            block.sheltered = sheltered;
-        }
-        Block& block = solve.block[last->second];
-        block.facet.push_back(f);
-        if (sheet) block.behind.push_back(solve.other_side[f]);
-        block.natural.push_back(
-            facet_film(surface.convection, solve.input.facets.normal[f].z(), part));
-    }
-    for (Block& block : solve.block) tell_heights(solve, block);
-    return materials;
-}
 
 /// Backs of sheets that have a room behind, or ground, are as warm as that throughout.
 void put_rooms(SolveState& solve) {
@@ -179,12 +120,12 @@ ExchangeChange renew_longwave(SolveState& solve, const Level& level, SolveReport
 }
 
 /// A day in hours, a few times, leaves a few tenths of a kelvin to the passes that count.
-void pass_in_hours(SolveState& solve, const std::vector<MaterialId>& materials, std::size_t stride,
+void pass_in_hours(SolveState& solve, const std::vector<KindOf>& kinds, std::size_t stride,
                    Level& fine, NetworkFacets& targets, SolveReport& report) {
     const bool neighbours = !solve.excess.empty();
     const int passes = neighbours ? 4 : 2, most_passes = 10;
     constexpr double alike = 1.0;  // [W m⁻²] of what targets' neighbours send from pass to pass
-    Level coarse = make_level(solve, materials, stride, 1, &fine);
+    Level coarse = make_level(solve, kinds, stride, 1, &fine);
     renew_longwave(solve, coarse, report);
     for (int i = 0; i < passes || (i < most_passes && targets.moved() > alike); ++i) {
         {
@@ -383,9 +324,9 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
                            options.start, later(options.start, options.duration));
     SolveState state(input, options, series);
     SolveReport report{.facets = state.facets, .steps = int(state.steps())};
-    const std::vector<MaterialId> materials = group_by_material(state);
+    const std::vector<KindOf> kinds = group_by_material(state);
     light_up(state);
-    Level fine = make_level(state, materials, 1, StepSetup{}.most_substeps);
+    Level fine = make_level(state, kinds, 1, StepSetup{}.most_substeps);
     state.kelvin.resize(state.instant.size() * state.facets);
     put_rooms(state);
     settle(state, fine);
@@ -396,7 +337,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     NetworkFacets targets(state);
     if (input.from) targets.set_out_from(input.from->network);
     if (const std::size_t stride = coarse_stride(state); options.periodic && stride > 1) {
-        pass_in_hours(state, materials, stride, fine, targets, report);
+        pass_in_hours(state, kinds, stride, fine, targets, report);
     } else {
         renew_longwave(state, fine, report);
     }

@@ -62,19 +62,20 @@ void drive_in_lee(Kind& kind) {
 
 }  // namespace
 
-Level make_level(const SolveState& solve, const std::vector<MaterialId>& materials,
-                 std::size_t stride, int most_substeps, const Level* finer) {
+Level make_level(const SolveState& solve, const std::vector<KindOf>& kinds, std::size_t stride,
+                 int most_substeps, const Level* finer) {
     const Weather& weather = solve.series.weather();
     const double step = solve.step * double(stride);
     const double reference = solve.input.from ? solve.input.from->reference
                                               : weather.at(solve.options.start).air.temperature;
-    Level level{.stride = stride, .kind = std::vector<Kind>(materials.size())};
+    Level level{.stride = stride, .kind = std::vector<Kind>(kinds.size())};
     for_each_index(
-        materials.size(),
+        kinds.size(),
         [&](std::size_t m) {
             Kind& kind = level.kind[m];
-            const ThermalSurface& surface = solve.input.materials[materials[m]].thermal;
-            kind.measured_share = measured_share(solve.input, materials[m]);
+            ThermalSurface surface = solve.input.materials[kinds[m].material].thermal;
+            if (kinds[m].closed) surface.emissivity = 0.0;
+            kind.measured_share = measured_share(solve.input, kinds[m].material);
             const bool thin = solve.options.method == Method::modes && surface.back;
             kind.column = material_column(surface,
                                           {.step = step,

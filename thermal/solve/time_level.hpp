@@ -1,12 +1,12 @@
 #pragma once
 
-#include "thermal/solve/solve_state.hpp"
+#include "thermal/solve/grouping.hpp"
 
 namespace diurna {
 
-/// The materials' columns and forcing for steps of `stride` instants; modes from a finer level.
-Level make_level(const SolveState& solve, const std::vector<MaterialId>& materials,
-                 std::size_t stride, int most_substeps, const Level* finer = nullptr);
+/// The kinds' columns and forcing for steps of `stride` instants; modes from a finer level.
+Level make_level(const SolveState& solve, const std::vector<KindOf>& kinds, std::size_t stride,
+                 int most_substeps, const Level* finer = nullptr);
 
 /// Puts a typical film on a material's modes.
 void set_film(Kind& kind, double film, double step);

@@ -17,6 +17,7 @@
 #include "materials/base/error.hpp"
 #include "terrain/place/local_time.hpp"
 #include "thermal/netcdf_output.hpp"
+#include "thermal/temperature_names.hpp"
 
 namespace diurna {
 
@@ -45,6 +46,7 @@ struct Variables {
     int corner, time, kelvin, clock, solar;
     int material = -1, object = -1;        // (facet)
     std::array<int, 3> axis;               // east, north, up
+    int solved_as = -1;                    // (facet)
     std::array<int, heat_terms> term{};    // (time, facet), if there are fluxes
     std::array<int, 3> cover{-1, -1, -1};  // likewise, where water or snow lies on any facet
 };
@@ -72,20 +74,6 @@ constexpr const char* heat_equation =
     "absorbed_sunlight + absorbed_longwave + internal_heat = emitted_longwave + sensible_heat + "
     "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "
     "of the facet's front; between the solver's steps both sides are on the straight line";
-
-/// What is written of a SurfaceCover.
-struct CoverName {
-    const char *name, *standard_name, *long_name;
-    float SurfaceCover::*value;
-};
-constexpr std::array<CoverName, 3> cover_names{{
-    {"wet_share", "", "share of the facet that is wet, content over capacity of what it holds",
-     &SurfaceCover::wet},
-    {"snow_cover", "surface_snow_area_fraction", "share of the facet that snow or hoar hides",
-     &SurfaceCover::snow},
-    {"snow_albedo", "", "broadband albedo of that snow; 0 where none lies",
-     &SurfaceCover::snow_albedo},
-}};
 
 /// A word of CF's flag_meanings: letters, digits and _ - . + @.
 std::string flag_word(std::string name) {
@@ -208,6 +196,14 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
     if (!notes.objects.empty()) {
         variables.object = declare_flags(file, "object", facet_dim, notes.objects);
     }
+    if (!field.solved_as.empty()) {
+        variables.solved_as = file.variable(solved_as_name, NC_INT, {facet_dim});
+        file.text(variables.solved_as, "long_name",
+                  "facet whose temperatures this one has: itself where it was solved, else one of "
+                  "its kind that stands for it, as no picture of the run shows it");
+        file.text(variables.solved_as, "mesh", "mesh");
+        file.text(variables.solved_as, "location", "face");
+    }
     const std::array<int, 2> dims{time_dim, facet_dim};
     variables.kelvin = declare_field(file, "surface_temperature", "surface_temperature", "K", dims);
     if (notes.fluxes) declare_fluxes(file, dims, variables);
@@ -243,6 +239,13 @@ void write_names(const NetcdfFile& file, const Variables& variables, const Facet
                        [](ObjectId id) { return int(id); });
         file.must(nc_put_var_int(file.id(), variables.object, number.data()));
     }
+}
+
+void write_solved_as(const NetcdfFile& file, const Variables& variables,
+                     const TemperatureField& field) {
+    if (variables.solved_as < 0) return;
+    const std::vector<int> number(field.solved_as.begin(), field.solved_as.end());
+    file.must(nc_put_var_int(file.id(), variables.solved_as, number.data()));
 }
 
 void write_times(const NetcdfFile& file, const Variables& variables,
@@ -286,42 +289,6 @@ void write_cover(const NetcdfFile& file, const Variables& variables,
     }
 }
 
-/// What lies on facets, as far as the file tells it: each 0 to 1, none where it does not.
-CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size_t facets,
-                         const std::array<int, 2>& dims, const fs::path& path) {
-    const auto fail = [&](const char* name, const char* problem) {
-        return InputError(path.string(), fmt::format("{} {}", name, problem));
-    };
-    CoveredFacets all;
-    std::vector<float> values;
-    for (const CoverName& of : cover_names) {
-        int variable = -1, rank = 0;
-        std::array<int, NC_MAX_VAR_DIMS> shape{};
-        if (nc_inq_varid(file.id(), of.name, &variable) != NC_NOERR) continue;
-        if (nc_inq_varndims(file.id(), variable, &rank) != NC_NOERR || rank != 2 ||
-            nc_inq_vardimid(file.id(), variable, shape.data()) != NC_NOERR || shape[0] != dims[0] ||
-            shape[1] != dims[1]) {
-            throw fail(of.name, "is not (time, facet)");
-        }
-        if (all.empty()) {
-            all.facet.resize(facets);
-            std::iota(all.facet.begin(), all.facet.end(), 0u);
-            all.cover.resize(instants * facets);
-            values.resize(instants * facets);
-        }
-        if (nc_get_var_float(file.id(), variable, values.data()) != NC_NOERR) {
-            throw fail(of.name, "is not readable");
-        }
-        for (std::size_t n = 0; n < values.size(); ++n) {
-            if (!(values[n] >= 0.0f && values[n] <= 1.0f)) {
-                throw fail(of.name, "holds values that are not 0 to 1");
-            }
-            all.cover[n].*of.value = values[n];
-        }
-    }
-    return all.kept();
-}
-
 }  // namespace
 
 std::vector<float> TemperatureField::interpolate(Instant when) const {
@@ -342,6 +309,7 @@ std::vector<SurfaceCover> TemperatureField::cover_at(Instant when) const {
 void save_temperature_field(const fs::path& path, const TemperatureField& field,
                             const FacetSet& facets, const Site& site, const FieldNotes& notes) {
     assert(field.facets == facets.size());
+    assert(field.solved_as.empty() || field.solved_as.size() == field.facets);
     const auto bad = std::find_if_not(field.kelvin.begin(), field.kelvin.end(),
                                       [](float kelvin) { return std::isfinite(kelvin); });
     if (bad != field.kelvin.end()) {
@@ -353,6 +321,7 @@ void save_temperature_field(const fs::path& path, const TemperatureField& field,
     const Variables variables = declare(file, field, facets, site, notes);
     write_mesh(file, variables, facets);
     write_names(file, variables, facets);
+    write_solved_as(file, variables, field);
     write_times(file, variables, field.instant, site, notes.utc_offset);
     file.must(nc_put_var_float(file.id(), variables.kelvin, field.kelvin.data()));
     if (notes.fluxes) {
@@ -361,64 +330,6 @@ void save_temperature_field(const fs::path& path, const TemperatureField& field,
     }
     if (!field.water.empty()) write_cover(file, variables, field);
     file.finish();
-}
-
-TemperatureField load_temperature_field(const fs::path& path) {
-    const auto fail = [&](const std::string& problem) -> InputError {
-        return InputError(path.string(), problem);
-    };
-    if (!fs::is_regular_file(path)) throw fail("no such file");
-    int id = -1;
-    if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
-        throw fail(fmt::format("is no netCDF file ({})", nc_strerror(status)));
-    }
-    const NetcdfFile file(path, id);
-    const auto must = [&](int status, const char* what) {
-        if (status != NC_NOERR) throw fail(fmt::format("has no {} of a temperature field", what));
-    };
-    int time_dim, facet_dim, time, kelvin, dims[2], rank;
-    std::size_t instants, facets;
-    must(nc_inq_dimid(id, "time", &time_dim), "dimension 'time'");
-    must(nc_inq_dimid(id, "facet", &facet_dim), "dimension 'facet'");
-    must(nc_inq_dimlen(id, time_dim, &instants), "instants");
-    must(nc_inq_dimlen(id, facet_dim, &facets), "facets");
-    must(nc_inq_varid(id, "time", &time), "variable 'time'");
-    must(nc_inq_varid(id, "surface_temperature", &kelvin), "variable 'surface_temperature'");
-    must(nc_inq_varndims(id, kelvin, &rank), "shape");
-    if (rank != 2) throw fail("surface_temperature is not (time, facet)");
-    must(nc_inq_vardimid(id, kelvin, dims), "shape");
-    int time_rank, time_of_time;
-    must(nc_inq_varndims(id, time, &time_rank), "times");
-    if (time_rank != 1) throw fail("time is not (time)");
-    must(nc_inq_vardimid(id, time, &time_of_time), "times");
-    if (dims[0] != time_dim || dims[1] != facet_dim || time_of_time != time_dim) {
-        throw fail("surface_temperature is not (time, facet)");
-    }
-    if (instants == 0 || facets == 0) throw fail("holds no temperatures");
-    // A short header may claim any size; what is stored compressed is at least a thousandth.
-    if (double(instants) * double(facets) * sizeof(float) > 2e3 * double(fs::file_size(path))) {
-        throw fail("claims more temperatures than so small a file can hold");
-    }
-
-    TemperatureField field{
-        .instant = {}, .facets = facets, .kelvin = std::vector<float>(instants * facets)};
-    std::vector<double> seconds(instants);
-    must(nc_get_var_double(id, time, seconds.data()), "readable times");
-    must(nc_get_var_float(id, kelvin, field.kelvin.data()), "readable temperatures");
-    for (const double s : seconds) {
-        if (!std::isfinite(s) || std::abs(s) > 1e12) throw fail("holds times that are not finite");
-        field.instant.push_back(later(Instant{}, s));
-    }
-    if (std::adjacent_find(field.instant.begin(), field.instant.end(), std::greater_equal<>()) !=
-        field.instant.end()) {
-        throw fail("holds times that do not ascend");
-    }
-    if (std::any_of(field.kelvin.begin(), field.kelvin.end(),
-                    [](float t) { return !(std::isfinite(t) && t > 0.0f); })) {
-        throw fail("holds temperatures that are not finite and positive");
-    }
-    field.water = read_cover(file, instants, facets, {dims[0], dims[1]}, path);
-    return field;
 }
 
 }  // namespace diurna

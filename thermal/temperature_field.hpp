@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -20,6 +21,8 @@ struct TemperatureField {
     std::size_t facets = 0;
     std::vector<float> kelvin;  // (instant, facet) [K]
     CoveredFacets water{};      // what lies on facets whose water was followed; none where all dry
+    /// (facet) the one whose temperatures it has, itself where it was solved; empty: all were.
+    std::vector<std::uint32_t> solved_as{};
 
     std::span<const float> at(std::size_t index) const {
         return {kelvin.data() + index * facets, facets};

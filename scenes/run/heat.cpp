@@ -147,13 +147,16 @@ std::vector<std::uint8_t> solid_facets(const NeededFacets& needed, const World& 
 }
 
 std::string told(const NeededFacets& needed, const TemperatureField& field) {
-    const double apart = probed_difference(needed, field);
+    const double apart = probed_difference(needed, field), worth = apart * needed.weight;
+    constexpr double least_told = 5e-4;  // [K] about what the balance itself leaves open
     return fmt::format(
         "solved: {} of {} facets, of which {} that pictures see and their neighbours, {} whose "
         "heat those feel; {} stand for all others of their kind, from which {} that were solved "
-        "to see are {:.2f} K (rms): worth {:.1e} K in pictures",
+        "to see are {:.2f} K (rms): worth {} in pictures",
         needed.who.solved.size(), needed.who.place.size(), needed.seen, needed.felt, needed.kinds,
-        needed.probe.size(), apart, apart * needed.weight);
+        needed.probe.size(), apart,
+        worth < least_told ? fmt::format("less than {:.0e} K", least_told)
+                           : fmt::format("{:.1e} K", worth));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 
@@ -13,7 +14,9 @@ namespace diurna {
 
 namespace {
 
-constexpr double unknown_difference = 3.0;  // [K] of facets from one of their kind, until measured
+// [K] of facets from one of their kind, until measured: on open ground, and where something that
+// stands up may throw its shadow.
+constexpr float open_ground = 3.0f, in_shadows = 15.0f;
 constexpr double share_of_tolerance = 0.5;  // that what is stood for may take
 constexpr std::size_t most_probes = 128;
 
@@ -29,7 +32,7 @@ Kind kind_of(const FacetSet& facets, const FacetViews& views, std::size_t f) {
             static_cast<int>(std::lround(10.0f * views.sky[f]))};
 }
 
-/// Calls body(facet seen, what it sees, share of its surroundings) for each facet in a picture.
+/// Calls body(facet, what it sees, share of its surroundings) for each facet that has a share.
 template <class Body>
 void each_felt(const FacetViews& views, const std::vector<float>& share, const Body& body) {
     const ViewFactors& others = views.others;
@@ -41,30 +44,97 @@ void each_felt(const FacetViews& views, const std::vector<float>& share, const B
     }
 }
 
-/// The rms over the pictures of the share of surroundings that is not `solved`.
-double weight_of(const FacetViews& views, const std::vector<float>& share,
-                 const std::vector<std::uint8_t>& solved) {
-    std::vector<float> away(share.size(), 0.0f);
-    each_felt(views, share, [&](std::size_t f, std::size_t g, float factor) {
-        if (!solved[g]) away[f] += factor;
-    });
-    double sum = 0.0, all = 0.0;
-    for (std::size_t f = 0; f < share.size(); ++f) {
-        sum += double{share[f]} * double{away[f]} * double{away[f]};
-        all += double{share[f]};
+/// Whether things that stand up take half a hundredth of what a facet sees.
+bool near_structures(const FacetViews& views, const std::vector<std::uint8_t>& stands,
+                     std::size_t f) {
+    float seen = 0.0f;
+    for (std::uint32_t k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
+        if (stands[index(views.others.facet[k])]) seen += views.others.factor[k];
     }
-    return all > 0.0 ? std::sqrt(sum / std::min(all, 1.0)) : 0.0;
+    return seen > 0.005f;
 }
 
-/// Marks the facets that are felt most, until what a kelvin of the others is worth is small enough.
-void add_felt(const FacetViews& views, const std::vector<float>& share,
-              const std::vector<float>& felt, double allowed, std::vector<std::uint8_t>& solved) {
+/// Of what a target in a picture shows, each of its facets decides as much as it is of the target,
+/// whose rooms and sheets carry heat within.
+void share_within(const FacetSet& facets, std::span<const NetworkObject> network,
+                  std::vector<float>& share) {
+    for (const NetworkObject& object : network) {
+        std::vector<std::uint32_t> all = object.facet;
+        std::copy_if(object.back.begin(), object.back.end(), std::back_inserter(all),
+                     [](std::uint32_t f) { return f != no_number; });
+        double seen = 0.0, area = 0.0;
+        for (const std::uint32_t f : all) {
+            seen += double{share[f]};
+            area += double{facets.area[f]};
+        }
+        for (const std::uint32_t f : all) share[f] += float(seen * double{facets.area[f]} / area);
+    }
+}
+
+/// How much of a picture's heat a facet decides: what it fills of it (picture_shares), what is felt
+/// of it there if it stands up, as ground that no picture sees warms a box from below and this the
+/// ground about it, and what it is of a target that does.
+///
+/// - stands: (facet) 1 where it is no ground
+std::vector<float> decided_by(const FacetSet& facets, std::span<const FacetViews* const> views,
+                              std::span<const NetworkObject> network,
+                              const std::vector<std::uint8_t>& stands,
+                              const std::vector<float>& seen) {
+    std::vector<float> share = seen;
+    share_within(facets, network, share);
+    constexpr int rounds = 2;
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<float> next = seen;
+        for (const FacetViews* of : views) {
+            std::vector<float> felt(seen.size(), 0.0f);
+            each_felt(*of, share, [&](std::size_t f, std::size_t g, float factor) {
+                if (stands[g]) felt[g] += share[f] * factor;
+            });
+            for (std::size_t g = 0; g < seen.size(); ++g) {
+                next[g] = std::max(next[g], seen[g] + felt[g]);
+            }
+        }
+        share_within(facets, network, next);
+        share = std::move(next);
+    }
+    return share;
+}
+
+/// Who feels whose heat, in pictures.
+struct Felt {
+    std::vector<const FacetViews*> views;  // of each stage
+    std::vector<float> share;              // (facet) of what a picture shows it decides
+    std::vector<float> amiss;              // (facet) [K] that another of its kind may be off
+};
+
+/// What a kelvin amiss [K/K], or what all that is amiss [K], of facets not `solved` makes of the
+/// pictures: rms over their pixels, of the worst stage.
+double weight_of(const Felt& felt, const std::vector<std::uint8_t>& solved, bool kelvin) {
+    double worst = 0.0;
+    for (const FacetViews* views : felt.views) {
+        std::vector<float> away(felt.share.size(), 0.0f);
+        each_felt(*views, felt.share, [&](std::size_t f, std::size_t g, float factor) {
+            if (!solved[g]) away[f] += kelvin ? factor * felt.amiss[g] : factor;
+        });
+        double sum = 0.0, all = 0.0;
+        for (std::size_t f = 0; f < felt.share.size(); ++f) {
+            sum += double{felt.share[f]} * double{away[f]} * double{away[f]};
+            all += double{felt.share[f]};
+        }
+        if (all > 0.0) worst = std::max(worst, std::sqrt(sum / std::min(all, 1.0)));
+    }
+    return worst;
+}
+
+/// Marks the facets that are worth most, until what the others may be amiss is little enough [K].
+void add_felt(const Felt& felt, const std::vector<float>& worth, double allowed,
+              std::vector<std::uint8_t>& solved) {
     std::vector<std::uint32_t> order;
-    for (std::uint32_t f = 0; f < felt.size(); ++f) {
-        if (!solved[f] && felt[f] > 0.0f) order.push_back(f);
+    for (std::uint32_t f = 0; f < worth.size(); ++f) {
+        if (!solved[f] && worth[f] > 0.0f) order.push_back(f);
     }
     std::stable_sort(order.begin(), order.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return felt[a] > felt[b]; });
+                     [&](std::uint32_t a, std::uint32_t b) { return worth[a] > worth[b]; });
     std::size_t fewest = 0, most = order.size();  // `most` are enough
     const auto with = [&](std::size_t count) {
         std::vector<std::uint8_t> marked = solved;
@@ -73,7 +143,7 @@ void add_felt(const FacetViews& views, const std::vector<float>& share,
     };
     while (fewest < most) {
         const std::size_t middle = (fewest + most) / 2;
-        if (weight_of(views, share, with(middle)) > allowed) {
+        if (weight_of(felt, with(middle), true) > allowed) {
             fewest = middle + 1;
         } else {
             most = middle;
@@ -87,16 +157,17 @@ void add_felt(const FacetViews& views, const std::vector<float>& share,
 NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> network,
                            double tolerance) {
     const World& world = stages.scene().world;
-    const FacetViews& views = stages.at(0).views;
+    const FacetViews& views = stages.at(0).views;  // kinds are told apart by
     const FacetSet& facets = world.surfaces();
     const std::vector<float> share = picture_shares(stages);
     NeededFacets needed;
     std::vector<std::uint8_t> solved = seen_or_beside(world, share);
     needed.seen = std::size_t(std::count(solved.begin(), solved.end(), std::uint8_t{1}));
     const TextureLevels& levels = world.texture_levels;
+    std::vector<std::uint8_t> stands(facets.size(), 0);
     for (std::size_t f = 0; f < facets.size(); ++f) {
         const std::size_t solid = levels.empty() ? f : levels.origin[f];
-        if (solid >= world.ground_facets) solved[f] = 1;
+        if (solid >= world.ground_facets) stands[f] = solved[f] = 1;
     }
     for (const NetworkObject& object : network) {
         for (const std::uint32_t f : object.facet) solved[f] = 1;
@@ -104,49 +175,62 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
             if (f != no_number) solved[f] = 1;
         }
     }
-    std::vector<float> felt(facets.size(), 0.0f);
-    each_felt(views, share,
-              [&](std::size_t f, std::size_t g, float factor) { felt[g] += share[f] * factor; });
+    Felt felt{.views = {}, .share = {}, .amiss = std::vector<float>(facets.size(), open_ground)};
+    for (std::size_t s = 0; s < stages.size(); ++s) felt.views.push_back(&stages.at(s).views);
+    felt.share = decided_by(facets, felt.views, network, stands, share);
+    for (const FacetViews* seen : felt.views) {
+        for (std::size_t f = 0; f < facets.size(); ++f) {
+            if (near_structures(*seen, stands, f)) {
+                felt.amiss[f] = in_shadows;
+            }
+        }
+    }
+    std::vector<float> worth(facets.size(), 0.0f);
+    for (const FacetViews* seen : felt.views) {
+        each_felt(*seen, felt.share, [&](std::size_t f, std::size_t g, float factor) {
+            worth[g] += felt.share[f] * factor * felt.amiss[g];
+        });
+    }
     const auto count = [&] {
         return std::size_t(std::count(solved.begin(), solved.end(), std::uint8_t{1}));
     };
     const std::size_t before = count();
-    add_felt(views, share, felt, share_of_tolerance * tolerance / unknown_difference, solved);
+    add_felt(felt, worth, share_of_tolerance * tolerance, solved);
     needed.felt = count() - before;
-    needed.weight = weight_of(views, share, solved);
+    needed.weight = weight_of(felt, solved, false);
 
     // One of each kind: that which is felt most.
     std::map<Kind, std::uint32_t> kinds;
-    std::vector<std::uint32_t> stands(facets.size());
+    std::vector<std::uint32_t> stand_in(facets.size());
     std::vector<std::uint32_t> others;
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
-        stands[f] = f;
+        stand_in[f] = f;
         if (solved[f]) continue;
         others.push_back(f);
         const auto [kind, fresh] = kinds.try_emplace(kind_of(facets, views, f), f);
-        if (!fresh && felt[f] > felt[kind->second]) kind->second = f;
+        if (!fresh && worth[f] > worth[kind->second]) kind->second = f;
     }
     needed.kinds = kinds.size();
-    for (const std::uint32_t f : others) stands[f] = kinds.at(kind_of(facets, views, f));
+    for (const std::uint32_t f : others) stand_in[f] = kinds.at(kind_of(facets, views, f));
     for (const auto& [kind, f] : kinds) solved[f] = 1;
 
     // Probes: evenly along the sum of what is felt of each, and a little of all.
     double sum = 0.0;
-    for (const std::uint32_t f : others) sum += double{felt[f]};
+    for (const std::uint32_t f : others) sum += double{worth[f]};
     const double little = 0.1 * sum / double(std::max<std::size_t>(1, others.size())) + 1e-30;
     const double step =
         (sum + little * double(others.size())) / double(std::max<std::size_t>(1, most_probes));
     double along = 0.5 * step;
     for (const std::uint32_t f : others) {
-        along -= double{felt[f]} + little;
+        along -= double{worth[f]} + little;
         if (along > 0.0) continue;
         while (along <= 0.0) along += step;
         if (solved[f]) continue;
-        needed.probe.push_back({f, stands[f]});
+        needed.probe.push_back({f, stand_in[f]});
     }
     for (const NeededFacets::Probe& probe : needed.probe) {
         solved[probe.facet] = 1;
-        stands[probe.facet] = probe.facet;
+        stand_in[probe.facet] = probe.facet;
     }
 
     Representatives& who = needed.who;
@@ -157,7 +241,7 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
         who.solved.push_back(f);
     }
     who.place.resize(facets.size());
-    for (std::size_t f = 0; f < facets.size(); ++f) who.place[f] = place[stands[f]];
+    for (std::size_t f = 0; f < facets.size(); ++f) who.place[f] = place[stand_in[f]];
     return needed;
 }
 

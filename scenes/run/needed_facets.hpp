@@ -13,9 +13,9 @@ namespace diurna {
 /// Which facets a scene's pictures need the heat of, and who stands for the others.
 ///
 /// Solved are: facets that a picture sees, in mirrors and through panes too, with their neighbours;
-/// all objects; ground whose warmth facets seen feel; of the rest one of each kind (material, slope
-/// and aspect, height, sky view) for all of its kind; and some drawn by how much of them is felt,
-/// to measure what that costs.
+/// all objects; ground whose warmth facets seen feel, or the targets in pictures; of the rest one
+/// of each kind (material, slope and aspect, height, sky view) for all of its kind; and some drawn
+/// by how much of them is felt, to measure what that costs.
 struct NeededFacets {
     Representatives who;
     /// Facets solved and stood for, too: (probe) the facet, and the one of its kind.

@@ -155,6 +155,10 @@ void spread(const Representatives& r, SpanResult& result) {
     TemperatureField& field = result.temperature;
     field.kelvin = spread(r, field.kelvin);
     field.facets = r.place.size();
+    field.solved_as.clear();
+    for (std::size_t f = 0; f < r.place.size(); ++f) {
+        field.solved_as.push_back(static_cast<std::uint32_t>(r.of(f)));
+    }
     field.water = spread(r, field.water);
     HeatFluxField& heat = result.heat;
     if (heat.empty()) return;

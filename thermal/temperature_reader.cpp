@@ -1,0 +1,134 @@
+#include <fmt/format.h>
+#include <netcdf.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include "materials/base/error.hpp"
+#include "thermal/netcdf_output.hpp"
+#include "thermal/temperature_field.hpp"
+#include "thermal/temperature_names.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Which facets have the temperatures of others, as far as the file tells it.
+std::vector<std::uint32_t> read_solved_as(const NetcdfFile& file, std::size_t facets, int facet_dim,
+                                          const fs::path& path) {
+    int variable = -1, rank = 0, shape = -1;
+    if (nc_inq_varid(file.id(), solved_as_name, &variable) != NC_NOERR) return {};
+    std::vector<int> number(facets);
+    const bool good = nc_inq_varndims(file.id(), variable, &rank) == NC_NOERR && rank == 1 &&
+                      nc_inq_vardimid(file.id(), variable, &shape) == NC_NOERR &&
+                      shape == facet_dim &&
+                      nc_get_var_int(file.id(), variable, number.data()) == NC_NOERR &&
+                      std::all_of(number.begin(), number.end(),
+                                  [&](int n) { return n >= 0 && std::size_t(n) < facets; });
+    if (!good) throw InputError(path.string(), "solved_as is not a facet for each facet");
+    return {number.begin(), number.end()};
+}
+
+/// What lies on facets, as far as the file tells it: each 0 to 1, none where it does not.
+CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size_t facets,
+                         const std::array<int, 2>& dims, const fs::path& path) {
+    const auto fail = [&](const char* name, const char* problem) {
+        return InputError(path.string(), fmt::format("{} {}", name, problem));
+    };
+    CoveredFacets all;
+    std::vector<float> values;
+    for (const CoverName& of : cover_names) {
+        int variable = -1, rank = 0;
+        std::array<int, NC_MAX_VAR_DIMS> shape{};
+        if (nc_inq_varid(file.id(), of.name, &variable) != NC_NOERR) continue;
+        if (nc_inq_varndims(file.id(), variable, &rank) != NC_NOERR || rank != 2 ||
+            nc_inq_vardimid(file.id(), variable, shape.data()) != NC_NOERR || shape[0] != dims[0] ||
+            shape[1] != dims[1]) {
+            throw fail(of.name, "is not (time, facet)");
+        }
+        if (all.empty()) {
+            all.facet.resize(facets);
+            std::iota(all.facet.begin(), all.facet.end(), 0u);
+            all.cover.resize(instants * facets);
+            values.resize(instants * facets);
+        }
+        if (nc_get_var_float(file.id(), variable, values.data()) != NC_NOERR) {
+            throw fail(of.name, "is not readable");
+        }
+        for (std::size_t n = 0; n < values.size(); ++n) {
+            if (!(values[n] >= 0.0f && values[n] <= 1.0f)) {
+                throw fail(of.name, "holds values that are not 0 to 1");
+            }
+            all.cover[n].*of.value = values[n];
+        }
+    }
+    return all.kept();
+}
+
+}  // namespace
+
+TemperatureField load_temperature_field(const fs::path& path) {
+    const auto fail = [&](const std::string& problem) -> InputError {
+        return InputError(path.string(), problem);
+    };
+    if (!fs::is_regular_file(path)) throw fail("no such file");
+    int id = -1;
+    if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
+        throw fail(fmt::format("is no netCDF file ({})", nc_strerror(status)));
+    }
+    const NetcdfFile file(path, id);
+    const auto must = [&](int status, const char* what) {
+        if (status != NC_NOERR) throw fail(fmt::format("has no {} of a temperature field", what));
+    };
+    int time_dim, facet_dim, time, kelvin, dims[2], rank;
+    std::size_t instants, facets;
+    must(nc_inq_dimid(id, "time", &time_dim), "dimension 'time'");
+    must(nc_inq_dimid(id, "facet", &facet_dim), "dimension 'facet'");
+    must(nc_inq_dimlen(id, time_dim, &instants), "instants");
+    must(nc_inq_dimlen(id, facet_dim, &facets), "facets");
+    must(nc_inq_varid(id, "time", &time), "variable 'time'");
+    must(nc_inq_varid(id, "surface_temperature", &kelvin), "variable 'surface_temperature'");
+    must(nc_inq_varndims(id, kelvin, &rank), "shape");
+    if (rank != 2) throw fail("surface_temperature is not (time, facet)");
+    must(nc_inq_vardimid(id, kelvin, dims), "shape");
+    int time_rank, time_of_time;
+    must(nc_inq_varndims(id, time, &time_rank), "times");
+    if (time_rank != 1) throw fail("time is not (time)");
+    must(nc_inq_vardimid(id, time, &time_of_time), "times");
+    if (dims[0] != time_dim || dims[1] != facet_dim || time_of_time != time_dim) {
+        throw fail("surface_temperature is not (time, facet)");
+    }
+    if (instants == 0 || facets == 0) throw fail("holds no temperatures");
+    // A short header may claim any size; what is stored compressed is at least a thousandth.
+    if (double(instants) * double(facets) * sizeof(float) > 2e3 * double(fs::file_size(path))) {
+        throw fail("claims more temperatures than so small a file can hold");
+    }
+
+    TemperatureField field{
+        .instant = {}, .facets = facets, .kelvin = std::vector<float>(instants * facets)};
+    std::vector<double> seconds(instants);
+    must(nc_get_var_double(id, time, seconds.data()), "readable times");
+    must(nc_get_var_float(id, kelvin, field.kelvin.data()), "readable temperatures");
+    for (const double s : seconds) {
+        if (!std::isfinite(s) || std::abs(s) > 1e12) throw fail("holds times that are not finite");
+        field.instant.push_back(later(Instant{}, s));
+    }
+    if (std::adjacent_find(field.instant.begin(), field.instant.end(), std::greater_equal<>()) !=
+        field.instant.end()) {
+        throw fail("holds times that do not ascend");
+    }
+    if (std::any_of(field.kelvin.begin(), field.kelvin.end(),
+                    [](float t) { return !(std::isfinite(t) && t > 0.0f); })) {
+        throw fail("holds temperatures that are not finite and positive");
+    }
+    field.solved_as = read_solved_as(file, facets, facet_dim, path);
+    field.water = read_cover(file, instants, facets, {dims[0], dims[1]}, path);
+    return field;
+}
+
+}  // namespace diurna

@@ -130,6 +130,11 @@ TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
         Heights::ground,
         {{"ground", Heights::ground}, {"sea", Heights::sea}, {"ellipsoid", Heights::ellipsoid}});
     check_way(section, input);
+    if (input.way.smooth && section.has("speed_m_s") && !section.has("file")) {
+        const double speed =
+            (input.way.place[1] - input.way.place[0]).norm() / input.way.seconds[1];
+        input.way = smooth_at_speed(input.way.place, speed);
+    }
     if (input.heights == Heights::ellipsoid && !input.geodetic) {
         section.mistake("heights", "\"ellipsoid\" is for files of latitudes and longitudes");
     }

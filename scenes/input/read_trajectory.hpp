@@ -25,6 +25,8 @@ struct TrajectoryInput {
 
     Instant begin() const { return later(start, way.begin()); }
     Instant end() const { return later(start, way.end()); }
+    /// [m] of a unit of its places' first two parts, about.
+    double metres() const { return geodetic ? 111e3 : 1.0; }
 };
 
 /// The tables [[trajectory]]; by default a way starts as the scene's span does.

@@ -33,11 +33,11 @@ bool lies_on(const Dem& dem, const Ring& ring) {
 /// day, or a picture alone, has the same ground. [s] of its trajectory
 std::vector<double> when_elsewhere(const TrajectoryInput& way, double apart) {
     std::vector<double> all, on_the_way;
-    for (const Rest& rest : rests(way.way)) {
+    for (const Rest& rest : rests(way.way, way.metres())) {
         all.push_back(std::isfinite(rest.from) ? rest.from : rest.until);
     }
     double gone = 0.0;
-    const double metres = way.geodetic ? 111e3 : 1.0;  // of a degree
+    const double metres = way.metres();
     for (std::size_t i = 1; i < way.way.seconds.size(); ++i) {
         const double length = metres * (way.way.place[i] - way.way.place[i - 1]).head<2>().norm();
         const double from = way.way.seconds[i - 1], step = way.way.seconds[i] - from;

@@ -25,7 +25,7 @@ struct Move {
 };
 std::vector<Move> moves_of(const TrajectoryInput& way, std::size_t mover, const Scene& scene) {
     std::vector<Move> moves;
-    const std::vector<Rest> all = rests(way.way);
+    const std::vector<Rest> all = rests(way.way, way.metres());
     for (std::size_t i = 1; i < all.size(); ++i) {
         const Move move{later(way.start, all[i - 1].until), later(way.start, all[i].from), mover};
         if (move.to > scene.time.start && move.from < scene.time.end()) moves.push_back(move);

@@ -10,6 +10,8 @@ namespace diurna {
 
 namespace {
 
+constexpr double apart = 0.01;  // [m] nearer than that is one place
+
 /// Between which two seconds, and how far between them.
 struct Between {
     std::size_t first;
@@ -22,9 +24,18 @@ Between between(const std::vector<double>& seconds, double at) {
     return {first, (within - seconds[first]) / (seconds[first + 1] - seconds[first])};
 }
 
+bool rests_after(const Trajectory& way, std::size_t i, double metres) {
+    const Eigen::Vector3d step = way.place[i + 1] - way.place[i];
+    return std::hypot(metres * step.x(), metres * step.y(), step.z()) <= apart;
+}
+
 /// Velocity at a place of the curve: that of the parabola through it and its neighbours (Bessel's
-/// tangents).
+/// tangents), none where it rests before or after.
 Eigen::Vector3d tangent(const Trajectory& way, std::size_t i) {
+    if ((i > 0 && rests_after(way, i - 1, 1.0)) ||
+        (i + 1 < way.place.size() && rests_after(way, i, 1.0))) {
+        return Eigen::Vector3d::Zero();
+    }
     const auto step = [&](std::size_t k) { return way.seconds[k + 1] - way.seconds[k]; };
     const auto secant = [&](std::size_t k) -> Eigen::Vector3d {
         return (way.place[k + 1] - way.place[k]) / step(k);
@@ -74,11 +85,11 @@ Eigen::Quaterniond attitude_along(const Eigen::Vector3d& velocity) {
     return attitude(degrees(heading), degrees(std::atan2(velocity.z(), level)), 0.0);
 }
 
-std::vector<Rest> rests(const Trajectory& way) {
-    constexpr double apart = 0.01, ever = std::numeric_limits<double>::infinity();
+std::vector<Rest> rests(const Trajectory& way, double metres) {
+    constexpr double ever = std::numeric_limits<double>::infinity();
     std::vector<Rest> all{{-ever, way.begin()}};
     for (std::size_t i = 1; i < way.seconds.size(); ++i) {
-        if ((way.place[i] - way.place[i - 1]).norm() > apart) continue;
+        if (!rests_after(way, i - 1, metres)) continue;
         if (all.back().until == way.seconds[i - 1]) {
             all.back().until = way.seconds[i];
         } else {
@@ -99,6 +110,33 @@ std::vector<double> seconds_at_speed(const std::vector<Eigen::Vector3d>& place, 
         seconds.push_back(seconds.back() + (place[i] - place[i - 1]).norm() / speed);
     }
     return seconds;
+}
+
+Trajectory smooth_at_speed(const std::vector<Eigen::Vector3d>& place, double speed) {
+    constexpr int parts = 16, finer = 32;  // of a leg; of a part
+    const Trajectory curved{
+        .seconds = seconds_at_speed(place, 1.0), .place = place, .attitude = {}, .smooth = true};
+    Trajectory even{.seconds = {0.0}, .place = {place.front()}, .attitude = {}, .smooth = true};
+    for (std::size_t i = 1; i < place.size(); ++i) {
+        const double from = curved.seconds[i - 1], step = curved.seconds[i] - from;
+        std::vector<Eigen::Vector3d> at;
+        std::vector<double> gone{0.0};
+        for (int k = 0; k <= parts * finer; ++k) {
+            at.push_back(place_at(curved, from + step * k / (parts * finer)));
+            if (k > 0)
+                gone.push_back(gone.back() + (at[std::size_t(k)] - at[std::size_t(k) - 1]).norm());
+        }
+        const double begun = even.seconds.back();
+        for (int part = 1; part <= parts; ++part) {
+            const double along = gone.back() * part / parts;
+            const Between there = between(gone, along);
+            even.place.push_back((1.0 - there.share) * at[there.first] +
+                                 there.share * at[there.first + 1]);
+            even.seconds.push_back(begun + along / speed);
+        }
+        even.place.back() = place[i];
+    }
+    return even;
 }
 
 }  // namespace diurna

@@ -13,7 +13,8 @@ struct Trajectory {
     /// (second) turns the body's right, forward, up to east, north, up; empty: it faces its way.
     std::vector<Eigen::Quaterniond> attitude{};
     /// Between the seconds: straight at even speed, or a cubic curve that has at each place the
-    /// velocity of the parabola through it and its neighbours, of three places or more.
+    /// velocity of the parabola through it and its neighbours, of three places or more; none where
+    /// it rests.
     bool smooth = false;
 
     double begin() const { return seconds.front(); }
@@ -39,9 +40,14 @@ Eigen::Quaterniond attitude_along(const Eigen::Vector3d& velocity);
 struct Rest {
     double from, until;  // [s]
 };
-std::vector<Rest> rests(const Trajectory& way);
+///
+/// - metres: of a unit of its places' first two parts (of a degree: 111 km)
+std::vector<Rest> rests(const Trajectory& way, double metres = 1.0);
 
 /// Seconds at which a body reaches places one after the other at an even speed [m s⁻¹], from 0 on.
 std::vector<double> seconds_at_speed(const std::vector<Eigen::Vector3d>& place, double speed);
+
+/// A smooth curve through three places or more, gone along at an even speed [m s⁻¹] within 1 %.
+Trajectory smooth_at_speed(const std::vector<Eigen::Vector3d>& place, double speed);
 
 }  // namespace diurna

@@ -1,5 +1,6 @@
 #include "terrain/place/trajectory.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -80,4 +81,57 @@ TEST_CASE("between two attitudes a body turns at an even rate", "[terrain][traje
         const double heading = (350.0 + 4.0 * t) * std::numbers::pi / 180.0;  // over north
         CHECK(apart(ahead(attitude_at(way, t)), {std::sin(heading), std::cos(heading), 0}) < 1e-12);
     }
+}
+
+TEST_CASE("a smooth way rests where it stops", "[terrain][trajectory]") {
+    // North at 10 m/s, ten minutes' stop at 100 m, on to the east.
+    const Trajectory way{
+        .seconds = {0.0, 5.0, 10.0, 610.0, 615.0, 620.0},
+        .place = {{0, 0, 0}, {0, 50, 0}, {0, 100, 0}, {0, 100, 0}, {50, 100, 0}, {100, 100, 0}},
+        .attitude = {},
+        .smooth = true};
+    for (double t = 10.0; t <= 610.0; t += 7.5) {
+        CHECK(apart(place_at(way, t), {0, 100, 0}) < 1e-9);
+    }
+    // It comes to a stop and never goes back on its way.
+    for (double t = 0.0; t < 9.85; t += 0.1) {
+        CHECK(place_at(way, t + 0.1).y() > place_at(way, t).y());
+        CHECK(place_at(way, t).y() < 100.0);
+    }
+    CHECK((place_at(way, 10.0) - place_at(way, 9.999)).norm() < 1e-4);
+    const std::vector<Rest> all = rests(way);
+    REQUIRE(all.size() == 3);
+    CHECK(all[1].from == 10.0);
+    CHECK(all[1].until == 610.0);
+}
+
+TEST_CASE("a smooth way is gone at the speed that is asked for", "[terrain][trajectory]") {
+    const std::vector<Eigen::Vector3d> place = {
+        {0, 0, 20}, {100, 0, 20}, {100, 80, 30}, {40, 160, 30}, {-60, 150, 20}};
+    const Trajectory way = smooth_at_speed(place, 10.0);
+    double length = 0.0;
+    for (double t = 0.0; t + 0.05 < way.end(); t += 0.05) {
+        const double step = apart(place_at(way, t), place_at(way, t + 0.05));
+        CHECK(step == Approx(0.5).epsilon(0.01));
+        length += step;
+    }
+    CHECK(way.end() == Approx(length / 10.0).epsilon(2e-3));
+    for (const Eigen::Vector3d& there : place) {
+        const bool passes = std::any_of(way.place.begin(), way.place.end(),
+                                        [&](const auto& at) { return apart(at, there) < 1e-9; });
+        CHECK(passes);
+    }
+}
+
+TEST_CASE("a log in degrees goes, though its steps are small numbers", "[terrain][trajectory]") {
+    // A metre or two a second at 36 degrees north, then a stop of two seconds.
+    const Trajectory way{.seconds = {0.0, 1.0, 2.0, 4.0},
+                         .place = {{-84.2, 36.3, 0.0},
+                                   {-84.2, 36.30001, 0.0},
+                                   {-84.2, 36.30003, 0.0},
+                                   {-84.2, 36.30003, 0.0}}};
+    const std::vector<Rest> all = rests(way, 111e3);
+    REQUIRE(all.size() == 2);
+    CHECK(all[0].until == 0.0);
+    CHECK(all[1].from == 2.0);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 #include "materials/base/units.hpp"
@@ -34,6 +35,36 @@ double read_lens(const Section& section, const ObserverInput& observer) {
     return fov_deg;
 }
 
+/// No pixel may look round the back of the sphere, where things are seen again.
+void check_sphere(const Section& section, const ObserverInput& observer) {
+    const double half = radians(0.5 * observer.horizontal_fov_deg);
+    const double width = observer.width, height = observer.height;
+    const char* key = section.has("height") ? "height" : "horizontal_fov_deg";
+    if (observer.projection == Projection::panorama) {
+        const double most = degrees(2.0 * half * height / width);
+        if (most <= 180.0 + 1e-9) return;
+        section.mistake(key,
+                        fmt::format("rows of the panorama reach over {:.0f} degrees, expected at "
+                                    "most 180",
+                                    most),
+                        fmt::format("height = {:.0f} is pole to pole at this width",
+                                    std::floor(1e-6 + width * 90.0 / degrees(half))));
+        return;
+    }
+    const bool even = observer.projection == Projection::equidistant;
+    if (!even && observer.projection != Projection::equisolid) return;
+    const double to_corner = std::hypot(1.0, height / width);
+    const double law = even ? half * to_corner : std::sin(0.5 * half) * to_corner;
+    if (law <= (even ? std::numbers::pi : 1.0) + 1e-9) return;
+    section.mistake(
+        key,
+        "pixels in the corners of the fisheye's picture look round its back, "
+        "expected at most 180 degrees off its axis",
+        fmt::format("horizontal_fov_deg = {:.0f} is the whole sphere of this picture",
+                    std::floor(1e-6 + degrees(even ? 2.0 * std::numbers::pi / to_corner
+                                                   : 4.0 * std::asin(1.0 / to_corner)))));
+}
+
 /// A field of view, or the width of a picture of parallel rays.
 void read_projection(const Section& section, ObserverInput& observer) {
     observer.projection =
@@ -53,6 +84,7 @@ void read_projection(const Section& section, ObserverInput& observer) {
         observer.horizontal_fov_deg = section.number_or(
             "horizontal_fov_deg", "that the picture is wide; of a pinhole 20, at most 150",
             pinhole ? 20.0 : 180.0, {0.01, pinhole ? 150.0 : 360.0});
+        check_sphere(section, observer);
     }
 }
 

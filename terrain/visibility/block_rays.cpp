@@ -83,11 +83,14 @@ void BlockRays::ask_which(std::size_t count) {
 }
 
 bool BlockRays::from_behind(std::size_t k, std::uint32_t met) const {
-    if (met >= facets_.size()) return false;
-    const Eigen::Vector3f& normal = facets_.normal[met];
-    return normal.x() * packet_.direction_x[k] + normal.y() * packet_.direction_y[k] +
-               normal.z() * packet_.direction_z[k] >
-           0.0f;
+    const auto [facet, copy] = scene_.copies().at(met);
+    // What meets ground from below began in a crease of it.
+    if (facet < ground_) return false;
+    const Eigen::Vector3f way{packet_.direction_x[k], packet_.direction_y[k],
+                              packet_.direction_z[k]};
+    if (copy == no_copy) return facets_.normal[facet].dot(way) > 0.0f;
+    const Eigen::Vector3d back = scene_.copies().turned_back(copy, way.cast<double>());
+    return facets_.normal[facet].dot(back.cast<float>()) > 0.0f;
 }
 
 void BlockRays::follow(std::size_t k) {

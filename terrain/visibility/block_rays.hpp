@@ -41,8 +41,10 @@ struct RayQueue {
 /// behind a facet is followed, heat or sunlight.
 class BlockRays {
  public:
-    BlockRays(const RayScene& scene, const FacetSet& facets, bool nearest, bool sunlight)
-        : scene_(scene), facets_(facets), nearest_(nearest), sunlight_(sunlight) {}
+    /// - ground: facets before this one are ground
+    BlockRays(const RayScene& scene, const FacetSet& facets, std::size_t ground, bool nearest,
+              bool sunlight)
+        : scene_(scene), facets_(facets), ground_(ground), nearest_(nearest), sunlight_(sunlight) {}
 
     /// The first lanes of a packet, of the block's facet `from`; `sines` of the elevations above
     /// which there is only sky.
@@ -50,8 +52,8 @@ class BlockRays {
     /// Asks for the rays that are left.
     void finish();
 
-    // (facet of the block) rays; `hidden`: that met the back of a sheet, or the inside of a body or
-    // of the ground, in which they then began
+    // (facet of the block) rays; `hidden`: that met the back of a sheet, or the inside of a body,
+    // in which they then began
     std::array<double, facets_per_block> sky{}, below{}, hidden{};
     // (facet of the block) Σ over what is hidden of the sky above the horizontal, ray by ray
     std::array<SkyVector, facets_per_block> covered{};
@@ -76,11 +78,12 @@ class BlockRays {
     void ask_whether(std::size_t count);
     void ask_which(std::size_t count);
 
-    /// Whether the packet's k-th ray meets a facet, no copy's, from behind.
+    /// Whether the packet's k-th ray meets a body from behind.
     bool from_behind(std::size_t k, std::uint32_t met) const;
 
     const RayScene& scene_;
     const FacetSet& facets_;
+    std::size_t ground_;
     bool nearest_, sunlight_;
     RayQueue doubtful_{}, blocked_{};
     RayPacket packet_{};

@@ -160,7 +160,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
 
     for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
-        BlockRays found(scene, facets, options.others, options.sunlight);
+        BlockRays found(scene, facets, options.first_object, options.others, options.sunlight);
         SkyBound::Sines sines = SkyBound::unknown;
         for (std::size_t f = begin; f < end; ++f) {
             if ((f - begin) % facets_per_bound == 0) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_target.hpp"
+#include "scenes/input/target_input.hpp"
 #include "terrain/objects/mesh_file.hpp"
 #include "terrain/objects/placed_mesh.hpp"
 

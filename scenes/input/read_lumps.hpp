@@ -1,7 +1,7 @@
 #pragma once
 
 #include "materials/base/section.hpp"
-#include "scenes/input/read_target.hpp"
+#include "scenes/input/target_input.hpp"
 
 /// What of an object is of one temperature, and what carries heat between such things.
 namespace diurna {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scenes/input/read_copies.hpp"
+#include "scenes/input/read_target.hpp"
 #include "terrain/objects/models/models.hpp"
 #include "terrain/objects/models/net.hpp"
 #include "terrain/objects/welded_faces.hpp"

@@ -51,6 +51,22 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
     return notes;
 }
 
+/// Ways over the ellipsoid on ground whose own zero nobody has told.
+std::vector<std::string> notes_on_ways(const Scene& scene) {
+    std::vector<std::string> notes;
+    for (const TrajectoryInput& way : scene.trajectories) {
+        if (way.heights != TrajectoryInput::Heights::ellipsoid || scene.terrain.reading.geoid) {
+            continue;
+        }
+        notes.push_back(fmt::format(
+            "heights of the trajectory \"{}\" above the ellipsoid are taken to have the "
+            "elevation data's own zero: if that is the sea, terrain.vertical_datum = \"egm96\" "
+            "parts the two, by up to 107 m",
+            way.name));
+    }
+    return notes;
+}
+
 /// Days without a picture where the sun says when to take them.
 std::vector<std::string> notes_on_frames(const Scene& scene) {
     std::vector<std::string> notes;
@@ -109,6 +125,7 @@ Prepared prepare(Scene scene) {
     notes.insert(notes.end(), world.notes.begin(), world.notes.end());
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
     for (std::string& note : notes_on_frames(scene)) notes.push_back(std::move(note));
+    for (std::string& note : notes_on_ways(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {

@@ -39,7 +39,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
      {"weather", "weather_file", "column", "surface", "kernels", "steppers", "network", "point",
       "covered_facets", "heat_flux_field", "netcdf_output", "temperature_names",
       "temperature_field", "temperature_reader", "solve"}},
-    {"render", {"picture", "view", "light", "path", "eye", "rays", "tracer"}},
+    {"render", {"picture", "instrument", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes", {"input", "keys", "world", "plan", "labels", "report", "run", "sweep", "commands"}},
 };
 
@@ -69,6 +69,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"erfa", {"terrain/place/celestial.cpp"}},
     {"OpenEXR/", {"render/picture/exr.cpp"}},
     {"Imf", {"render/picture/exr.cpp"}},
+    {"fftw3.h", {"render/instrument/convolution.cpp"}},
     {"tiffio.h", {"render/picture/grey_tiff.cpp"}},
     {"png.h", {"render/picture/grey_png.cpp", "render/picture/quicklook.cpp"}},
     {"toml++/", {"materials/base/document_state.hpp"}},

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "materials/radiation/band.hpp"
+#include "render/instrument/convolution.hpp"
+#include "render/instrument/instrument.hpp"
+
+namespace diurna {
+
+/// The product of all modulation transfer functions of an instrument (mtf.hpp), over frequency in
+/// the picture's plane [1/m]: lens (over the wavelengths of its band, each by its share of a black
+/// body of 300 K, below 3 µm of 5772 K), turbulence, motion, diffusion, the pixel's sensitive area.
+class SystemMtf {
+ public:
+    SystemMtf(const Instrument& instrument, const Band& band, double focal_length);
+    double operator()(double right, double down) const;
+    /// Above it the lens lets nothing through [1/m]; infinite without diffraction.
+    double cut_off() const { return cut_off_; }
+
+ private:
+    double lens_at(double frequency) const;
+
+    std::vector<double> lens_;  // of round parts, over frequency in even steps
+    double step_ = 1.0, cut_off_ = 0.0;
+    double jitter_ = 0.0, diffusion_ = 0.0, width_ = 0.0;  // [m]
+    double drift_right_ = 0.0, drift_down_ = 0.0;          // [m]
+};
+
+/// How often each way the radiance has to be sampled in a pixel, and why.
+///
+/// A renderer's samples fold back what is finer than half their rate. What is left of it by the
+/// blur at half the rate of the oversampled picture shall be a twentieth; 2 to 6.
+struct Oversampling {
+    int times = 2;
+    std::string why;
+};
+Oversampling oversampling_of(const Instrument& instrument, const SystemMtf& mtf);
+
+/// The one convolution of a radiance sampled `times` a pixel each way in squares side by side: all
+/// of the system's MTF over the sinc of those squares. Result j stands for the middle between
+/// samples j and j + 1 where `times` is even, so that pixels' middles are samples.
+Convolution system_blur(const SystemMtf& mtf, double pitch, int times, int width, int height);
+
+}  // namespace diurna

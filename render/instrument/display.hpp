@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "render/instrument/instrument.hpp"
+
+namespace diurna {
+
+/// Counts as a picture of 8 bits.
+///
+/// - linear: from the share `low` of the pixels to the share `high`, straight
+/// - plateau: the histogram evened out, no count having more than the share `plateau` of the pixels
+///   in it (Vickers 1996); counts that do not occur take no place
+/// - manual: `span` counts about `level`
+std::vector<std::uint8_t> displayed(std::span<const std::uint16_t> counts,
+                                    const Electronics& electronics);
+
+}  // namespace diurna

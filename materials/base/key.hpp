@@ -40,11 +40,12 @@ struct Key {
     std::string path{};   // of the key in every such table: "terrain.rule[].slope_deg"; "NAME"
                           // stands for a key that the file's author is free to choose
     Kind kind = Kind::tested;
-    std::string says{};                // in one line what it means
-    bool required = false;             // a mistake where it is absent
-    std::string fallback{};            // in place of an absent one; "": nothing to be told
-    Range range{};                     // of a number
-    std::size_t count = 0;             // of an array of numbers, or of each of its rows; 0: any
+    std::string says{};      // in one line what it means
+    bool required = false;   // a mistake where it is absent
+    std::string fallback{};  // in place of an absent one; "": nothing to be told
+    Range range{};           // of a number
+    std::size_t count = 0;   // of an array of numbers, or of each of its rows; 0: any; 1 of
+                             // tables that may be one table
     std::vector<std::string> words{};  // all that a word may be; the one thing that a name names
     /// The words chosen so far in the same table, by their keys: ("kind", "gloss"), ...
     std::vector<std::pair<std::string, std::string>> chosen{};

@@ -426,7 +426,19 @@ Section Section::required_section(const std::string& key, const char* says) cons
 
 std::vector<Section> Section::sections(const std::string& key, const char* says) const {
     if (!ask(key, says, Key::Kind::tables)) return {};
+    return sections_of(key, state_->keys.back().path + "[]");
+}
+
+std::vector<Section> Section::one_or_more_sections(const std::string& key, const char* says) const {
+    if (!ask(key, says, Key::Kind::tables, {.count = 1})) return {};
     const std::string pattern = state_->keys.back().path + "[]";
+    const toml::node& node = *node_of(table_, key);
+    if (!node.is_table()) return sections_of(key, pattern);
+    return {Section(state_, node.as_table(), joined_path(path_, key), pattern)};
+}
+
+std::vector<Section> Section::sections_of(const std::string& key,
+                                          const std::string& pattern) const {
     const toml::node& node = *node_of(table_, key);
     const toml::array* array = node.as_array();
     if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_table(); })) {

@@ -115,6 +115,8 @@ class Section {
     Section required_section(const std::string& key, const char* says) const;
     /// An array of tables ([[key]] or key = [{...}, {...}]); empty where absent.
     std::vector<Section> sections(const std::string& key, const char* says) const;
+    /// The same, or one table [key].
+    std::vector<Section> one_or_more_sections(const std::string& key, const char* says) const;
 
     /// "file:line:column: path.to.key" of a key, or of the table itself for "".
     std::string where(const std::string& key = "") const;
@@ -136,6 +138,7 @@ class Section {
                              const Names& names) const;
     std::vector<double> checked_numbers(const std::string& key, std::vector<double> fallback,
                                         std::size_t count) const;
+    std::vector<Section> sections_of(const std::string& key, const std::string& pattern) const;
     Section inner(const std::string& key, const char* says, bool required) const;
 
     std::shared_ptr<DocumentState> state_;

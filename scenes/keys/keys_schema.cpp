@@ -90,8 +90,11 @@ Json value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& entry) {
             return {{"type", "array"}};
         case Key::Kind::table:
             return table_schema(entries, entry.path());
-        case Key::Kind::tables:
-            return array_of(table_schema(entries, entry.path() + "[]"), 0);
+        case Key::Kind::tables: {
+            const Json table = table_schema(entries, entry.path() + "[]");
+            if (entry.count != 1) return array_of(table, 0);
+            return {{"anyOf", Json::array({array_of(table, 0), table})}};
+        }
         default:
             return {{"type", "string"}};
     }

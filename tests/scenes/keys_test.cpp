@@ -74,6 +74,14 @@ std::string broken_at(const Json& value, const Json& schema, const std::string& 
         }
         return path + ": no such word";
     }
+    if (schema.contains("anyOf")) {
+        std::string broken;
+        for (const Json& one : schema["anyOf"]) {
+            broken = broken_at(value, one, path);
+            if (broken.empty()) return "";
+        }
+        return broken;
+    }
     if (!is_of_type(value, schema.at("type"))) return path + ": no " + schema["type"].dump();
     if (value.is_number()) {
         if (schema.contains("minimum") && value < schema["minimum"]) return path + ": too small";

@@ -180,7 +180,48 @@ double with_fate(const Camera& camera, double signal, std::size_t p, std::int64_
     return signal;
 }
 
+/// A two-point correction needs lights that differ by more than a pixel's offset does by chance.
+void check_lights(const Instrument& instrument, const Response& response) {
+    const Correction& correction = instrument.correction;
+    if (correction.kind == CorrectionKind::none || correction.temperature[0] <= 0.0) return;
+    const bool photon = instrument.detector.kind == DetectorKind::photon;
+    const double time = photon ? instrument.detector.integration_time : 1.0;
+    const double step = time * (response.black_body(correction.temperature[1]) -
+                                response.black_body(correction.temperature[0]));
+    const Noise noise = noise_of(instrument, response);
+    const double least = std::hypot(
+        noise.pixel,
+        photon ? std::sqrt(signal_of(correction.temperature[1], instrument, response)) : 0.0);
+    if (step > least) return;
+    throw InputError(
+        "instrument " + instrument.name,
+        fmt::format("black bodies of {:g} and {:g} K differ by {:.3g} {} in the band, less than "
+                    "the noise of {:.3g}: no light to correct a fixed pattern by",
+                    correction.temperature[0], correction.temperature[1], step, response.unit,
+                    least),
+        "correction.well_shares or warmer black bodies will do");
+}
+
+int margin_of(const Instrument& instrument, int width, int height, double focal_length) {
+    const double beyond = overshoot(instrument, width, height, focal_length);
+    if (beyond > 0.25 * std::max(width, height)) {
+        throw InputError("instrument " + instrument.name,
+                         fmt::format("the lens' distortion reaches {:.0f} pixels beyond a picture "
+                                     "of {} x {}, more than a quarter",
+                                     beyond, width, height));
+    }
+    return blur_reach + static_cast<int>(std::ceil(std::max(0.0, beyond)));
+}
+
 }  // namespace
+
+void check_camera(const Instrument& instrument, const Band& band, int width, int height,
+                  double focal_length) {
+    const Response response = response_of(instrument, band);
+    noise_of(instrument, response);
+    check_lights(instrument, response);
+    margin_of(instrument, width, height, focal_length);
+}
 
 Camera camera_of(const Instrument& instrument, const Band& band, int width, int height,
                  double focal_length) {
@@ -189,14 +230,8 @@ Camera camera_of(const Instrument& instrument, const Band& band, int width, int 
     Response corrected = response_of(instrument, band, then);
     SystemMtf mtf(instrument, band, focal_length);
     Oversampling oversampling = oversampling_of(instrument, mtf);
-    const double beyond = overshoot(instrument, width, height, focal_length);
-    if (beyond > 0.25 * std::max(width, height)) {
-        throw InputError("instrument " + instrument.name,
-                         fmt::format("the lens' distortion reaches {:.0f} pixels beyond a picture "
-                                     "of {} x {}, more than a quarter",
-                                     beyond, width, height));
-    }
-    const int margin = blur_reach + static_cast<int>(std::ceil(std::max(0.0, beyond)));
+    const int margin = margin_of(instrument, width, height, focal_length);
+    check_lights(instrument, response);
     const int times = oversampling.times;
     Convolution blur = system_blur(mtf, instrument.detector.pitch, times,
                                    (width + 2 * margin) * times, (height + 2 * margin) * times);
@@ -274,7 +309,7 @@ Shot take(const Camera& camera, std::span<const float> flux, std::int64_t frame,
             signal = with_fate(camera, signal, p, frame);
             if (is_photon(camera)) {
                 full += signal >= well && camera.pattern.fate[p] == Fate::whole ? 1 : 0;
-                signal = std::clamp(signal, 0.0, well);
+                signal = std::min(signal, well);  // noise goes below nought; counts do not
             }
             const PixelCorrection correction = correction_of(camera, lights, p, time);
             shot.signal[p] = static_cast<float>(scene);

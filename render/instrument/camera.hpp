@@ -37,6 +37,11 @@ struct Camera {
     int seen_height() const { return (height + 2 * margin) * oversampling.times; }
 };
 
+/// Throws InputError for settings that contradict each other or the band: a NETD below what
+/// counting makes, a lens that folds over, black bodies of a correction that the band hardly sees.
+void check_camera(const Instrument& instrument, const Band& band, int width, int height,
+                  double focal_length);
+
 /// - band: the observer's; the radiance to be rendered is that of Camera::response.scene
 /// - focal_length: [m]; of a pinhole with the detector's pitch
 Camera camera_of(const Instrument& instrument, const Band& band, int width, int height,

@@ -45,7 +45,7 @@ Instrument cooled_mwir() {
                        .pitch = 15e-6,
                        .fill = 0.9,
                        .efficiency = flat_spectrum(0.85),
-                       .integration_time = 0.003,
+                       .integration_time = 0.005,
                        .well_share = 0.7,
                        .well = 7e6,
                        .dark_current = 5e6,
@@ -138,7 +138,8 @@ Instrument swir() {
                        .blinking = 0.0003,
                        .blink = 1000.0};
     camera.correction.temperature = {0.0, 0.0};
-    camera.electronics = {.bits = 14, .frame_rate = 60.0, .display = Display::linear};
+    camera.electronics = {
+        .bits = 14, .black_level = 256.0, .frame_rate = 60.0, .display = Display::linear};
     return camera;
 }
 

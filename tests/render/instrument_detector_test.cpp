@@ -456,6 +456,20 @@ TEST_CASE("a bright picture shortens the exposure until its well is not full",
     CHECK(take(fixed, flux, 1, 0.0).saturated == 64 * 64);
 }
 
+TEST_CASE("in the dark a picture has its mean at the black level and all its noise",
+          "[render][instrument]") {
+    Instrument instrument = preset("visible");
+    const Camera camera = camera_of(instrument, flat_band("0.4-0.7", 0.4, 0.7), 128, 128, 0.05);
+    const Shot shot = take(camera, std::vector<float>(128 * 128, 0.0f), 1, 0.0);
+    // Read noise, offsets, lines, and the counting of 0.15 electrons of dark current.
+    const double dark = 5.0 * 0.03;
+    const double expected = std::sqrt(2.4 * 2.4 + 1.0 + 0.3 * 0.3 * 3.0 + dark);
+    const auto [mean, deviation] = moments_of(shot.measured);
+    CHECK(mean == Approx(dark).margin(0.15));  // lines' own means: 0.3 over the root of 128
+    CHECK(deviation == Approx(expected).epsilon(0.02));
+    CHECK(moments_of(shot.counts).mean == Approx(64.0).margin(0.3));
+}
+
 TEST_CASE("each preset is a camera, and says what it leaves out", "[render][instrument]") {
     CHECK(preset_names().size() == 4);
     for (const std::string& name : preset_names()) {

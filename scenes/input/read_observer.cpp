@@ -18,12 +18,13 @@ namespace diurna {
 namespace {
 
 /// The field of view from a focal plane behind a lens.
-double read_lens(const Section& section, const ObserverInput& observer) {
+double read_lens(const Section& section, ObserverInput& observer) {
     const double focal_length = section.number(
         "focal_length_mm", "with pixel_pitch_um, of a pinhole: in place of horizontal_fov_deg",
         {0.1, 1e5});
     const double pitch =
         section.number("pixel_pitch_um", "with focal_length_mm: of its pixels", {0.1, 1e4});
+    observer.pixel_pitch_um = pitch;
     const double fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
     if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
         section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");

@@ -39,6 +39,8 @@ struct ObserverInput {
     std::optional<AdaptiveOptions> adaptive;  // samples where pixels need them
     std::vector<std::string> bands;           // "3-5", "8-12", "lwir", a name of [[bands]]
     std::vector<std::string> cubes;           // names of [[cubes]]
+    std::vector<std::string> instruments{};   // bands in which it has an [[instrument]]
+    double pixel_pitch_um = 0.0;              // if it says one
     bool terms = false;                       // planes for the terms of the radiance, one by one
     int surfaces = 0;                         // of each pixel that have planes of their own
     std::vector<Instant> frames;              // its own, or the scene's

@@ -9,6 +9,7 @@
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
+#include "scenes/input/read_instrument.hpp"
 #include "scenes/input/read_labels.hpp"
 #include "scenes/input/read_observer.hpp"
 #include "scenes/input/read_output.hpp"
@@ -54,6 +55,7 @@ struct Scene {
     TextureUses texture_uses;
     std::vector<TrajectoryInput> trajectories;
     std::vector<ObserverInput> observers;
+    std::vector<InstrumentInput> instruments;
     SweepInput sweep;
     double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground

@@ -160,6 +160,7 @@ Scene read_scene(const Document& document) {
     if (scene.observers.empty()) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");
     }
+    scene.instruments = read_instruments(root, scene.seed, scene.observers, scene.bands);
     scene.sweep = read_sweep(
         root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
     scene.texture_uses = std::move(reading.texture_uses);

@@ -169,14 +169,15 @@ KeyBook key_book() {
 
 std::string unit_of(const std::string& key) {
     // The longest suffix wins; "_K3" is of a coefficient.
-    static const std::array<std::pair<const char*, const char*>, 26> units = {{
+    static const std::array<std::pair<const char*, const char*>, 32> units = {{
         {"_kg_m3", "kg/m³"}, {"_J_kgK", "J/kgK"}, {"_W_m2K", "W/m²K"}, {"_per_m", "1/m"},
         {"_kg_s", "kg/s"},   {"_W_m2", "W/m²"},   {"_W_mK", "W/mK"},   {"_m_s", "m/s"},
         {"_s_m", "s/m"},     {"_mm_h", "mm/h"},   {"_deg", "°"},       {"_ppm", "ppm"},
         {"_km", "km"},       {"_mm", "mm"},       {"_cm", "cm"},       {"_um", "µm"},
         {"_K3", "1/K³"},     {"_per_h", "1/h"},   {"_m", "m"},         {"_s", "s"},
         {"_h", "h"},         {"_W_K", "W/K"},     {"_J_K", "J/K"},     {"_m3", "m³"},
-        {"_W", "W"},         {"_K", "K"},
+        {"_W", "W"},         {"_K", "K"},         {"_mK", "mK"},       {"_ms", "ms"},
+        {"_min", "min"},     {"_Hz", "Hz"},       {"_mrad", "mrad"},   {"_fF", "fF"},
     }};
     for (const auto& [suffix, unit] : units) {
         if (key.ends_with(suffix)) return unit;

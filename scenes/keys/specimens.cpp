@@ -124,6 +124,17 @@ projection = "equisolid"
 projection = "panorama"
 [[observer]]
 projection = "orthographic"
+[[instrument]]
+observer = "nobody"
+preset = "cooled_mwir"
+electronics = { display = "linear" }
+optics = { transmission_curve = [[3.0, 0.8], [5.0, 0.9]] }
+detector = { efficiency_curve = [[3.0, 0.8], [5.0, 0.9]] }
+[[instrument]]
+preset = "uncooled_lwir"
+electronics = { display = "plateau" }
+[[instrument]]
+electronics = { display = "manual" }
 [sweep]
 draw = 1
 [[sweep.axis]]

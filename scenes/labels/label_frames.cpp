@@ -66,6 +66,12 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
     picture.unit = frame[picture.plane].unit;
     picture.scale = grey_scale(frame, picture.plane, prepared.scene.labels.bits);
     picture.attributes = frame.attributes;
+    if (std::find(input.instruments.begin(), input.instruments.end(), band) !=
+        input.instruments.end()) {
+        const std::string base = instrument_base(input.name, band, instant);
+        picture.attributes["instrument.counts"] = base + extension_of(prepared.scene.labels.format);
+        picture.attributes["instrument.display"] = base + "_display.png";
+    }
     for (ObjectMask& mask : object_masks(frame, band)) {
         const auto found = whole.find(mask.object);
         if (found == whole.end() || book.objects[std::size_t(mask.object)].kind.empty()) continue;

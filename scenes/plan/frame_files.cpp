@@ -18,6 +18,15 @@ std::string grey_picture(const std::string& observer, const std::string& band, I
     return "images" + frame_base(observer, band, instant).substr(6) + extension_of(format);
 }
 
+std::string instrument_base(const std::string& observer, const std::string& band, Instant instant) {
+    return "instrument" + frame_base(observer, band, instant).substr(6);
+}
+
+std::string calibration_file(const std::string& observer, const std::string& band) {
+    const std::string dated = instrument_base(observer, band, Instant{});
+    return dated.substr(0, dated.rfind('_')) + "_calibration.csv";
+}
+
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
                                      GreyFormat format) {
     std::vector<std::string> files;
@@ -26,6 +35,12 @@ std::vector<std::string> frame_files(const ObserverInput& observer, Instant inst
         files.push_back(name + ".exr");
         files.push_back(name + ".png");
         files.push_back(grey_picture(observer.name, band, instant, format));
+    }
+    for (const std::string& band : observer.instruments) {
+        const std::string name = instrument_base(observer.name, band, instant);
+        files.push_back(name + ".exr");
+        files.push_back(name + extension_of(format));
+        files.push_back(name + "_display.png");
     }
     for (const std::string& cube : observer.cubes) {
         const std::string name = frame_base(observer.name, cube, instant);
@@ -41,6 +56,9 @@ std::vector<std::string> frame_files(const Scene& scene) {
             for (std::string& file : frame_files(observer, instant, scene.labels.format)) {
                 files.push_back(std::move(file));
             }
+        }
+        for (const std::string& band : observer.instruments) {
+            files.push_back(calibration_file(observer.name, band));
         }
     }
     return files;

@@ -17,8 +17,13 @@ std::string frame_base(const std::string& observer, const std::string& band, Ins
 std::string grey_picture(const std::string& observer, const std::string& band, Instant instant,
                          GreyFormat format);
 
+/// "instrument/east_8-12_20260715T040000Z": an instrument's picture without its extension, and its
+/// calibration "instrument/east_8-12_calibration.csv".
+std::string instrument_base(const std::string& observer, const std::string& band, Instant instant);
+std::string calibration_file(const std::string& observer, const std::string& band);
+
 /// The files of one frame: for every band an EXR, a PNG beside it and a grey one; for every cube an
-/// EXR and ENVI's two.
+/// EXR and ENVI's two; for every instrument an EXR, the counts and what is displayed of them.
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
                                      GreyFormat format);
 /// Of all frames of all observers.

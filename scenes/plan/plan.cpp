@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/plan/instrument_cost.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/solve/point_facets.hpp"
@@ -29,6 +30,8 @@ constexpr double write_per_value = 0.08e-6;
 constexpr double cast_per_ray = 0.05e-6;
 constexpr double render_per_pixel = 0.3e-6;  // and band
 constexpr double light_per_facet = 0.23e-6;  // and frame: its sun and temperature
+constexpr double blur_per_sample = 1.2e-6;   // of an instrument's radiance and frame
+constexpr double detect_per_pixel = 1.0e-6;  // and frame
 constexpr double annotate_per_pixel = 0.25e-6;
 constexpr double seen_through = 4.0;  // of casting and rendering, where rays pass smoke or nets
 
@@ -98,6 +101,37 @@ void count_work(const Scene& scene, const World& world, Plan& plan) {
     plan.frames.erase(std::unique(plan.frames.begin(), plan.frames.end()), plan.frames.end());
 }
 
+/// What instruments add, in seconds of the processor; their rays are added to the plan's.
+double instrument_seconds(const Scene& scene, double through, Plan& plan) {
+    double seconds = 0.0;
+    for (const InstrumentInput& input : scene.instruments) {
+        const ObserverInput& observer = observer_of(scene, input);
+        const InstrumentCost cost = instrument_cost(scene, input);
+        const double frames = double(observer.frames.size());
+        const double views = observer.goes() ? frames : 1.0;
+        const double rays = views * cost.seen_pixels * cost.samples;
+        plan.view_rays += static_cast<std::size_t>(rays);
+        seconds += frames * (cost.seen_pixels * (through * render_per_pixel + blur_per_sample) +
+                             double(observer.width) * observer.height * detect_per_pixel +
+                             light_per_facet * double(plan.facets));
+        plan.memory += cost.seen_pixels * 200.0;
+        plan.decisions.push_back(
+            {.what = "instrument " + cost.name,
+             .computed = true,
+             .why = cost.oversampling.why + fmt::format("; {} rays a sample", cost.samples),
+             .error = 0.0,
+             .error_unit = "W m-2 sr-1"});
+        if (cost.left_out.empty()) continue;
+        plan.decisions.push_back(
+            {.what = "stages of instrument " + cost.name,
+             .computed = false,
+             .why = fmt::format("its settings have none: {}", fmt::join(cost.left_out, ", ")),
+             .error = 0.0,
+             .error_unit = "W m-2 sr-1"});
+    }
+    return seconds;
+}
+
 /// What each stage takes, and the memory of all.
 void estimate(const Scene& scene, const World& world, const Weather& weather, Plan& plan) {
     const double facets = double(plan.facets), ground = double(world.ground_facets);
@@ -110,6 +144,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
     }
     const double through = scene.plumes.empty() ? 1.0 : seen_through;
     const double points = point_seconds(scene, world, weather);
+    const double instruments = instrument_seconds(scene, through, plan);
     // Fluxes: one more pass, eight values beside each temperature that is kept.
     const double kept = double(scene_span(scene).wanted.size());
     const double day_steps = 86400.0 / scene.time.step + 1.0;  // no more than a day is held
@@ -129,11 +164,14 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
                        threads},
         {"report", annotate_per_pixel * double(plan.frame_pixels)},
     };
+    if (!scene.instruments.empty()) {
+        plan.stages.insert(plan.stages.end() - 1, {"instruments", instruments / threads});
+    }
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     // Program and libraries; what a facet has once; six fields of a value for each step; views.
-    plan.memory = 170e6 + facets * (600.0 + 6.0 * 4.0 * std::min(steps, day_steps)) + 4.0 * values +
-                  double(plan.pixels) * 160.0;
+    plan.memory += 170e6 + facets * (600.0 + 6.0 * 4.0 * std::min(steps, day_steps)) +
+                   4.0 * values + double(plan.pixels) * 160.0;
 }
 
 std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {
@@ -200,7 +238,9 @@ Plan make_plan(const Scene& scene, const World& world, const Weather& weather) {
     Plan plan;
     count_work(scene, world, plan);
     estimate(scene, world, weather, plan);
-    plan.decisions = decisions_of(scene, world, plan);
+    std::vector<Decision> decisions = decisions_of(scene, world, plan);
+    decisions.insert(decisions.end(), plan.decisions.begin(), plan.decisions.end());
+    plan.decisions = std::move(decisions);
     return plan;
 }
 

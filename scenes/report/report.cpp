@@ -10,6 +10,7 @@
 #include "scenes/input/bands.hpp"
 #include "scenes/report/contact_sheet.hpp"
 #include "scenes/report/html.hpp"
+#include "scenes/report/instrument_sheet.hpp"
 #include "scenes/report/material_days.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -155,6 +156,12 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
             html += contact_sheet(
                 folder, observer.name, named_band(prepared.scene.bands, band, bin_edges_um()),
                 some_of(observer.frames), [&](Instant instant) { return when(prepared, instant); });
+            for (const InstrumentInput& input : prepared.scene.instruments) {
+                if (input.observer != observer.name || input.band != band) continue;
+                html += instrument_sheet(folder, observer.name, band, input.instrument.name,
+                                         some_of(observer.frames),
+                                         [&](Instant instant) { return when(prepared, instant); });
+            }
         }
     }
     html += "<h2>Time</h2>\n" + timings(report);

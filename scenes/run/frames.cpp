@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -15,6 +16,7 @@
 #include "render/picture/grey_picture.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/plan/frame_files.hpp"
+#include "scenes/run/instrument_pictures.hpp"
 #include "scenes/run/picture.hpp"
 #include "scenes/run/series.hpp"
 
@@ -49,18 +51,29 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
     write_envi(base.string() + ".img", cube);
 }
 
-/// Renders and writes the bands and cubes of one instant; returns the tables' notes of their error.
+using InstrumentViews = std::vector<std::unique_ptr<const InstrumentView>>;
+
+/// Renders and writes the bands and cubes of one instant, and what instruments see of it; returns
+/// the tables' notes of their error.
 ///
 /// - blurred: objects go on while the picture is taken
 std::map<std::string, std::string> render_instant(const Prepared& prepared, const Series& s,
                                                   const FacetViews& views,
                                                   const TemperatureField& field, Instant instant,
+                                                  std::span<const InstrumentSeries> instruments,
                                                   const fs::path& out, bool blurred = false) {
     const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
     write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera);
     for (std::size_t c = 0; c < s.cubes.size(); ++c) {
         write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
                    picture.facts, picture.camera);
+    }
+    for (const InstrumentSeries& one : instruments) {
+        const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
+        const fs::path file =
+            out / (instrument_base(s.input.name, one.view.band.name, instant) + ".exr");
+        fs::create_directories(file.parent_path());
+        write_exr(file, frame, ExrCompression::none, &picture.camera);
     }
     return picture.frame.notes;
 }
@@ -107,6 +120,7 @@ bool blurs(const Movement& movement, const Observer& observer, Instant when) {
 /// frame alone is what it is among others.
 std::map<std::string, std::string> render_alone(const Stages& stages, std::size_t o,
                                                 std::size_t frame, const TemperatureField& field,
+                                                const InstrumentViews& instruments,
                                                 const fs::path& out) {
     const Prepared& scene = stages.scene();
     const Movement& movement = scene.movement;
@@ -125,13 +139,16 @@ std::map<std::string, std::string> render_alone(const Stages& stages, std::size_
     const Prepared& here = on_the_way ? *on_the_way : stage.prepared;
     const Series own =
         cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
-    return render_instant(here, own, stage.views, field, instant, out, blurred);
+    const std::vector<InstrumentSeries> finer =
+        cast_instruments(instruments, here, sequence.at(frame), {&instant, 1}, stage.views, field);
+    return render_instant(here, own, stage.views, field, instant, finer, out, blurred);
 }
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
 /// once for each stage.
 Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::size_t> wanted,
-                     const TemperatureField& field, const fs::path& out, Progress& progress) {
+                     const TemperatureField& field, const InstrumentViews& instruments,
+                     const fs::path& out, Progress& progress) {
     const Prepared& scene = stages.scene();
     const Movement& movement = scene.movement;
     const ObserverInput& input = scene.scene.observers[o];
@@ -165,14 +182,18 @@ Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::s
         }
         const Series series =
             cast_series(stage.prepared, input, sequence.at(0), frames, stage.views, field);
+        const std::vector<InstrumentSeries> finer = cast_instruments(
+            instruments, stage.prepared, sequence.at(0), frames, stage.views, field);
         progress.stage("frames of " + input.name);
         each(still[s], [&](std::size_t frame) {
             return render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame],
-                                  out);
+                                  finer, out);
         });
     }
     if (!alone.empty()) progress.stage("frames of " + input.name);
-    each(alone, [&](std::size_t frame) { return render_alone(stages, o, frame, field, out); });
+    each(alone, [&](std::size_t frame) {
+        return render_alone(stages, o, frame, field, instruments, out);
+    });
     return told;
 }
 
@@ -190,7 +211,15 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
                 wanted.push_back(i);
         }
         if (wanted.empty()) continue;
-        const Told told = render_sequence(stages, o, wanted, field, out, progress);
+        const InstrumentViews instruments = instrument_views(prepared.scene, input);
+        const Told told = render_sequence(stages, o, wanted, field, instruments, out, progress);
+        if (!instruments.empty()) progress.stage("instruments of " + input.name);
+        for (const auto& view : instruments) {
+            for (std::string& note :
+                 take_pictures(*view, prepared, prepared.sequences[o], wanted, out)) {
+                report.instruments.push_back(std::move(note));
+            }
+        }
         report.rendered += wanted.size();
         for (std::string& line : error_lines(input, told)) {
             report.errors.push_back(std::move(line));

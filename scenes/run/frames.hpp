@@ -22,6 +22,7 @@ struct FramesReport {
     /// For every observer who sees surfaces under snow or wet, how finely these are told apart in
     /// the frame that has most of them.
     std::vector<std::string> notes{};
+    std::vector<std::string> instruments{};  // how their pictures were taken, what was left out
 };
 
 /// Renders every frame that is not there yet and writes it as EXR with a PNG quick-look

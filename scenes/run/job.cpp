@@ -107,6 +107,9 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const std::string& line : frames.notes) {
         report.notes.push_back("water in pictures, frame with most of it: " + line);
     }
+    for (const std::string& line : frames.instruments) {
+        report.notes.push_back("instrument " + line);
+    }
     for (std::string& file : frame_files(prepared.scene)) {
         report.files.push_back(std::move(file));
     }

@@ -132,7 +132,7 @@ std::size_t Sweep::solves() const {
 bool touches_heat(const Sweep& sweep, const SweepAxis& axis) {
     return !std::all_of(axis.keys.begin(), axis.keys.end(), [&](const std::string& key) {
         const std::size_t last = key.rfind('.') + 1;  // of no dot: 0
-        if (key.starts_with("labels.")) return true;
+        if (key.starts_with("labels.") || key.starts_with("instrument.")) return true;
         return key.starts_with("observer.") && !key.substr(last).starts_with("frame") &&
                !sweep.ground_by_observers;
     });

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 
 namespace diurna {
 
@@ -25,6 +26,7 @@ std::string read_text(const fs::path& path, std::size_t limit) {
         throw InputError(path.string(), "file has " + std::to_string(size) +
                                             " bytes, expected at most " + std::to_string(limit));
     }
+    note_file_read(path);
     std::ifstream file(path, std::ios::binary);
     std::ostringstream text;
     text << file.rdbuf();
@@ -60,6 +62,8 @@ void write_whole_file(const fs::path& path, std::span<const std::byte> bytes) {
 void write_whole_file(const fs::path& path, std::string_view text) {
     write_whole_file(path, std::as_bytes(std::span(text.data(), text.size())));
 }
+
+bool is_temporary_name(const std::string& name) { return name.ends_with(".part"); }
 
 fs::path data_folder() {
     const char* named = std::getenv("DIURNA_DATA");

@@ -17,6 +17,9 @@ std::string read_text(const std::filesystem::path& path, std::size_t limit = 64u
 void write_whole_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
 
+/// Whether a file's name is one that unfinished files have: ".NAME.PROCESS.RANDOM.part".
+bool is_temporary_name(const std::string& name);
+
 /// Where the project's own data lie (`materials/` with its tables and spectra): the environment's
 /// DIURNA_DATA if set, else the source tree this program was built from.
 std::filesystem::path data_folder();

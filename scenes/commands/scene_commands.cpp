@@ -15,11 +15,13 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/run/picture_shares.hpp"
+#include "scenes/run/run_folder.hpp"
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
@@ -153,6 +155,7 @@ void run_verb(const SceneArguments& a, RunArguments run) {
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
     for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& line : report.remade) fmt::print(stderr, "note: {}\n", line);
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", report.start);
     check_converged(report.not_converged);
 }
@@ -198,14 +201,21 @@ void check_solved(const Stages& stages, const TemperatureField& field,
 
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,
                  const std::filesystem::path& out) {
+    check_run_folder(out, FolderKind::run);
     const Prepared prepared = prepare(a.read());
     tell_of_sweep(prepared.scene);
+    const std::vector<RunInput> inputs = run_inputs(prepared.scene);
+    check_no_input_in(out, inputs);
+    check_no_input_in(out, {{temperatures, "", ""}});
     const TemperatureField field = load_temperature_field(temperatures);
     if (field.facets != prepared.world.surfaces().size()) {
         throw InputError(temperatures.string(),
                          fmt::format("found temperatures of {} facets, expected {} as in the scene",
                                      field.facets, prepared.world.surfaces().size()));
     }
+    const FolderLock lock(out);
+    const std::size_t gone = clear_run_folder(out, {}, frame_files(prepared.scene));
+    if (gone > 0) fmt::print(stderr, "note: {} files of earlier runs removed\n", gone);
     std::filesystem::create_directories(out / "frames");
     Progress progress(a.style());
     progress.stage("sky view");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/files_read.hpp"
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
@@ -62,6 +63,7 @@ struct Scene {
     int object_sky_rays = 256;  // per facet of buildings and objects
     int sun_samples = 4;        // per facet and instant
     std::uint64_t seed = 1;
+    std::vector<FileRead> files{};  // all that were opened for it so far
 };
 
 }  // namespace diurna

@@ -94,8 +94,10 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
 }  // namespace
 
 Scene read_scene(const Document& document) {
+    const FilesRead opened;
     Scene scene;
     scene.file = document.file();
+    note_file_read(scene.file);
     const Section root = document.root();
     Reading reading{.folder = scene.file.parent_path()};
     read_about(root.section("scene", "names, and how finely the scene is sampled"), scene);
@@ -171,6 +173,7 @@ Scene read_scene(const Document& document) {
                           scene.materials[scene.materials.find(name)], seen);
     }
     document.finish();
+    scene.files = opened.files();
     return scene;
 }
 

@@ -1,7 +1,5 @@
 #include "scenes/plan/frame_files.hpp"
 
-#include <algorithm>
-
 #include "render/picture/frame.hpp"
 
 namespace diurna {
@@ -27,8 +25,8 @@ std::string calibration_file(const std::string& observer, const std::string& ban
     return dated.substr(0, dated.rfind('_')) + "_calibration.csv";
 }
 
-std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
-                                     GreyFormat format) {
+std::vector<std::string> picture_files(const ObserverInput& observer, Instant instant,
+                                       GreyFormat format) {
     std::vector<std::string> files;
     for (const std::string& band : observer.bands) {
         const std::string name = frame_base(observer.name, band, instant);
@@ -36,15 +34,30 @@ std::vector<std::string> frame_files(const ObserverInput& observer, Instant inst
         files.push_back(name + ".png");
         files.push_back(grey_picture(observer.name, band, instant, format));
     }
+    for (const std::string& cube : observer.cubes) {
+        const std::string name = frame_base(observer.name, cube, instant);
+        for (const char* extension : {".exr", ".img", ".hdr"}) files.push_back(name + extension);
+    }
+    return files;
+}
+
+std::vector<std::string> instrument_files(const ObserverInput& observer, Instant instant,
+                                          GreyFormat format) {
+    std::vector<std::string> files;
     for (const std::string& band : observer.instruments) {
         const std::string name = instrument_base(observer.name, band, instant);
         files.push_back(name + ".exr");
         files.push_back(name + extension_of(format));
         files.push_back(name + "_display.png");
     }
-    for (const std::string& cube : observer.cubes) {
-        const std::string name = frame_base(observer.name, cube, instant);
-        for (const char* extension : {".exr", ".img", ".hdr"}) files.push_back(name + extension);
+    return files;
+}
+
+std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
+                                     GreyFormat format) {
+    std::vector<std::string> files = picture_files(observer, instant, format);
+    for (std::string& file : instrument_files(observer, instant, format)) {
+        files.push_back(std::move(file));
     }
     return files;
 }
@@ -62,14 +75,6 @@ std::vector<std::string> frame_files(const Scene& scene) {
         }
     }
     return files;
-}
-
-bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,
-                    Instant instant, GreyFormat format) {
-    const std::vector<std::string> files = frame_files(observer, instant, format);
-    return std::all_of(files.begin(), files.end(), [&](const std::string& file) {
-        return std::filesystem::exists(folder / file);
-    });
 }
 
 }  // namespace diurna

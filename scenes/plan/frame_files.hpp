@@ -22,15 +22,16 @@ std::string grey_picture(const std::string& observer, const std::string& band, I
 std::string instrument_base(const std::string& observer, const std::string& band, Instant instant);
 std::string calibration_file(const std::string& observer, const std::string& band);
 
-/// The files of one frame: for every band an EXR, a PNG beside it and a grey one; for every cube an
-/// EXR and ENVI's two; for every instrument an EXR, the counts and what is displayed of them.
+/// What is rendered of one frame, what instruments take of it, and both: for every band an EXR, a
+/// PNG beside it and a grey one; for every cube an EXR and ENVI's two; for every instrument an EXR,
+/// the counts and what is displayed of them.
+std::vector<std::string> picture_files(const ObserverInput& observer, Instant instant,
+                                       GreyFormat format);
+std::vector<std::string> instrument_files(const ObserverInput& observer, Instant instant,
+                                          GreyFormat format);
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
                                      GreyFormat format);
 /// Of all frames of all observers.
 std::vector<std::string> frame_files(const Scene& scene);
-
-/// All files of a frame are there.
-bool frame_complete(const std::filesystem::path& folder, const ObserverInput& observer,
-                    Instant instant, GreyFormat format);
 
 }  // namespace diurna

@@ -7,6 +7,7 @@
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "materials/matter/spectrum_notes.hpp"
 #include "materials/radiation/band.hpp"
@@ -101,6 +102,7 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
 }
 
 Prepared prepare(Scene scene) {
+    const FilesRead opened;
     std::vector<std::filesystem::path> tiles{scene.terrain.elevation};
     tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
     const Dem dem = read_dem(tiles, scene.terrain.reading);
@@ -148,6 +150,7 @@ Prepared prepare(Scene scene) {
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
         notes.push_back(std::move(note));
     }
+    scene.files = merged(scene.files, opened.files());
     return {std::move(scene),   std::move(world),    std::move(rays),
             std::move(weather), std::move(pictures), std::move(plan),
             std::move(plumes),  std::move(notes),    std::move(movement_of_objects)};

@@ -54,27 +54,12 @@ std::string facts(const Prepared& prepared, const JobReport& report) {
         row("worst vertical error of the mesh",
             fmt::format("{:.3f} m (rms {:.3f} m, allowed {:g} m)", report.ground_check.worst_error,
                         report.ground_check.rms_error, prepared.scene.terrain.tolerance));
-    if (report.solved) {
-        const SolveReport& solve = report.solve;
-        out += row(
-            "heat balance",
-            fmt::format("{} steps, {} passes; periodic to {:.1e} K (estimated error {:.1e} K)",
-                        solve.steps, solve.passes, solve.periodic_residual, solve.estimated_error));
-        out +=
-            row("worst energy closure", fmt::format("{:.1e} of the heat moved, any facet and step",
-                                                    solve.worst_energy_closure));
-        out += row("Newton iterations",
-                   fmt::format("{:.2f} a stage, at most {}", solve.newton_iterations,
-                               solve.worst_newton_iterations));
-    } else {
-        out += row("heat balance", "temperatures kept from an earlier run");
-    }
+    for (const auto& [key, value] : report.heat) out += row(key, escaped(value));
     if (!report.not_converged.empty()) {
         out += row("<strong>not converged</strong>", escaped(report.not_converged));
     }
     if (!report.start.empty()) out += row("start of the heat balance", escaped(report.start));
-    out += row("frames", fmt::format("{} instants, {} rendered in this run", plan.frames.size(),
-                                     report.frames_rendered));
+    out += row("frames", fmt::format("{} instants", plan.frames.size()));
     for (const std::string& note : report.notes) out += row("modelled", escaped(note));
     return out + "</table>\n";
 }
@@ -129,6 +114,17 @@ std::string decisions(const Plan& plan) {
 
 }  // namespace
 
+std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& solve) {
+    return {
+        {"heat balance",
+         fmt::format("{} steps, {} passes; periodic to {:.1e} K (estimated error {:.1e} K)",
+                     solve.steps, solve.passes, solve.periodic_residual, solve.estimated_error)},
+        {"worst energy closure",
+         fmt::format("{:.1e} of the heat moved, any facet and step", solve.worst_energy_closure)},
+        {"Newton iterations", fmt::format("{:.2f} a stage, at most {}", solve.newton_iterations,
+                                          solve.worst_newton_iterations)}};
+}
+
 void write_report(const fs::path& folder, const Prepared& prepared, const JobReport& report,
                   const TemperatureField& field) {
     const std::vector<DiurnalCurve> curves =
@@ -164,7 +160,7 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
             }
         }
     }
-    html += "<h2>Time</h2>\n" + timings(report);
+    html += "<h2>Time of this run</h2>\n" + timings(report);
     html += "<h2>Plan: computed and skipped</h2>\n" + decisions(report.plan);
     write_whole_file(folder / "report.html", html + "</body></html>\n");
 }

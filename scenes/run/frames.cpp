@@ -53,20 +53,24 @@ void write_cube(const fs::path& base, const Cube& cube, const Facts& facts,
 
 using InstrumentViews = std::vector<std::unique_ptr<const InstrumentView>>;
 
-/// Renders and writes the bands and cubes of one instant, and what instruments see of it; returns
-/// the tables' notes of their error.
+/// Renders and writes the bands and cubes of one instant, enters them with the tables' notes of
+/// their error, and leaves what instruments see of it.
 ///
 /// - blurred: objects go on while the picture is taken
-std::map<std::string, std::string> render_instant(const Prepared& prepared, const Series& s,
-                                                  const FacetViews& views,
-                                                  const TemperatureField& field, Instant instant,
-                                                  std::span<const InstrumentSeries> instruments,
-                                                  const fs::path& out, bool blurred = false) {
+void render_instant(const Prepared& prepared, const Series& s, const FacetViews& views,
+                    const TemperatureField& field, Instant instant,
+                    std::span<const InstrumentSeries> instruments, const fs::path& out,
+                    Ledger& ledger, bool blurred = false) {
     const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
     write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera);
     for (std::size_t c = 0; c < s.cubes.size(); ++c) {
         write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
                    picture.facts, picture.camera);
+    }
+    const std::vector<std::string> files =
+        picture_files(s.input, instant, prepared.scene.labels.format);
+    if (!files.empty()) {
+        ledger.add(files, Told(picture.frame.notes.begin(), picture.frame.notes.end()));
     }
     for (const InstrumentSeries& one : instruments) {
         const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
@@ -75,29 +79,25 @@ std::map<std::string, std::string> render_instant(const Prepared& prepared, cons
         fs::create_directories(file.parent_path());
         write_exr(file, frame, ExrCompression::none, &picture.camera);
     }
-    return picture.frame.notes;
 }
 
 /// Of all frames' notes of one name, which begin with a number, that of the greatest.
-std::string worst_note(std::span<const std::map<std::string, std::string>> notes,
-                       const std::string& name) {
+std::string worst_note(std::span<const Told> notes, const std::string& name) {
     std::string worst;
     double most = -1.0;
-    for (const auto& of_frame : notes) {
-        const auto note = of_frame.find(name);
-        if (note == of_frame.end()) continue;
-        const double value = std::strtod(note->second.c_str(), nullptr);
-        if (value > most) {
+    for (const Told& of_frame : notes) {
+        for (const auto& [key, note] : of_frame) {
+            const double value = std::strtod(note.c_str(), nullptr);
+            if (key != name || value <= most) continue;
             most = value;
-            worst = note->second;
+            worst = note;
         }
     }
     return worst;
 }
 
 /// What the tables of an observer's worst frame say of their error, a line for each band.
-std::vector<std::string> error_lines(const ObserverInput& observer,
-                                     std::span<const std::map<std::string, std::string>> notes) {
+std::vector<std::string> error_lines(const ObserverInput& observer, std::span<const Told> notes) {
     std::vector<std::string> lines;
     for (const std::string& band : observer.bands) {
         std::string line = observer.name + ", " + band + ": " + worst_note(notes, "error." + band);
@@ -108,9 +108,6 @@ std::vector<std::string> error_lines(const ObserverInput& observer,
     return lines;
 }
 
-/// What the pictures of one observer told, frame by frame.
-using Told = std::vector<std::map<std::string, std::string>>;
-
 /// Whether objects go on while a picture is taken.
 bool blurs(const Movement& movement, const Observer& observer, Instant when) {
     return !movement.none() && observer.takes_time() && movement.moves_at(when);
@@ -118,10 +115,9 @@ bool blurs(const Movement& movement, const Observer& observer, Instant when) {
 
 /// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
 /// frame alone is what it is among others.
-std::map<std::string, std::string> render_alone(const Stages& stages, std::size_t o,
-                                                std::size_t frame, const TemperatureField& field,
-                                                const InstrumentViews& instruments,
-                                                const fs::path& out) {
+void render_alone(const Stages& stages, std::size_t o, std::size_t frame,
+                  const TemperatureField& field, const InstrumentViews& instruments,
+                  const fs::path& out, Ledger& ledger) {
     const Prepared& scene = stages.scene();
     const Movement& movement = scene.movement;
     const ObserverInput& input = scene.scene.observers[o];
@@ -141,14 +137,14 @@ std::map<std::string, std::string> render_alone(const Stages& stages, std::size_
         cast_series(here, input, sequence.at(frame), {&instant, 1}, stage.views, field);
     const std::vector<InstrumentSeries> finer =
         cast_instruments(instruments, here, sequence.at(frame), {&instant, 1}, stage.views, field);
-    return render_instant(here, own, stage.views, field, instant, finer, out, blurred);
+    render_instant(here, own, stage.views, field, instant, finer, out, ledger, blurred);
 }
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
 /// once for each stage.
-Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::size_t> wanted,
+void render_sequence(const Stages& stages, std::size_t o, std::span<const std::size_t> wanted,
                      const TemperatureField& field, const InstrumentViews& instruments,
-                     const fs::path& out, Progress& progress) {
+                     const fs::path& out, Progress& progress, Ledger& ledger) {
     const Prepared& scene = stages.scene();
     const Movement& movement = scene.movement;
     const ObserverInput& input = scene.scene.observers[o];
@@ -162,12 +158,11 @@ Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::s
         (goes ? alone : still[movement.stage_of(when)]).push_back(i);
     }
     std::atomic<std::size_t> done = 0;
-    Told told(wanted.size());
     const auto each = [&](const std::vector<std::size_t>& of, const auto& render_one) {
         for_each_index(
             of.size(),
             [&](std::size_t k) {
-                told[of[k]] = render_one(wanted[of[k]]);
+                render_one(wanted[of[k]]);
                 progress.done(static_cast<double>(++done) / static_cast<double>(wanted.size()));
             },
             1);
@@ -186,41 +181,59 @@ Told render_sequence(const Stages& stages, std::size_t o, std::span<const std::s
             instruments, stage.prepared, sequence.at(0), frames, stage.views, field);
         progress.stage("frames of " + input.name);
         each(still[s], [&](std::size_t frame) {
-            return render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame],
-                                  finer, out);
+            render_instant(stage.prepared, series, stage.views, field, sequence.frame[frame], finer,
+                           out, ledger);
         });
     }
     if (!alone.empty()) progress.stage("frames of " + input.name);
     each(alone, [&](std::size_t frame) {
-        return render_alone(stages, o, frame, field, instruments, out);
+        render_alone(stages, o, frame, field, instruments, out, ledger);
     });
-    return told;
 }
 
 }  // namespace
 
 FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
-                           Progress& progress) {
+                           Progress& progress, Ledger& ledger) {
     FramesReport report;
     const Prepared& prepared = stages.scene();
     for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
         const ObserverInput& input = prepared.scene.observers[o];
+        const auto files = [&](std::size_t i) {
+            return frame_files(input, input.frames[i], prepared.scene.labels.format);
+        };
         std::vector<std::size_t> wanted;
         for (std::size_t i = 0; i < input.frames.size(); ++i) {
-            if (!frame_complete(out, input, input.frames[i], prepared.scene.labels.format))
-                wanted.push_back(i);
+            if (!ledger.has(files(i))) wanted.push_back(i);
         }
-        if (wanted.empty()) continue;
-        const InstrumentViews instruments = instrument_views(prepared.scene, input);
-        const Told told = render_sequence(stages, o, wanted, field, instruments, out, progress);
-        if (!instruments.empty()) progress.stage("instruments of " + input.name);
-        for (const auto& view : instruments) {
-            for (std::string& note :
-                 take_pictures(*view, prepared, prepared.sequences[o], wanted, out)) {
-                report.instruments.push_back(std::move(note));
+        if (!wanted.empty()) {
+            const InstrumentViews instruments = instrument_views(prepared.scene, input);
+            render_sequence(stages, o, wanted, field, instruments, out, progress, ledger);
+            if (!instruments.empty()) progress.stage("instruments of " + input.name);
+            for (const auto& view : instruments) {
+                Told notes;
+                for (std::string& note :
+                     take_pictures(*view, prepared, prepared.sequences[o], wanted, out)) {
+                    notes.emplace_back("instrument", std::move(note));
+                }
+                ledger.add({calibration_file(input.name, view->band.name)}, std::move(notes));
+            }
+            for (const std::size_t i : wanted) {
+                const std::vector<std::string> taken =
+                    instrument_files(input, input.frames[i], prepared.scene.labels.format);
+                if (!taken.empty()) ledger.add(taken, {});
+            }
+        }
+        for (const std::string& band : input.instruments) {
+            for (const auto& [what, note] : ledger.told(calibration_file(input.name, band))) {
+                report.instruments.push_back(note);
             }
         }
         report.rendered += wanted.size();
+        std::vector<Told> told;
+        for (std::size_t i = 0; i < input.frames.size(); ++i) {
+            if (!files(i).empty()) told.push_back(ledger.told(files(i).front()));
+        }
         for (std::string& line : error_lines(input, told)) {
             report.errors.push_back(std::move(line));
         }
@@ -229,6 +242,13 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
         }
     }
     return report;
+}
+
+FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
+                           Progress& progress) {
+    Ledger ledger(out, "", false);
+    ledger.write();
+    return render_frames(stages, field, out, progress, ledger);
 }
 
 }  // namespace diurna

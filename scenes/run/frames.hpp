@@ -9,6 +9,7 @@
 #include "render/view/view.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/plan/progress.hpp"
+#include "scenes/run/ledger.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/temperature_field.hpp"
 
@@ -25,8 +26,11 @@ struct FramesReport {
     std::vector<std::string> instruments{};  // how their pictures were taken, what was left out
 };
 
-/// Renders every frame that is not there yet and writes it as EXR with a PNG quick-look
-/// (scenes/plan/frame_files.hpp).
+/// Renders every frame that the ledger has not, writes it as EXR with a PNG quick-look
+/// (scenes/plan/frame_files.hpp) and enters it. What is told is of all frames, kept or rendered.
+FramesReport render_frames(const Stages& stages, const TemperatureField& field,
+                           const std::filesystem::path& out, Progress& progress, Ledger& ledger);
+/// Renders them all, whatever stands there.
 FramesReport render_frames(const Stages& stages, const TemperatureField& field,
                            const std::filesystem::path& out, Progress& progress);
 

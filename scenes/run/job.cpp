@@ -1,12 +1,18 @@
 #include "scenes/run/job.hpp"
 
+#include <fmt/format.h>
+
+#include <set>
+
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/report/report.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/ledger.hpp"
 #include "scenes/run/manifest.hpp"
+#include "scenes/run/run_folder.hpp"
 
 namespace diurna {
 
@@ -14,18 +20,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What an earlier run of the same inputs has left, if it is to be kept; else makes room. Until
-/// here nothing has been written, from here on only whole files are.
-Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, bool& keep) {
-    for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
-        fs::create_directories(options.out / folder);
-    }
-    Manifest manifest{.key = job_key(prepared.scene, options.settings),
+/// All that manifest.json says before anything is computed.
+Manifest manifest_of(const Prepared& prepared, const JobOptions& options) {
+    Manifest manifest{.inputs = run_inputs(prepared.scene),
                       .settings = options.settings,
                       .frames = prepared.plan.frames,
                       .site = prepared.world.site,
                       .legend = legend_of(prepared),
                       .weather = prepared.weather.note};
+    manifest.key = job_key(manifest.inputs, options.settings);
     for (const Sequence& sequence : prepared.sequences) {
         CameraCourse& course = manifest.cameras[sequence.at(0).name];
         if (sequence.goes) course.frame = sequence.frame;
@@ -36,18 +39,6 @@ Manifest begin_manifest(const Prepared& prepared, const JobOptions& options, boo
     for (const Instant instant : prepared.plan.frames) {
         manifest.facts.push_back(instant_facts(prepared, instant));
     }
-    const Manifest earlier = read_manifest(options.out);
-    keep = options.resume && earlier.key == manifest.key;
-    if (keep) {
-        manifest.not_converged = earlier.not_converged;
-        manifest.start = earlier.start;
-    } else {
-        for (const char* file : {"temperatures.nc", state_file}) fs::remove(options.out / file);
-        for (const std::string& file : frame_files(prepared.scene)) {
-            fs::remove(options.out / file);
-        }
-    }
-    write_manifest(options.out, prepared.scene, manifest);
     return manifest;
 }
 
@@ -58,48 +49,88 @@ std::vector<std::string> heat_files(const Scene& scene) {
     return files;
 }
 
-/// Solves, writes temperatures.nc and says in the manifest if the solver has not converged.
+/// Makes room for what the ledger has not, and begins it. What is told of it goes to the report.
+void begin_folder(const Prepared& prepared, const fs::path& out, const Ledger& ledger,
+                  JobReport& report) {
+    std::vector<std::string> expected = heat_files(prepared.scene);
+    for (std::string& file : frame_files(prepared.scene)) expected.push_back(std::move(file));
+    std::set<std::string> keep{ledger_file, "manifest.json"};
+    for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
+    if (const std::size_t gone = clear_run_folder(out, keep, expected); gone > 0) {
+        report.remade.push_back(
+            fmt::format("{} files of earlier runs removed from {}", gone, out.string()));
+    }
+    if (const std::vector<std::string>& amiss = ledger.amiss(); !amiss.empty()) {
+        report.remade.push_back(
+            fmt::format("{} files are not what the earlier run has written, {} for one: made anew",
+                        amiss.size(), amiss.front()));
+    }
+    for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
+        fs::create_directories(out / folder);
+    }
+    ledger.write(expected);
+}
+
+/// Solves and writes what the heat balance leaves.
 TemperatureField solve_and_write(const Stages& stages, const fs::path& out, Progress& progress,
-                                 Manifest& manifest, JobReport& report) {
+                                 Ledger& ledger, JobReport& report) {
     const Prepared& prepared = stages.scene();
     SpanResult result = solve_scene(stages, progress, prepared.scene.tolerance);
     progress.stage("write temperatures");
-    manifest.not_converged = not_converged(result.report);
-    manifest.start = result.start;
-    if (!manifest.not_converged.empty()) write_manifest(out, prepared.scene, manifest);
     write_heat(prepared, result, out / "temperatures.nc");
     report.solve = result.report;
     report.solved = true;
-    for (std::string& note : result.notes) report.notes.push_back(std::move(note));
+    Told told{{"not converged", not_converged(result.report)}, {"start", result.start}};
+    for (const std::string& note : result.notes) told.emplace_back("note", note);
+    for (const auto& [name, value] : heat_rows(result.report)) {
+        told.emplace_back("row " + name, value);
+    }
+    ledger.add(heat_files(prepared.scene), std::move(told));
     return std::move(result.temperature);
+}
+
+/// What was told of the heat balance when it was solved, in this run or the one it is kept from.
+void tell_of_heat(const Told& told, JobReport& report) {
+    for (const auto& [name, text] : told) {
+        if (name == "not converged") report.not_converged = text;
+        if (name == "start") report.start = text;
+        if (name == "note") report.notes.push_back(text);
+        if (name.starts_with("row ")) report.heat.emplace_back(name.substr(4), text);
+    }
 }
 
 }  // namespace
 
 JobReport run_job(Scene scene, const JobOptions& options) {
     const fs::path& out = options.out;
+    check_run_folder(out, FolderKind::run);
     Progress progress(options.progress);
     progress.stage("terrain");
     const Prepared prepared = prepare(std::move(scene));
     check_start(prepared);
-    bool keep = false;
-    Manifest manifest = begin_manifest(prepared, options, keep);
-    progress.stage("sky view");
-    const Stages stages(prepared);
-    stages.at(0);
-
+    Manifest manifest = manifest_of(prepared, options);
+    check_no_input_in(out, manifest.inputs);
     JobReport report{.plan = prepared.plan,
                      .ground_check = prepared.world.ground_check,
                      .posts = prepared.world.posts,
                      .files = heat_files(prepared.scene),
                      .notes = prepared.notes};
-    for (const std::string& file : report.files) keep = keep && fs::exists(out / file);
-    const TemperatureField field = keep ? load_temperature_field(out / "temperatures.nc")
-                                        : solve_and_write(stages, out, progress, manifest, report);
-    report.not_converged = manifest.not_converged;
-    report.start = manifest.start;
+    const FolderLock lock(out);
+    Ledger ledger(out, manifest.key, options.resume);
+    begin_folder(prepared, out, ledger, report);
+    write_manifest(out, prepared.scene, manifest);
+    progress.stage("sky view");
+    const Stages stages(prepared);
+    stages.at(0);
 
-    const FramesReport frames = render_frames(stages, field, out, progress);
+    const TemperatureField field = ledger.has(report.files)
+                                       ? load_temperature_field(out / "temperatures.nc")
+                                       : solve_and_write(stages, out, progress, ledger, report);
+    tell_of_heat(ledger.told("temperatures.nc"), report);
+    manifest.not_converged = report.not_converged;
+    manifest.start = report.start;
+
+    const FramesReport frames = render_frames(stages, field, out, progress, ledger);
     report.frames_rendered = frames.rendered;
     for (const std::string& line : frames.errors) {
         report.notes.push_back("tables against the direct sum, worst frame: " + line);
@@ -121,6 +152,8 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     write_report(out, prepared, report, field);
     progress.finish();
     report.files.emplace_back("report.html");
+    ledger.write();
+    report.files.emplace_back(ledger_file);
     report.stages = progress.stages();
     manifest.outputs = report.files;
     manifest.stages = report.stages;

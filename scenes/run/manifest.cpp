@@ -1,7 +1,5 @@
 #include "scenes/run/manifest.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "materials/base/files.hpp"
@@ -15,48 +13,6 @@ namespace diurna {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<fs::path> input_files(const Scene& scene) {
-    std::vector<fs::path> files{scene.file, scene.terrain.elevation, scene.weather.file};
-    files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
-    if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
-    if (!scene.air.table_file.empty()) files.push_back(scene.air.table_file);
-    if (!scene.air.sounding_file.empty()) files.push_back(scene.air.sounding_file);
-    for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
-    const ObjectInput* before = nullptr;
-    for (const ObjectInput& object : scene.terrain.objects) {
-        const bool again =
-            before != nullptr && !object.copy_of.empty() && object.copy_of == before->copy_of;
-        before = &object;
-        if (again) continue;
-        for (const fs::path& file : {object.file, object.target.file, object.copies_file}) {
-            if (!file.empty()) files.push_back(file);
-        }
-    }
-    for (const BandInput& band : scene.bands) {
-        if (!band.file.empty()) files.push_back(band.file);
-    }
-    for (const TextureInput& texture : scene.textures) {
-        if (!texture.file.empty()) files.push_back(texture.file);
-    }
-    for (const PlumeInput& plume : scene.plumes) {
-        if (!plume.file.empty()) files.push_back(plume.file);
-    }
-    for (const TrajectoryInput& way : scene.trajectories) {
-        if (!way.file.empty()) files.push_back(way.file);
-    }
-    if (!scene.time.state.empty()) files.push_back(scene.time.state);
-    std::vector<fs::path> data;
-    for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
-        const std::string extension = entry.path().extension();
-        if (entry.is_regular_file() && (extension == ".csv" || extension == ".toml")) {
-            data.push_back(entry.path());
-        }
-    }
-    std::sort(data.begin(), data.end());
-    files.insert(files.end(), data.begin(), data.end());
-    return files;
-}
 
 nlohmann::ordered_json legend_json(const Legend& legend) {
     nlohmann::ordered_json json{{"objects", nlohmann::json::array()},
@@ -91,24 +47,6 @@ nlohmann::ordered_json course_json(const CameraCourse& course) {
 
 }  // namespace
 
-std::string job_key(const Scene& scene, const std::vector<std::string>& settings) {
-    std::string text = DIURNA_VERSION;
-    for (const std::string& setting : settings) text.append(1, '\n').append(setting);
-    for (const fs::path& file : input_files(scene)) {
-        text.append(1, '\n').append(sha256_of_file(file));
-    }
-    return sha256(text);
-}
-
-Manifest read_manifest(const fs::path& folder) {
-    std::ifstream file(folder / "manifest.json");
-    const nlohmann::json json = nlohmann::json::parse(file, nullptr, false);
-    if (!json.is_object()) return {};
-    return {.key = json.value("key", std::string()),
-            .start = json.value("start", std::string()),
-            .not_converged = json.value("not_converged", std::string())};
-}
-
 void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& manifest) {
     nlohmann::ordered_json json;
     json["program"] = "diurna " DIURNA_VERSION;
@@ -137,8 +75,8 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     json["legend"] = legend_json(manifest.legend);
     if (!manifest.start.empty()) json["start"] = manifest.start;
     json["threads"] = thread_count();
-    for (const fs::path& file : input_files(scene)) {
-        json["inputs"][file.lexically_normal().string()] = sha256_of_file(file);
+    for (const RunInput& input : manifest.inputs) {
+        json["inputs"][input.path.string()] = input.sha256;
     }
     for (const std::string& name : manifest.outputs) {
         json["outputs"][name] = sha256_of_file(folder / name);

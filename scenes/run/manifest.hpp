@@ -8,6 +8,7 @@
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/camera_truth.hpp"
+#include "scenes/run/inputs.hpp"
 #include "scenes/run/legend.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
@@ -22,7 +23,8 @@ struct CameraCourse {
 
 /// What manifest.json says of a run beside its scene, its inputs and the program's version.
 struct Manifest {
-    std::string key{};                              // job_key()
+    std::string key{};  // job_key()
+    std::vector<RunInput> inputs{};
     std::vector<std::string> settings{};            // of the command line
     std::vector<Instant> frames{};                  // when pictures are taken
     Site site{};                                    // for their solar time
@@ -35,13 +37,6 @@ struct Manifest {
     std::vector<std::string> outputs{};  // files of the folder; empty: still running
     std::vector<Progress::Stage> stages{};
 };
-
-/// SHA-256 over everything a job's results depend on: the program's version, the scene's text and
-/// settings, the files it names, the material library. The same key: the same results.
-std::string job_key(const Scene& scene, const std::vector<std::string>& settings);
-
-/// Key and convergence of a folder's manifest.json; both "" if there is none to be read.
-Manifest read_manifest(const std::filesystem::path& folder);
 
 /// Writes manifest.json: key, inputs and outputs with SHA-256, versions, seed, settings, timings.
 /// Written once without outputs when a job begins, so that a killed run can be resumed, and

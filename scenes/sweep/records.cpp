@@ -59,6 +59,7 @@ HeatRecord read_heat_record(const fs::path& folder) {
     const Json json = read_json(folder / "done.json");
     if (!json.contains("key")) return {};
     return {.key = json.value("key", ""),
+            .sha256 = json.value("temperatures_sha256", ""),
             .start = json.value("start", ""),
             .not_converged = json.value("not_converged", ""),
             .notes = json.value("notes", std::vector<std::string>{})};
@@ -74,6 +75,7 @@ VariantRecord read_variant_record(const fs::path& folder) {
 
 void write_heat_record(const fs::path& folder, const HeatRecord& record) {
     const Json json = {{"key", record.key},
+                       {"temperatures_sha256", record.sha256},
                        {"start", record.start},
                        {"not_converged", record.not_converged},
                        {"notes", record.notes}};
@@ -110,6 +112,7 @@ void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
         const HeatRecord record = read_heat_record(heat_folder(out, heat));
         Json entry = {{"name", heat},
                       {"temperatures", "heat/" + heat + "/temperatures.nc"},
+                      {"sha256", record.sha256},
                       {"key", record.key},
                       {"start", record.start}};
         if (!record.not_converged.empty()) entry["not_converged"] = record.not_converged;

@@ -13,7 +13,8 @@ namespace diurna {
 
 /// "heat/h2/done.json"
 struct HeatRecord {
-    std::string key;  // of all it depends on
+    std::string key;     // of all it depends on
+    std::string sha256;  // of its temperatures.nc
     std::string start, not_converged;
     std::vector<std::string> notes;
 };

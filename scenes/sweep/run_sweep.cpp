@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -16,7 +17,10 @@
 #include "scenes/run/digest.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
-#include "scenes/run/manifest.hpp"
+#include "scenes/run/inputs.hpp"
+#include "scenes/run/ledger.hpp"
+#include "scenes/run/listed_outputs.hpp"
+#include "scenes/run/run_folder.hpp"
 #include "scenes/run/stages.hpp"
 #include "scenes/sweep/merged_labels.hpp"
 #include "scenes/sweep/records.hpp"
@@ -52,7 +56,8 @@ struct Group {
         for (const Variant& variant : variants) {
             const VariantRecord record =
                 read_variant_record(variant_folder(options.out, variant.name));
-            const bool kept = options.resume && record.done && record.key == key_of(variant);
+            const bool kept = options.resume && record.done && record.key == key_of(variant) &&
+                              is_whole(variant_folder(options.out, variant.name), record.outputs);
             if (!kept) left.push_back(&variant);
         }
         return left;
@@ -62,7 +67,7 @@ struct Group {
 /// Of what the variants of a heat share: the scene's files, the settings, the values that touch
 /// heat.
 std::string heat_key(const Sweep& sweep, const Variant& variant) {
-    return job_key(heat_scene_of(sweep, variant), heat_settings(sweep, variant));
+    return job_key(run_inputs(heat_scene_of(sweep, variant)), heat_settings(sweep, variant));
 }
 
 void tell_once(std::vector<std::string>& notes, const std::string& note) {
@@ -82,7 +87,8 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
     const fs::path folder = group.folder(), file = folder / "temperatures.nc";
     HeatRecord record = read_heat_record(folder);
     std::optional<TemperatureField> field;
-    if (group.options.resume && record.key == group.key && fs::exists(file)) {
+    if (group.options.resume && record.key == group.key && !record.sha256.empty() &&
+        is_whole(folder, {{"temperatures.nc", record.sha256}})) {
         field = load_temperature_field(file);
     } else {
         fs::create_directories(folder);
@@ -90,7 +96,8 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
         SpanResult result = solve_scene(stages, progress);
         progress.stage("write temperatures");
         write_heat(stages.scene(), result, file);
-        record = {group.key, result.start, not_converged(result.report), result.notes};
+        record = {group.key, sha256_of_file(file), result.start, not_converged(result.report),
+                  result.notes};
         write_heat_record(folder, record);
         ++report.solved;
         field = std::move(result.temperature);
@@ -105,15 +112,18 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
     const Prepared& prepared = stages.scene();
     const fs::path folder = variant_folder(group.options.out, variant.name);
     VariantRecord record{.key = group.key_of(variant), .done = false, .outputs = {}};
+    const FolderLock lock(folder);
     const std::vector<std::string> pictures = frame_files(prepared.scene);
-    if (!group.options.resume || read_variant_record(folder).key != record.key) {
-        for (const std::string& file : pictures) fs::remove(folder / file);
-    }
+    Ledger ledger(folder, record.key, group.options.resume);
+    std::set<std::string> keep{"variant.json"};
+    for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
+    clear_run_folder(folder, keep, pictures);
+    ledger.write(pictures);
     for (const char* inner : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
         fs::create_directories(folder / inner);
     }
     write_variant_record(folder, group.sweep, variant, record);
-    render_frames(stages, field, folder, progress);
+    render_frames(stages, field, folder, progress, ledger);
     progress.stage("labels of " + variant.name);
     for (const std::string& file : label_frames(prepared, folder)) {
         record.outputs[file] = sha256_of_file(folder / file);
@@ -121,6 +131,7 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
     for (const std::string& file : pictures) record.outputs[file] = sha256_of_file(folder / file);
     record.done = true;
     write_variant_record(folder, group.sweep, variant, record);
+    fs::remove(folder / ledger_file);  // the record has it all
 }
 
 /// A variant's scene stands; what is wrong with it is told with its name.
@@ -206,6 +217,9 @@ void merge(const Sweep& sweep, const SweepOptions& options, SweepReport& report)
 }  // namespace
 
 SweepReport run_sweep(const Sweep& sweep, const SweepOptions& options) {
+    check_run_folder(options.out, FolderKind::sweep);
+    check_no_input_in(options.out, run_inputs(sweep.base));
+    const FolderLock lock(options.out, options.shards > 1);
     SweepReport report;
     Progress progress(options.progress);
     const VariantRange part = part_of(sweep.variants.size(), options.shard, options.shards);

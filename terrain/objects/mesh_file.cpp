@@ -1,5 +1,6 @@
 #include "terrain/objects/mesh_file.hpp"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -11,6 +12,7 @@
 #include <map>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 
 namespace diurna {
 
@@ -19,6 +21,16 @@ namespace {
 constexpr std::size_t most_triangles = 5'000'000;
 
 using Corner = std::array<double, 3>;
+
+/// Notes the files that a mesh names in turn: materials' libraries, buffers. Writes none.
+class WatchedFiles : public Assimp::DefaultIOSystem {
+ public:
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        if (mode == nullptr || mode[0] != 'r') return nullptr;
+        note_file_read(file);
+        return DefaultIOSystem::Open(file, mode);
+    }
+};
 
 /// Puts the meshes of a tree of nodes together.
 class Collector {
@@ -85,6 +97,7 @@ MeshFile read_mesh_file(const std::filesystem::path& file) {
                                            fmt::join(known, " ")));
     }
     Assimp::Importer importer;
+    importer.SetIOHandler(new WatchedFiles);  // the importer's from here on
     // Only places and faces are wanted: normals and texture places would keep equal corners apart.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 #include "terrain/raster/ascii_grid.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/dem_notes.hpp"
@@ -68,6 +69,7 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
         throw InputError(where, "is not a file; expected an elevation raster");
     }
     if (std::filesystem::file_size(file, problem) == 0) throw InputError(where, "is empty");
+    note_file_read(file);
     auto raster = open(gdal_name(file));
     if (!raster) {
         throw InputError(where, "cannot be read as elevation" + gdal.because(),

@@ -3,6 +3,7 @@
 #include <system_error>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 
 namespace diurna {
 
@@ -12,10 +13,18 @@ GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned 
     if (!std::filesystem::is_regular_file(file)) {
         throw InputError(file.string(), "there is no such file");
     }
+    note_file_read(file);
     const std::string name = std::filesystem::absolute(file).lexically_normal().string();
     GDALDatasetUniquePtr data(GDALDataset::Open(name.c_str(), kind | GDAL_OF_READONLY, drivers));
     if (!data) throw InputError(file.string(), "cannot be read" + gdal.because(), formats);
+    note_files_of(*data);
     return data;
+}
+
+void note_files_of(GDALDataset& data) {
+    char** const list = data.GetFileList();
+    for (char** file = list; file != nullptr && *file != nullptr; ++file) note_file_read(*file);
+    CSLDestroy(list);
 }
 
 bool claims_too_much(double bytes, const std::filesystem::path& file) {

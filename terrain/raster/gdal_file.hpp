@@ -15,6 +15,9 @@ GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned 
                                     const char* const* drivers, const char* formats,
                                     const QuietGdal& gdal);
 
+/// Notes all files that a dataset is read of, its sidecars too (materials/base/files_read.hpp).
+void note_files_of(GDALDataset& data);
+
 /// True of more bytes than a file can hold however well they are compressed: DEFLATE cannot do
 /// better than 1032 : 1.
 bool claims_too_much(double bytes, const std::filesystem::path& file);

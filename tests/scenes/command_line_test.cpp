@@ -162,9 +162,9 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
     auto two = contents(folder.path / "two");
     auto four = contents(folder.path / "four");
     // 4 instants x 2 bands: EXR, quick-look, grey picture, YOLO's and KITTI's text, KITTI's
-    // calibration each; temperatures, state in double precision, report, manifest; three of COCO's,
-    // two lists of pictures, two of classes.
-    CHECK(one.size() == 6 * 8 + 4 + 7);
+    // calibration each; temperatures, state in double precision, report, manifest, ledger; three of
+    // COCO's, two lists of pictures, two of classes.
+    CHECK(one.size() == 6 * 8 + 5 + 7);
     for (const std::string timed : {"report.html", "manifest.json"}) {  // they tell seconds
         REQUIRE(one.count(timed) == 1);
         one.erase(timed);
@@ -179,7 +179,7 @@ TEST_CASE("a job gives the same bytes for 1, 2 and 4 threads, and resumes", "[co
         if (name.find("8-12") != std::string::npos) fs::remove(folder.path / "one" / name);
     }
     const Ran resumed = run("one", "--resume");
-    CHECK(resumed.out.find("heat balance") == std::string::npos);
+    CHECK(resumed.out.find("heat balance   ") == std::string::npos);
     auto again = contents(folder.path / "one");
     again.erase("report.html");
     again.erase("manifest.json");
@@ -213,7 +213,7 @@ TEST_CASE("a run that does not converge keeps its results, says so and fails", "
     CHECK(ran.out.find("diurna: the heat balance has not converged in 12 passes: periodic to ") !=
           std::string::npos);
     auto written = contents(out);
-    CHECK(written.size() == 6 * 8 + 3 + 7);
+    CHECK(written.size() == 6 * 8 + 4 + 7);
     CHECK(written.at("report.html").find("the heat balance has not converged") !=
           std::string::npos);
     CHECK(written.at("manifest.json").find("\"not_converged\"") != std::string::npos);

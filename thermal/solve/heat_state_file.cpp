@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 #include "thermal/netcdf_output.hpp"
 
 namespace diurna {
@@ -191,6 +192,7 @@ void save_heat_state(const fs::path& path, const TimedState& timed, const StateO
 TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
     if (!fs::is_regular_file(path)) throw InputError(path.string(), "no such file");
     int id = -1;
+    note_file_read(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
         throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
     }

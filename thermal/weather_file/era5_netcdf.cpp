@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files_read.hpp"
 #include "thermal/weather_file/era5.hpp"
 #include "thermal/weather_file/stamps.hpp"
 
@@ -18,6 +19,7 @@ namespace {
 class NetcdfFile {
  public:
     explicit NetcdfFile(const std::filesystem::path& file) : path_(file.string()) {
+        note_file_read(file);
         check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "cannot be opened");
     }
     ~NetcdfFile() { nc_close(id_); }

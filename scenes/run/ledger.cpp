@@ -1,0 +1,156 @@
+#include "scenes/run/ledger.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "materials/base/files.hpp"
+#include "scenes/run/digest.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The lines that are whole: the last of a run that was killed may not be.
+std::vector<Json> read_lines(const fs::path& folder) {
+    std::vector<Json> lines;
+    std::ifstream file(folder / ledger_file);
+    for (std::string line; std::getline(file, line);) {
+        Json json = Json::parse(line, nullptr, false);
+        if (json.is_object()) lines.push_back(std::move(json));
+    }
+    return lines;
+}
+
+std::map<std::string, std::string> texts_of(const Json& json, const char* key) {
+    std::map<std::string, std::string> texts;
+    if (!json.contains(key) || !json[key].is_object()) return texts;
+    for (const auto& [name, text] : json[key].items()) {
+        if (text.is_string()) texts[name] = text.get<std::string>();
+    }
+    return texts;
+}
+
+Told told_of(const Json& json) {
+    Told told;
+    if (!json.contains("told") || !json["told"].is_array()) return told;
+    for (const Json& pair : json["told"]) {
+        if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string()) {
+            told.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
+        }
+    }
+    return told;
+}
+
+/// A regular file of that content, not a link to one.
+bool is_whole(const fs::path& file, const std::string& digest) {
+    std::error_code ignored;
+    return fs::is_regular_file(fs::symlink_status(file, ignored)) && sha256_of_file(file) == digest;
+}
+
+void append(const fs::path& path, const std::string& text) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_NOFOLLOW | O_CLOEXEC);
+    const bool written =
+        file >= 0 && ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+    const std::string reason = std::strerror(errno);
+    if (file >= 0) ::close(file);
+    if (!written) throw std::runtime_error(path.string() + ": cannot be written: " + reason);
+}
+
+}  // namespace
+
+Ledger::Ledger(fs::path folder, const std::string& key, bool keep)
+    : folder_(std::move(folder)), key_(key) {
+    const std::vector<Json> lines = read_lines(folder_);
+    const bool same = keep && !lines.empty() && lines.front().value("key", Json()) == Json(key);
+    for (std::size_t i = 1; same && i < lines.size(); ++i) {
+        Entry entry{texts_of(lines[i], "files"), told_of(lines[i])};
+        bool whole = !entry.digest.empty();
+        for (const auto& [name, digest] : entry.digest) {
+            if (is_whole(folder_ / name, digest)) continue;
+            whole = false;
+            amiss_.push_back(name);
+        }
+        if (!whole) continue;
+        const std::string first = entry.digest.begin()->first;
+        for (const auto& [name, digest] : entry.digest) entry_of_[name] = first;
+        entry_[first] = std::move(entry);
+    }
+}
+
+bool Ledger::has(const std::vector<std::string>& files) const {
+    const std::lock_guard lock(adding_);
+    for (const std::string& file : files) {
+        if (!entry_of_.contains(file)) return false;
+    }
+    return true;
+}
+
+void Ledger::add(const std::vector<std::string>& files, Told told) {
+    Entry entry{{}, std::move(told)};
+    for (const std::string& file : files) entry.digest[file] = sha256_of_file(folder_ / file);
+    const std::lock_guard lock(adding_);
+    if (files.empty()) return;
+    append(folder_ / ledger_file, line(entry));
+    const std::string first = entry.digest.begin()->first;
+    for (const std::string& file : files) entry_of_[file] = first;
+    entry_[first] = std::move(entry);
+}
+
+Told Ledger::told(const std::string& file) const {
+    const std::lock_guard lock(adding_);
+    const auto found = entry_of_.find(file);
+    return found == entry_of_.end() ? Told{} : entry_.at(found->second).told;
+}
+
+std::map<std::string, std::string> Ledger::digests() const {
+    const std::lock_guard lock(adding_);
+    std::map<std::string, std::string> digests;
+    for (const auto& [first, entry] : entry_) {
+        digests.insert(entry.digest.begin(), entry.digest.end());
+    }
+    return digests;
+}
+
+void Ledger::write(const std::vector<std::string>& expected) const {
+    const std::lock_guard lock(adding_);
+    Json first{{"program", "diurna " DIURNA_VERSION}, {"key", key_}};
+    if (!expected.empty()) first["expected"] = expected;
+    std::string text = first.dump() + "\n";
+    for (const auto& [name, entry] : entry_) text += line(entry);
+    write_whole_file(folder_ / ledger_file, text);
+}
+
+std::string Ledger::line(const Entry& entry) const {
+    Json json{{"files", entry.digest}};
+    for (const auto& [name, text] : entry.told) json["told"].push_back({name, text});
+    return json.dump() + "\n";
+}
+
+std::vector<std::string> ledger_names(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const Json& line : read_lines(folder)) {
+        for (const auto& [name, digest] : texts_of(line, "files")) names.push_back(name);
+        for (const Json& name : line.value("expected", Json::array())) {
+            if (name.is_string()) names.push_back(name.get<std::string>());
+        }
+    }
+    return names;
+}
+
+std::map<std::string, std::string> ledger_digests(const fs::path& folder) {
+    std::map<std::string, std::string> digests;
+    for (const Json& line : read_lines(folder)) digests.merge(texts_of(line, "files"));
+    return digests;
+}
+
+}  // namespace diurna

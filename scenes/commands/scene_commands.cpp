@@ -222,7 +222,10 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     const Stages stages(prepared);
     stages.at(0);
     check_solved(stages, field, temperatures);
-    render_frames(stages, field, out, progress);
+    const FramesReport report = render_frames(stages, field, out, progress);
+    for (const std::string& note : report.instruments) {
+        fmt::print(stderr, "note: instrument {}\n", note);
+    }
 }
 
 }  // namespace

@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <mutex>
+#include <cstdint>
 
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/instrument/calibration.hpp"
 #include "render/instrument/display.hpp"
+#include "render/instrument/distortion.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/grey_picture.hpp"
 #include "scenes/plan/frame_files.hpp"
@@ -215,6 +216,20 @@ std::string calibration_of(const InstrumentView& view) {
     return calibration_csv(view.camera, calibration(view.camera, view.band, 233.0, 423.0, 1.0));
 }
 
+/// [pixels] by which distortion moves what is at the picture's border.
+double largest_shift(const Camera& camera) {
+    const double per_pixel = camera.instrument.detector.pitch / camera.focal_length;
+    double most = 0.0;
+    for (const double x : {0.0, 0.5 * camera.width}) {
+        for (const double y : {0.0, 0.5 * camera.height}) {
+            const Eigen::Vector2d place(x * per_pixel, y * per_pixel);
+            const Eigen::Vector2d from = undistorted(camera.instrument.lens, place);
+            most = std::max(most, (place - from).norm() / per_pixel);
+        }
+    }
+    return most;
+}
+
 }  // namespace
 
 std::vector<std::string> take_pictures(const InstrumentView& view, const Prepared& prepared,
@@ -237,6 +252,20 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
         notes.push_back(name + fmt::format("NETD at 300 K {:.3g} mK",
                                            1e3 * netd_at(300.0, instrument, view.camera.response,
                                                          view.camera.noise)));
+    }
+    if (const double by = largest_shift(view.camera); by > 0.5) {
+        notes.push_back(name + fmt::format("its lens moves what is in the picture by {:.1f} pixels "
+                                           "at the most, which truth and labels do not follow",
+                                           by));
+    }
+    std::vector<std::int64_t> number;
+    for (const Instant when : sequence.frame) {
+        number.push_back(frame_number(instrument, seconds_since_1970(when)));
+    }
+    if (std::adjacent_find(number.begin(), number.end()) != number.end()) {
+        notes.push_back(name + fmt::format("pictures nearer than a frame of {:g} Hz have the same "
+                                           "noise",
+                                           instrument.electronics.frame_rate));
     }
     if (prepared.scene.tolerance > 0.0) {
         notes.push_back(name + fmt::format("{} pixels beyond each edge of the picture are seen, "

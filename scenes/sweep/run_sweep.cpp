@@ -108,7 +108,7 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
 
 /// Pictures and labels of one variant, and its record.
 void run_variant(const Group& group, const Variant& variant, const Stages& stages,
-                 const TemperatureField& field, Progress& progress) {
+                 const TemperatureField& field, Progress& progress, SweepReport& report) {
     const Prepared& prepared = stages.scene();
     const fs::path folder = variant_folder(group.options.out, variant.name);
     VariantRecord record{.key = group.key_of(variant), .done = false, .outputs = {}};
@@ -123,7 +123,10 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
         fs::create_directories(folder / inner);
     }
     write_variant_record(folder, group.sweep, variant, record);
-    render_frames(stages, field, folder, progress, ledger);
+    for (const std::string& note :
+         render_frames(stages, field, folder, progress, ledger).instruments) {
+        tell_once(report.notes, "instrument " + note);
+    }
     progress.stage("labels of " + variant.name);
     for (const std::string& file : label_frames(prepared, folder)) {
         record.outputs[file] = sha256_of_file(folder / file);
@@ -188,7 +191,7 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
         }
         const Stages& own = others ? *others : stages;
         check_shared(*variant, own.scene(), field);
-        run_variant(group, *variant, own, field, progress);
+        run_variant(group, *variant, own, field, progress, report);
         ++report.rendered;
     }
 }

@@ -126,6 +126,7 @@ TEST_CASE("a scene's instruments measure what is seen", "[scenes][instrument]") 
     CHECK(told("samples of radiance a pixel each way"));
     CHECK(told("left out for want of settings: "));
     CHECK(told("NETD at 300 K 45 mK"));
+    CHECK_FALSE(told("the same noise"));
 }
 
 TEST_CASE("an instrument's frame alone is its frame in the sequence", "[scenes][instrument]") {
@@ -216,6 +217,12 @@ TEST_CASE("a bolometer goes on from the picture before", "[scenes][instrument]")
     CHECK(std::any_of(report.notes.begin(), report.notes.end(), [](const auto& note) {
         return note.find("1 of 2 pictures follow") != std::string::npos;
     }));
+    // What stands still is seen as it is.
+    const Frame first = read_exr(folder.path / "out/instrument/east_8-12_20260715T160000Z.exr");
+    const Frame second = read_exr(folder.path / "out/instrument/east_8-12_20260715T160001Z.exr");
+    double mean = 0.0;
+    rms(first["signal.8-12"].pixel, second["signal.8-12"].pixel, mean);
+    CHECK(std::abs(mean) < 1e-3 * double(first["signal.8-12"].pixel[0]));
 }
 
 TEST_CASE("a plan tells what an instrument costs and leaves out", "[scenes][instrument]") {

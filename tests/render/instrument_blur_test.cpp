@@ -164,14 +164,15 @@ TEST_CASE("a lens without errors has Goodman's diffraction-limited MTF", "[rende
     CHECK(with / without == Approx(std::pow(std::sin(0.25 * pi) / (0.25 * pi), 2)).epsilon(1e-4));
 }
 
-TEST_CASE("turbulence of one r0 halves resolution as Fried says", "[render][instrument]") {
+TEST_CASE("turbulence's MTF is Fried's, and its r0 that of a spherical wave",
+          "[render][instrument]") {
     // exp(-3.44) where the lens would be one r0 wide (Fried 1966).
     CHECK(turbulence_mtf(0.1 / 4e-6, 4e-6, 0.1) == Approx(std::exp(-3.44)));
-    // A plane wave's r0 is (8/3)^(3/5) times less than a spherical one's... of the same path;
-    // 1e-14 m^-2/3 over 2 km at 0.5 µm: (0.423 k² Cn² R · 3/8)^(-3/5).
+    // Andrews & Phillips, Laser Beam Propagation through Random Media (2005), 6.4: r0 = 2.1 rho0,
+    // rho0 = (0.55 Cn2 k2 R)^(-3/5); their constants have two digits.
     const double k = 2.0 * pi / 0.5e-6;
     CHECK(fried_length(0.5e-6, 1e-14, 2000.0) ==
-          Approx(std::pow(0.423 * k * k * 1e-14 * 2000.0, -0.6) * std::pow(8.0 / 3.0, 0.6)));
+          Approx(2.1 * std::pow(0.55 * 1e-14 * k * k * 2000.0, -0.6)).epsilon(0.01));
 }
 
 TEST_CASE("an even picture stays even through any blur and distortion", "[render][instrument]") {

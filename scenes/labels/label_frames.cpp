@@ -1,4 +1,5 @@
 #include "scenes/labels/label_frames.hpp"
+#include "scenes/labels/row_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -85,17 +86,17 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
     return picture;
 }
 
-/// Where some of the objects go: as they stand at a frame.
+/// Where some of the objects go: as a frame's rows find them.
 std::map<int, WholeObject> moved_objects(const Prepared& prepared, std::vector<Labelled> objects,
                                          const Sequence& sequence, std::size_t frame) {
-    const MoverPoses& poses = prepared.movement.poses_at(sequence.frame[frame]);
-    for (std::size_t m = 0; m < poses.size(); ++m) {
-        const Eigen::Vector3d front = poses[m].linear().col(1);
+    const RowPlaces places = row_places(prepared, sequence, frame);
+    for (std::size_t m = 0; m < places.poses.size(); ++m) {
+        const Eigen::Vector3d front = places.poses[m].linear().col(1);
         const auto id = static_cast<std::size_t>(prepared.world.movers[m].id);
         objects[id].heading_deg = degrees(std::atan2(front.x(), front.y()));
     }
-    return whole_objects(moved(prepared.world, prepared.world.facets, poses), prepared.world.copies,
-                         objects, sequence.at(frame));
+    return whole_objects(places.seen, places.stands, prepared.world.copies, objects,
+                         sequence.at(frame));
 }
 
 std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const LabelBook& book,
@@ -108,10 +109,11 @@ std::vector<LabelledPicture> labelled_pictures(const Prepared& prepared, const L
         for_each_index(
             of_pose.size(),
             [&](std::size_t i) {
-                of_pose[i] = prepared.movement.none()
-                                 ? whole_objects(prepared.world.facets, prepared.world.copies,
-                                                 book.objects, sequence.at(i))
-                                 : moved_objects(prepared, book.objects, sequence, i);
+                of_pose[i] =
+                    prepared.movement.none()
+                        ? whole_objects(prepared.world.facets, prepared.world.facets,
+                                        prepared.world.copies, book.objects, sequence.at(i))
+                        : moved_objects(prepared, book.objects, sequence, i);
             },
             1);
     }

@@ -41,8 +41,8 @@ double WholeObject::occlusion(double seen) const {
     return alone.inside > seen ? 1.0 - seen / alone.inside : 0.0;
 }
 
-std::map<int, WholeObject> whole_objects(const FacetSet& facets, const Copies& copies,
-                                         const std::vector<Labelled>& objects,
+std::map<int, WholeObject> whole_objects(const FacetSet& facets, const FacetSet& stands,
+                                         const Copies& copies, const std::vector<Labelled>& objects,
                                          const Observer& observer) {
     std::vector<std::vector<std::uint32_t>> of_object(objects.size());
     for (std::uint32_t f = 0; f < facets.size(); ++f) {
@@ -50,25 +50,27 @@ std::map<int, WholeObject> whole_objects(const FacetSet& facets, const Copies& c
         if (id < objects.size() && !objects[id].kind.empty()) of_object[id].push_back(f);
     }
     std::map<int, WholeObject> all;
-    const auto add = [&](std::size_t id, const FacetSet& part) {
+    const auto add = [&](std::size_t id, const FacetSet& part, const FacetSet& standing) {
         std::vector<std::uint32_t> every(part.size());
         std::iota(every.begin(), every.end(), 0u);
         const std::optional<PictureBox> box = projected_box(observer, part, every);
         if (!box) return;
         WholeObject& whole = all[static_cast<int>(id)];
         whole.box = *box;
-        stand(part, objects[id], observer, whole);
+        stand(standing, objects[id], observer, whole);
         const bool beside = box->right < 0.0 || box->bottom < 0.0 || box->left > observer.width ||
                             box->top > observer.height;
         if (!beside) whole.alone = seen_alone(observer, RayScene(part), *box);
     };
     for (std::size_t id = 0; id < objects.size(); ++id) {
-        if (!of_object[id].empty()) add(id, some_facets(facets, of_object[id]));
+        if (of_object[id].empty()) continue;
+        add(id, some_facets(facets, of_object[id]), some_facets(stands, of_object[id]));
     }
     for (std::size_t c = 0; c < copies.size(); ++c) {
         const auto id = static_cast<std::size_t>(copies[c].object);
         if (id < objects.size() && !objects[id].kind.empty()) {
-            add(id, in_place(facets, copies[c]));
+            const FacetSet placed = in_place(facets, copies[c]);
+            add(id, placed, placed);
         }
     }
     return all;

@@ -31,8 +31,12 @@ struct WholeObject {
 };
 
 /// By ObjectId; those of which something lies in front of the camera.
-std::map<int, WholeObject> whole_objects(const FacetSet& facets, const Copies& copies,
-                                         const std::vector<Labelled>& objects,
+///
+/// - facets: as the camera's rows find them
+/// - stands: the same as they stand when their middle is read: of these are boxes that face as they
+///   do, ranges and aspects
+std::map<int, WholeObject> whole_objects(const FacetSet& facets, const FacetSet& stands,
+                                         const Copies& copies, const std::vector<Labelled>& objects,
                                          const Observer& observer);
 
 }  // namespace diurna

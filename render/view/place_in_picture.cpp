@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace diurna {
 
@@ -58,27 +59,40 @@ std::optional<PictureBox> projected_box(const Observer& observer, const FacetSet
     std::optional<PictureBox> box;
     const auto extend = [&](const Eigen::Vector3d& point) {
         const std::optional<Eigen::Vector2d> at = place_in_picture(observer, eye, point);
-        if (!at) return;
+        if (!at) return at;
         if (!box) box = PictureBox{at->x(), at->y(), at->x(), at->y()};
         box->left = std::min(box->left, at->x());
         box->top = std::min(box->top, at->y());
         box->right = std::max(box->right, at->x());
         box->bottom = std::max(box->bottom, at->y());
+        return at;
     };
     const bool one_sided = eye.flat || eye.projection == Projection::orthographic;
+    const double half_turn = std::numbers::pi / eye.per_pixel;  // of a panorama [pixels]
+    bool over_seam = false;
     for (const std::uint32_t f : facet) {
         std::array<Eigen::Vector3d, 3> corner;
         std::array<double, 3> beyond;  // the nearest plane
+        std::array<std::optional<Eigen::Vector2d>, 3> seen;
         for (std::size_t i = 0; i < 3; ++i) {
             corner[i] = facets.vertex[facets.corner[f][i]].cast<double>();
             beyond[i] = (corner[i] - observer.position).dot(eye.axis) - 1.01 * nearest;
         }
         for (std::size_t i = 0; i < 3; ++i) {
-            extend(corner[i]);
+            seen[i] = extend(corner[i]);
             const std::size_t j = (i + 1) % 3;
             if (!one_sided || (beyond[i] < 0.0) == (beyond[j] < 0.0)) continue;
             extend(corner[i] + beyond[i] / (beyond[i] - beyond[j]) * (corner[j] - corner[i]));
         }
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto &a = seen[i], &b = seen[(i + 1) % 3];
+            over_seam = over_seam || (a && b && std::abs(a->x() - b->x()) > half_turn);
+        }
+    }
+    // The shorter way from one corner to the other leads behind a panorama, across its seam.
+    if (over_seam && eye.projection == Projection::panorama) {
+        box->left = eye.middle_column - half_turn;
+        box->right = eye.middle_column + half_turn;
     }
     return box;
 }

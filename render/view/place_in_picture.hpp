@@ -30,7 +30,8 @@ struct PictureBox {
 
 /// Around triangles projected whole, whatever stands before them; what a pinhole has behind it is
 /// cut off. Exact for projections that keep lines straight (pinhole, orthographic) and cameras that
-/// stand still; of the others it is around the corners. Nothing if none is in front.
+/// stand still; of the others it is around the corners, and of what crosses a panorama's seam
+/// straight behind all the way round. Nothing if none is in front.
 ///
 /// - facet: indices of the triangles
 std::optional<PictureBox> projected_box(const Observer& observer, const FacetSet& facets,

@@ -14,10 +14,6 @@ namespace {
 constexpr double most_pixels = 4e6;
 constexpr double furthest = 1e6;  // [pixels] from the picture's corner that anybody counts
 
-struct Counts {
-    std::int64_t inside = 0, outside = 0;
-};
-
 }  // namespace
 
 SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const PictureBox& box) {
@@ -27,40 +23,54 @@ SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const Pict
     };
     const std::int64_t left = first(box.left), right = first(box.right) + 1;
     const std::int64_t top = first(box.top), bottom = first(box.bottom) + 1;
+    const std::int64_t width = observer.width, height = observer.height;
     const double pixels = double(right - left) * double(bottom - top);
     const auto stride =
         static_cast<std::int64_t>(std::ceil(std::sqrt(std::max(1.0, pixels / most_pixels))));
     const auto rows = static_cast<std::size_t>((bottom - top + stride - 1) / stride);
-    std::vector<Counts> of_row(rows);
+    const auto ray_at = [&](std::int64_t column, std::int64_t row) {
+        const double x = double(column) + 0.5, y = double(row) + 0.5;
+        const Eigen::Vector3d from = observer.position + eye.start(x, y);
+        return Ray{.origin = from.cast<float>(), .direction = eye.towards(x, y).cast<float>()};
+    };
+    const auto met = [&](const std::vector<Ray>& rays) {
+        std::vector<Hit> hits(rays.size());
+        alone.closest(rays, hits);
+        return std::count_if(hits.begin(), hits.end(),
+                             [](const Hit& hit) { return hit.facet != no_facet; });
+    };
+    std::vector<std::int64_t> outside(rows);
     for_each_index(
         rows,
         [&](std::size_t r) {
             const std::int64_t row = top + std::int64_t(r) * stride + stride / 2;
             std::vector<Ray> rays;
-            std::vector<std::int64_t> column;
+            const bool on_rows = row >= 0 && row < height;
             for (std::int64_t c = left + stride / 2; c < right; c += stride) {
-                const double x = double(c) + 0.5, y = double(row) + 0.5;
-                const Eigen::Vector3d from = observer.position + eye.start(x, y);
-                rays.push_back(
-                    {.origin = from.cast<float>(), .direction = eye.towards(x, y).cast<float>()});
-                column.push_back(c);
+                if (!on_rows || c < 0 || c >= width) rays.push_back(ray_at(c, row));
             }
-            std::vector<Hit> hits(rays.size());
-            alone.closest(rays, hits);
-            const bool on_rows = row >= 0 && row < observer.height;
-            for (std::size_t i = 0; i < hits.size(); ++i) {
-                if (hits[i].facet == no_facet) continue;
-                const bool in = on_rows && column[i] >= 0 && column[i] < observer.width;
-                ++(in ? of_row[r].inside : of_row[r].outside);
-            }
+            outside[r] = met(rays);
         },
         4);
-    SeenAlone seen;
+    // In the picture every pixel, as masks are counted.
+    const std::int64_t from = std::max<std::int64_t>(0, top), to = std::min(height, bottom);
+    std::vector<std::int64_t> inside(
+        static_cast<std::size_t>(std::max<std::int64_t>(0, to - from)));
+    for_each_index(
+        inside.size(),
+        [&](std::size_t r) {
+            std::vector<Ray> rays;
+            for (std::int64_t c = std::max<std::int64_t>(0, left); c < std::min(width, right);
+                 ++c) {
+                rays.push_back(ray_at(c, from + std::int64_t(r)));
+            }
+            inside[r] = met(rays);
+        },
+        4);
     const double each = double(stride) * double(stride);
-    for (const Counts& counts : of_row) {
-        seen.inside += each * double(counts.inside);
-        seen.outside += each * double(counts.outside);
-    }
+    SeenAlone seen;
+    for (const std::int64_t count : inside) seen.inside += double(count);
+    for (const std::int64_t count : outside) seen.outside += each * double(count);
     return seen;
 }
 

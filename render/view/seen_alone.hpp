@@ -15,8 +15,8 @@ struct SeenAlone {
     double outside = 0.0;  // where the picture would be if it went on beyond its edges
 };
 
-/// Counts them within `box`, by a ray through each pixel's centre; of boxes of more than 4 million
-/// pixels by one in each square of them.
+/// Counts them within `box`, by a ray through each pixel's centre; beyond the
+/// picture's edges, of boxes of more than 4 million pixels, by one in each square of them.
 ///
 /// - alone: the object's facets and nothing else
 SeenAlone seen_alone(const Observer& observer, const RayScene& alone, const PictureBox& box);

@@ -119,6 +119,8 @@ Facts camera_facts(const World& world, const Observer& observer) {
         {"camera.pointing_deg",
          text_of({observer.azimuth_deg, observer.elevation_deg, observer.roll_deg})},
         {"camera.projection", name_of(observer.projection)}};
+    if (observer.exposure > 0.0) facts["camera.exposure_s"] = text_of({observer.exposure});
+    if (observer.row_time > 0.0) facts["camera.row_time_s"] = text_of({observer.row_time});
     const double aspect = double(observer.height) / observer.width;
     const double fov = observer.horizontal_fov_deg;
     if (observer.projection == Projection::orthographic) {

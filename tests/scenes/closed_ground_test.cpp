@@ -16,8 +16,8 @@ using namespace diurna;
 // Ground below a closed box that stands on it sees nothing: no sun, and of longwave what it sends
 // itself. Under a constant film its balance is h (T_air - T) = flux into the ground, and of a day
 // that repeats, over a bottom that lets nothing through, both means are nothing: whatever the
-// ground is made of, its mean is the air's. (Facets across the box's outline, lit on one side of it,
-// reflect and send some of that below it: the middle half is asked, on black ground.)
+// ground is made of, its mean is the air's. (Facets across the box's outline, lit on one side of
+// it, reflect and send some of that below it: the middle half is asked, on black ground.)
 TEST_CASE("ground below a box that stands on it is as warm as the air on the mean",
           "[scenes][closed]") {
     const ScratchFolder folder("closed_ground");

@@ -20,10 +20,13 @@ Eigen::RowVectorXd way_to_steeper(const Eigen::RowVectorXd& steep) {
     constexpr double furthest = 0.6;  // beyond which a straight line is none
     return (steep.array() - 1.0).max(-furthest).min(furthest) / (steeper - 1.0);
 }
-/// The same for what a column makes of a heat that lasts, which goes with 1 / slope.
+/// The same for what a column makes of a heat that lasts, which goes with 1 / slope where that is
+/// less than the mean.
 Eigen::RowVectorXd way_of_lasting(const Eigen::RowVectorXd& steep) {
-    constexpr double least = 0.1, most = 2.5;  // beyond which a straight line is none
-    return (steep.array().max(least).min(most).inverse() - 1.0) / (1.0 / steeper - 1.0);
+    constexpr double least = 0.3;
+    return (steep.array() < 1.0)
+        .select((steep.array().max(least).inverse() - 1.0) / (1.0 / steeper - 1.0),
+                way_to_steeper(steep).array());
 }
 
 void linearise(const SolveState& solve, const Level& level, Block& block) {

@@ -8,12 +8,14 @@
 #include <stdexcept>
 
 #include "materials/base/files.hpp"
-#include "program_digest.hpp"
 #include "scenes/run/digest.hpp"
 
 namespace diurna {
 
 namespace fs = std::filesystem;
+
+/// SHA-256 of the sources, made when they are built (scenes/run/program_digest.cmake).
+const char* program_sources();
 
 namespace {
 
@@ -116,7 +118,8 @@ std::vector<RunInput> run_inputs(const Scene& scene) {
 }
 
 std::string job_key(const std::vector<RunInput>& inputs, const std::vector<std::string>& settings) {
-    std::string text = fmt::format("{} {}\n{}", DIURNA_VERSION, DIURNA_SOURCES, DIURNA_LIBRARIES);
+    std::string text =
+        fmt::format("{} {}\n{}", DIURNA_VERSION, program_sources(), DIURNA_LIBRARIES);
     for (const std::string& setting : settings) text += fmt::format("\nset {}", setting);
     std::map<std::string, std::string> by_name;
     for (const RunInput& input : inputs) by_name[input.name] = input.sha256;

@@ -1,5 +1,5 @@
-# Writes a header with the SHA-256 of all sources, of which the key of a run is made: what another
-# program has computed is not kept. cmake -DSOURCE=... -DHEADER=... -DBUILT="..." -P
+# Writes a source with the SHA-256 of all sources, of which the key of a run is made: what another
+# program has computed is not kept. cmake -DSOURCE=... -DOUT=... -DBUILT="..." -P
 set(folders materials terrain thermal render scenes)
 list(TRANSFORM folders PREPEND ${SOURCE}/)
 set(text "${BUILT}")
@@ -12,11 +12,11 @@ foreach(folder ${folders})
     endforeach()
 endforeach()
 string(SHA256 digest "${text}")
-set(header "#pragma once\n#define DIURNA_SOURCES \"${digest}\"\n")
+set(source "namespace diurna {\nconst char* program_sources() { return \"${digest}\"; }\n}\n")
 set(before "")
-if(EXISTS ${HEADER})
-    file(READ ${HEADER} before)
+if(EXISTS ${OUT})
+    file(READ ${OUT} before)
 endif()
-if(NOT before STREQUAL header)
-    file(WRITE ${HEADER} "${header}")
+if(NOT before STREQUAL source)
+    file(WRITE ${OUT} "${source}")
 endif()

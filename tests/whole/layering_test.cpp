@@ -90,7 +90,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/materials_command.cpp", "scenes/commands/model_command.cpp",
       "scenes/commands/movie_command.cpp", "scenes/commands/path_command.cpp",
       "scenes/commands/raster_commands.cpp", "scenes/commands/scene_commands.cpp",
-      "scenes/commands/sun_command.cpp"}},
+      "scenes/commands/sun_command.cpp", "scenes/commands/verify_command.cpp"}},
 };
 
 struct Include {

@@ -66,7 +66,7 @@ row_time_s = 0.02
 bands = ["8-12"]
 frames = ["2026-07-15T12:00:04-04:00"]
 )");
-    run_job(read_scene(folder.path / "scene.toml"), {.out = folder.path / "out"});
+    run_job(read_scene(folder.path / "scene.toml"), {.out = folder.path / "out", .settings = {}});
     const nlohmann::json book =
         nlohmann::json::parse(std::ifstream(folder.path / "out" / "annotations.json"));
     REQUIRE(book["annotations"].size() == 1);

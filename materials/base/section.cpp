@@ -2,48 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
 
-#include "materials/base/document_state.hpp"
+#include "materials/base/document_nodes.hpp"
 
 namespace diurna {
 
 namespace {
-
-const toml::table* as_table(const void* table) { return static_cast<const toml::table*>(table); }
-
-/// The node of a key; null where it is absent.
-const toml::node* node_of(const void* table, const std::string& key) {
-    return table == nullptr ? nullptr : as_table(table)->get(key);
-}
-
-/// A value as the file has it, shortened, for "found ...".
-std::string shown(const toml::node& node) {
-    if (node.is_table()) return "a table";
-    if (node.is_array()) return "an array";
-    std::ostringstream text;
-    node.visit([&](const auto& value) {
-        if constexpr (toml::is_value<decltype(value)>) text << value;
-    });
-    if (node.is_string()) return '"' + node.as_string()->get().substr(0, 60) + '"';
-    return text.str().substr(0, 60);
-}
-
-std::string json(const toml::node& node) {
-    std::ostringstream text;
-    text << toml::json_formatter{node};
-    return text.str();
-}
-
-/// Integers count as numbers; nan and inf do not.
-bool finite_number(const toml::node& node, double& value) {
-    if (!node.is_number()) return false;
-    value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
-                              : node.as_floating_point()->get();
-    return std::isfinite(value);
-}
 
 std::string range_text(Range range) {
     const bool below = std::isinf(range.least), above = std::isinf(range.most);
@@ -55,15 +20,6 @@ std::string range_text(Range range) {
 
 std::string number_text(double value) {
     return std::isnan(value) ? "" : fmt::format("{:g}", value);
-}
-
-std::string or_said(const std::string& said, std::string value) {
-    return said.empty() ? std::move(value) : said;
-}
-
-template <class Test>
-bool all_of_them(const toml::array& array, const Test& test) {
-    return std::all_of(array.begin(), array.end(), test);
 }
 
 }  // namespace
@@ -290,116 +246,6 @@ std::string Section::moment(const std::string& key, const char* says) const {
         return harmless;
     }
     return shown(node);
-}
-
-std::vector<double> Section::checked_numbers(const std::string& key, std::vector<double> fallback,
-                                             std::size_t count) const {
-    const toml::node* node = node_of(table_, key);
-    if (node == nullptr) return fallback;
-    const toml::array* array = node->as_array();
-    if (array == nullptr || (count != 0 && array->size() != count)) {
-        mistake(key, fmt::format("found {}, expected an array of {} numbers", shown(*node),
-                                 count != 0 ? std::to_string(count) : "any number of"));
-        return fallback;
-    }
-    std::vector<double> values(array->size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!finite_number((*array)[i], values[i])) {
-            state_->note((*array)[i].source(), fmt::format("{}[{}]", joined_path(path_, key), i),
-                         fmt::format("found {}, expected a number", shown((*array)[i])));
-            return fallback;
-        }
-    }
-    return values;
-}
-
-std::vector<double> Section::numbers(const std::string& key, const char* says,
-                                     std::size_t count) const {
-    if (!ask(key, says, Key::Kind::numbers, {.required = true, .count = count})) {
-        missing(key, "an array of numbers");
-    }
-    return checked_numbers(key, std::vector<double>(count, 0.0), count);
-}
-
-std::vector<double> Section::numbers_or(const std::string& key, const char* says,
-                                        Or<std::vector<double>> fallback, std::size_t count) const {
-    const std::string value =
-        fallback.value.empty() ? "" : fmt::format("[{:g}]", fmt::join(fallback.value, ", "));
-    ask(key, says, Key::Kind::numbers, {.fallback = or_said(fallback.said, value), .count = count});
-    return checked_numbers(key, std::move(fallback.value), count);
-}
-
-std::vector<std::string> Section::texts_or(const std::string& key, const char* says,
-                                           Or<std::vector<std::string>> fallback) const {
-    const std::string value =
-        fallback.value.empty() ? "" : fmt::format("[\"{}\"]", fmt::join(fallback.value, "\", \""));
-    if (!ask(key, says, Key::Kind::texts, {.fallback = or_said(fallback.said, value)})) {
-        return fallback.value;
-    }
-    const toml::node& node = *node_of(table_, key);
-    const toml::array* array = node.as_array();
-    if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_string(); })) {
-        mistake(key, fmt::format("found {}, expected an array of texts", shown(node)));
-        return fallback.value;
-    }
-    std::vector<std::string> values;
-    for (const toml::node& element : *array) values.push_back(element.as_string()->get());
-    return values;
-}
-
-std::vector<std::vector<double>> Section::rows(const std::string& key, const char* says,
-                                               std::size_t width, std::size_t least_count) const {
-    ask(key, says, Key::Kind::rows, {.required = true, .count = width});
-    const toml::node* node = node_of(table_, key);
-    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
-    const std::string expected =
-        fmt::format("expected an array of at least {} arrays of {} numbers", least_count, width);
-    if (array == nullptr || array->size() < least_count) {
-        mistake(key, (node == nullptr ? "missing" : "found " + shown(*node)) + ", " + expected);
-        return {};
-    }
-    std::vector<std::vector<double>> found;
-    for (const toml::node& element : *array) {
-        const toml::array* row = element.as_array();
-        std::vector<double> values(width);
-        bool fits = row != nullptr && row->size() == width;
-        for (std::size_t i = 0; fits && i < width; ++i) fits = finite_number((*row)[i], values[i]);
-        if (!fits) {
-            state_->note(element.source(),
-                         fmt::format("{}[{}]", joined_path(path_, key), found.size()),
-                         fmt::format("expected an array of {} numbers", width));
-            return {};
-        }
-        found.push_back(std::move(values));
-    }
-    return found;
-}
-
-std::vector<std::vector<std::string>> Section::values(const std::string& key, const char* says,
-                                                      std::size_t width) const {
-    ask(key, says, Key::Kind::values, {.required = true});
-    const toml::node* node = node_of(table_, key);
-    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
-    if (array == nullptr || array->empty()) {
-        mistake(key, (node == nullptr ? "missing" : "found " + shown(*node)) +
-                         ", expected an array of one value or more");
-        return {};
-    }
-    std::vector<std::vector<std::string>> found;
-    for (const toml::node& element : *array) {
-        const toml::array* row = element.as_array();
-        if (width > 1 && (row == nullptr || row->size() != width)) {
-            state_->note(element.source(),
-                         fmt::format("{}[{}]", joined_path(path_, key), found.size()),
-                         fmt::format("found {}, expected an array of {} values, one for each key",
-                                     shown(element), width));
-            return {};
-        }
-        std::vector<std::string>& texts = found.emplace_back();
-        for (std::size_t i = 0; i < width; ++i)
-            texts.push_back(json(width > 1 ? (*row)[i] : element));
-    }
-    return found;
 }
 
 Section Section::inner(const std::string& key, const char* says, bool required) const {

@@ -173,23 +173,40 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     constexpr double wet_steps = 0.05;
     const double settled =
         single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
-    // Facets that see little but one another take many passes over the last of it: what they are
-    // from their day by Newton's measure counts then, which is in the estimated error.
-    const bool long_since = 2 * report.passes >= options.max_passes &&
-                            report.periodic_residual <= 10.0 * options.tolerance &&
-                            report.estimated_error <= 0.5 * settled;
-    report.converged = (report.periodic_residual <= options.tolerance || long_since) &&
+    report.converged = report.periodic_residual <= options.tolerance &&
                        report.estimated_error <= settled &&
                        !(single.fresh && !solve.excess.empty()) && targets.at_rest() &&
                        targets.summary().limited == 0;
 }
+
+/// What passes have left of a span, in what may be left.
+class Nearing {
+ public:
+    void add(const SolveReport& report, const SolveOptions& options) {
+        left_[1] = left_[0];
+        left_[0] = now_;
+        now_ = std::max(report.periodic_residual / options.tolerance,
+                        report.estimated_error / options.settled);
+    }
+    /// The last two have brought it nearer by a quarter: what goes to and fro does so less and
+    /// less.
+    bool nearer() const { return now_ < 0.75 * left_[1]; }
+
+ private:
+    double now_ = 1e9, left_[2] = {1e9, 1e9};
+};
 
 /// Passes over the span at its own steps until they change nothing that counts.
 void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
                         NetworkFacets& targets, SolveReport& report) {
     constexpr double usual_passes = 3.0;
     const SolveOptions& options = solve.options;
-    while (!report.converged && report.passes < options.max_passes) {
+    Nearing nearing;
+    const auto goes_on = [&] {
+        return report.passes < options.max_passes ||
+               (report.passes < 2 * options.max_passes && nearing.nearer());
+    };
+    while (!report.converged && goes_on()) {
         {
             const Stopwatch watch(report.step_seconds, &report.step_cpu_seconds);
             const double done = std::min(0.95, report.passes / usual_passes);
@@ -206,6 +223,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
         }
         // What the neighbours send by now tells how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
+        nearing.add(report, options);
     }
     points.put(solve);
     targets.put(solve);

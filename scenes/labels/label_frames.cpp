@@ -1,5 +1,4 @@
 #include "scenes/labels/label_frames.hpp"
-#include "scenes/labels/row_places.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "scenes/input/bands.hpp"
 #include "scenes/labels/coco.hpp"
 #include "scenes/labels/kitti.hpp"
+#include "scenes/labels/row_places.hpp"
 #include "scenes/labels/split.hpp"
 #include "scenes/labels/yolo.hpp"
 #include "scenes/plan/frame_files.hpp"

@@ -1,6 +1,5 @@
 #include "scenes/labels/row_places.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "render/view/pixel_rays.hpp"
@@ -10,21 +9,21 @@ namespace diurna {
 
 namespace {
 
-constexpr int rounds = 8;  // a row's way is a small part of what it shows: a few do
-
-/// [s] after the picture's instant at which the row is read that a body falls on.
+/// [s] after the picture's instant at which the row is read that a body falls on, by halving: as
+/// the rows go on it may come towards them, faster than they do, too. 0 where it is behind the
+/// camera.
 ///
 /// - at: where it is at such a time
 template <class At>
 double when_read(const Observer& observer, const PixelRays& eye, const At& at) {
-    double when = 0.0;
-    for (int i = 0; i < rounds; ++i) {
-        const auto place = place_in_picture(observer, eye, at(when));
-        if (!place) break;
-        const double row = std::clamp(std::floor(place->y()), 0.0, observer.height - 1.0);
-        when = row * observer.row_time;
+    double low = 0.0, high = observer.height;  // rows
+    while (high - low > 1.0 / 16.0) {
+        const double middle = 0.5 * (low + high);
+        const auto place = place_in_picture(observer, eye, at(middle * observer.row_time));
+        if (!place) return 0.0;
+        (place->y() > middle ? low : high) = middle;
     }
-    return when;
+    return std::floor(0.5 * (low + high)) * observer.row_time;
 }
 
 }  // namespace

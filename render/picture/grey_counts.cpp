@@ -16,6 +16,8 @@ namespace {
 /// nights are black.
 constexpr double least_light = 1e-6;
 
+double greatest_count(int bits) { return bits == 16 ? 65535.0 : 255.0; }
+
 /// The finest of 1, 2, 5 times a power of ten that is at least `step`.
 double even_step(double step) {
     const double decade = std::pow(10.0, std::floor(std::log10(step)));
@@ -42,16 +44,26 @@ GreyScale grey_scale(const Frame& frame, const std::string& name, int bits) {
     return {0.0, even_step(greatest / 65535.0)};
 }
 
+std::size_t pixels_beyond(const Plane& plane, const GreyScale& scale, int bits) {
+    std::size_t beyond = 0;
+    for (const float value : plane.pixel) {
+        const double count = std::round((double{value} - scale.zero) / scale.step);
+        beyond += std::isfinite(count) && (count < 0.0 || count > greatest_count(bits));
+    }
+    return beyond;
+}
+
 GreyPicture grey_picture_of(const Frame& frame, const std::string& name, int bits) {
     const Plane& plane = frame[name];
     const GreyScale scale = grey_scale(frame, name, bits);
-    const double most = bits == 16 ? 65535.0 : 255.0;
+    const double most = greatest_count(bits);
     GreyPicture picture{
         .width = frame.width,
         .height = frame.height,
         .bits = bits,
         .count = {},
-        .scale = fmt::format("{} = {:g} + {:g} count", plane.unit, scale.zero, scale.step)};
+        .scale = fmt::format("{} = {:g} + {:g} count", plane.unit, scale.zero, scale.step),
+        .beyond = pixels_beyond(plane, scale, bits)};
     picture.count.reserve(plane.pixel.size());
     for (const float value : plane.pixel) {
         const double count = std::round((double{value} - scale.zero) / scale.step);

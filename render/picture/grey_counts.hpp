@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,7 +28,11 @@ struct GreyPicture {
     int bits = 16;                     // 8 or 16
     std::vector<std::uint16_t> count;  // rounded; beyond the scale its ends, not finite 0
     std::string scale;                 // "K = 0 + 0.01 count"
+    std::size_t beyond = 0;            // pixels above or below what the scale holds
 };
 GreyPicture grey_picture_of(const Frame& frame, const std::string& plane, int bits);
+
+/// How many pixels of a plane lie beyond a scale; those that are not finite do not.
+std::size_t pixels_beyond(const Plane& plane, const GreyScale& scale, int bits);
 
 }  // namespace diurna

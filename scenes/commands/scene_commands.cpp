@@ -223,8 +223,8 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     stages.at(0);
     check_solved(stages, field, temperatures);
     const FramesReport report = render_frames(stages, field, out, progress);
-    for (const std::string& note : report.instruments) {
-        fmt::print(stderr, "note: instrument {}\n", note);
+    for (const auto& notes : {report.notes, report.warnings}) {
+        for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
     }
 }
 

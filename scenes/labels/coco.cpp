@@ -34,7 +34,8 @@ Json image_json(const LabelledPicture& picture, std::size_t id) {
                    {{"plane", picture.plane},
                     {"unit", picture.unit},
                     {"zero", picture.scale.zero},
-                    {"step", picture.scale.step}}}};
+                    {"step", picture.scale.step},
+                    {"pixels_beyond", picture.beyond}}}};
     image.update(attribute_json(picture.attributes));
     return image;
 }

@@ -11,7 +11,8 @@ namespace diurna {
 ///
 /// - categories: the classes, ids from 1
 /// - images: the plain grey pictures, whose pixels are those of the boxes; with `planes` (the EXR),
-///   observer, band, what a count stands for (`scale`), and camera, sun and air
+///   observer, band, what a count stands for and how many pixels it does not hold (`scale`), and
+///   camera, sun and air
 /// - annotations: one for each object seen. `segmentation` is an uncompressed run-length mask
 ///   ({"size": [height, width], "counts": [...]}, down the columns), `bbox` [left, top, width,
 ///   height] and `area` are the mask's; `iscrowd` is 1 only where several things share one name

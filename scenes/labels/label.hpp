@@ -30,6 +30,7 @@ struct LabelledPicture {
     std::string plane;  // that the grey picture shows, its unit and its scale
     std::string unit;
     GreyScale scale{};
+    std::size_t beyond = 0;                           // pixels that the scale does not hold
     std::map<std::string, std::string> attributes{};  // of the EXR: camera, sun, air
     std::vector<Label> labels{};                      // by ObjectId
 };

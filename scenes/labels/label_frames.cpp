@@ -65,7 +65,9 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
     picture.width = frame.width;
     picture.height = frame.height;
     picture.unit = frame[picture.plane].unit;
-    picture.scale = grey_scale(frame, picture.plane, prepared.scene.labels.bits);
+    const int bits = prepared.scene.labels.bits;
+    picture.scale = grey_scale(frame, picture.plane, bits);
+    picture.beyond = pixels_beyond(frame[picture.plane], picture.scale, bits);
     picture.attributes = frame.attributes;
     if (std::find(input.instruments.begin(), input.instruments.end(), band) !=
         input.instruments.end()) {

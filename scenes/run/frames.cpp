@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "render/picture/grey_picture.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/plan/frame_files.hpp"
+#include "scenes/run/frames_told.hpp"
 #include "scenes/run/instrument_pictures.hpp"
 #include "scenes/run/picture.hpp"
 #include "scenes/run/series.hpp"
@@ -26,9 +26,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// EXR, quick-look and plain grey picture of every band.
-void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
+std::string not_held(const GreyPicture& counts, Instant instant) {
+    return fmt::format(
+        "{} pixels lie beyond {} at {} and have its last count; the EXR has their values",
+        counts.beyond, counts.scale, format_instant(instant));
+}
+
+/// EXR, quick-look and plain grey picture of every band; returns what the pictures could not hold.
+Told write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
                  const LabelsInput& labels, const CameraTags& camera) {
+    Told told;
     for (const Band& band : bands) {
         const std::string name = frame_base(frame.observer, band.name, frame.instant);
         const Frame one = band_frame(frame, band.name);
@@ -37,9 +44,14 @@ void write_bands(const fs::path& out, const Frame& frame, const std::vector<Band
         const std::filesystem::path grey =
             out / grey_picture(frame.observer, band.name, frame.instant, labels.format);
         std::filesystem::create_directories(grey.parent_path());
-        write_grey_picture(grey, grey_picture_of(one, shown_plane(band), labels.bits),
-                           labels.format);
+        const GreyPicture counts = grey_picture_of(one, shown_plane(band), labels.bits);
+        write_grey_picture(grey, counts, labels.format);
+        // The ends of eight bits are those of the quick-look, which leave some out by intent.
+        if (labels.bits == 16 && counts.beyond > 0) {
+            told.emplace_back("beyond." + band.name, not_held(counts, frame.instant));
+        }
     }
+    return told;
 }
 
 /// In the spectral OpenEXR layout and for ENVI.
@@ -62,16 +74,18 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
                     std::span<const InstrumentSeries> instruments, const fs::path& out,
                     Ledger& ledger, bool blurred = false) {
     const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
-    write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera);
+    Told told(picture.frame.notes.begin(), picture.frame.notes.end());
+    for (auto& beyond :
+         write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera)) {
+        told.push_back(std::move(beyond));
+    }
     for (std::size_t c = 0; c < s.cubes.size(); ++c) {
         write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
                    picture.facts, picture.camera);
     }
     const std::vector<std::string> files =
         picture_files(s.input, instant, prepared.scene.labels.format);
-    if (!files.empty()) {
-        ledger.add(files, Told(picture.frame.notes.begin(), picture.frame.notes.end()));
-    }
+    if (!files.empty()) ledger.add(files, std::move(told));
     for (const InstrumentSeries& one : instruments) {
         const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
         const fs::path file =
@@ -79,33 +93,6 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
         fs::create_directories(file.parent_path());
         write_exr(file, frame, ExrCompression::none, &picture.camera);
     }
-}
-
-/// Of all frames' notes of one name, which begin with a number, that of the greatest.
-std::string worst_note(std::span<const Told> notes, const std::string& name) {
-    std::string worst;
-    double most = -1.0;
-    for (const Told& of_frame : notes) {
-        for (const auto& [key, note] : of_frame) {
-            const double value = std::strtod(note.c_str(), nullptr);
-            if (key != name || value <= most) continue;
-            most = value;
-            worst = note;
-        }
-    }
-    return worst;
-}
-
-/// What the tables of an observer's worst frame say of their error, a line for each band.
-std::vector<std::string> error_lines(const ObserverInput& observer, std::span<const Told> notes) {
-    std::vector<std::string> lines;
-    for (const std::string& band : observer.bands) {
-        std::string line = observer.name + ", " + band + ": " + worst_note(notes, "error." + band);
-        const std::string scattered = worst_note(notes, "scattered." + band);
-        if (!scattered.empty()) line += "; light scattered before surfaces " + scattered;
-        lines.push_back(std::move(line));
-    }
-    return lines;
 }
 
 /// Whether objects go on while a picture is taken.
@@ -226,7 +213,7 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
         }
         for (const std::string& band : input.instruments) {
             for (const auto& [what, note] : ledger.told(calibration_file(input.name, band))) {
-                report.instruments.push_back(note);
+                report.warnings.push_back("instrument " + note);
             }
         }
         report.rendered += wanted.size();
@@ -234,11 +221,9 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
         for (std::size_t i = 0; i < input.frames.size(); ++i) {
             if (!files(i).empty()) told.push_back(ledger.told(files(i).front()));
         }
-        for (std::string& line : error_lines(input, told)) {
-            report.errors.push_back(std::move(line));
-        }
-        if (const std::string water = worst_note(told, "water"); !water.empty()) {
-            report.notes.push_back(input.name + ": " + water);
+        for (std::string& line : errors_told(input, told)) report.notes.push_back(std::move(line));
+        for (std::string& line : beyond_told(input, told)) {
+            report.warnings.push_back(std::move(line));
         }
     }
     return report;

@@ -16,14 +16,9 @@
 namespace diurna {
 
 struct FramesReport {
-    std::size_t rendered = 0;  // (observer, instant); the others were there
-    /// For every observer and band, what the tables of its worst frame say of their error against
-    /// the direct sum (Frame::notes).
-    std::vector<std::string> errors;
-    /// For every observer who sees surfaces under snow or wet, how finely these are told apart in
-    /// the frame that has most of them.
-    std::vector<std::string> notes{};
-    std::vector<std::string> instruments{};  // how their pictures were taken, what was left out
+    std::size_t rendered = 0;             // (observer, instant); the others were there
+    std::vector<std::string> notes{};     // how well tables and water were followed: worst frames
+    std::vector<std::string> warnings{};  // what pictures could not hold, how instruments took them
 };
 
 /// Renders every frame that the ledger has not, writes it as EXR with a PNG quick-look

@@ -132,14 +132,8 @@ JobReport run_job(Scene scene, const JobOptions& options) {
 
     const FramesReport frames = render_frames(stages, field, out, progress, ledger);
     report.frames_rendered = frames.rendered;
-    for (const std::string& line : frames.errors) {
-        report.notes.push_back("tables against the direct sum, worst frame: " + line);
-    }
-    for (const std::string& line : frames.notes) {
-        report.notes.push_back("water in pictures, frame with most of it: " + line);
-    }
-    for (const std::string& line : frames.instruments) {
-        report.notes.push_back("instrument " + line);
+    for (const auto& notes : {frames.notes, frames.warnings}) {
+        report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     }
     for (std::string& file : frame_files(prepared.scene)) {
         report.files.push_back(std::move(file));

@@ -70,7 +70,8 @@ VariantRecord read_variant_record(const fs::path& folder) {
     if (!json.contains("key")) return {};
     return {.key = json.value("key", ""),
             .done = json.value("state", "") == "done",
-            .outputs = json.value("outputs", std::map<std::string, std::string>{})};
+            .outputs = json.value("outputs", std::map<std::string, std::string>{}),
+            .notes = json.value("notes", std::vector<std::string>{})};
 }
 
 void write_heat_record(const fs::path& folder, const HeatRecord& record) {
@@ -89,6 +90,7 @@ void write_variant_record(const fs::path& folder, const Sweep& sweep, const Vari
                        {"key", record.key},
                        {"heat", variant.heat},
                        {"values", values_json(sweep.base.sweep, variant)},
+                       {"notes", record.notes},
                        {"outputs", record.outputs}};
     write_whole_file(folder / "variant.json", json.dump(2) + "\n");
 }

@@ -23,6 +23,7 @@ struct VariantRecord {
     std::string key;
     bool done = false;                           // else its pictures are being made
     std::map<std::string, std::string> outputs;  // SHA-256 by name, relative to its folder
+    std::vector<std::string> notes{};            // what its pictures told of themselves
 };
 
 std::filesystem::path heat_folder(const std::filesystem::path& out, const std::string& heat);

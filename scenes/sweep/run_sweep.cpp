@@ -123,10 +123,9 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
         fs::create_directories(folder / inner);
     }
     write_variant_record(folder, group.sweep, variant, record);
-    for (const std::string& note :
-         render_frames(stages, field, folder, progress, ledger).instruments) {
-        tell_once(report.notes, "instrument " + note);
-    }
+    FramesReport frames = render_frames(stages, field, folder, progress, ledger);
+    for (const std::string& note : frames.warnings) tell_once(report.notes, note);
+    record.notes = std::move(frames.notes);
     progress.stage("labels of " + variant.name);
     for (const std::string& file : label_frames(prepared, folder)) {
         record.outputs[file] = sha256_of_file(folder / file);

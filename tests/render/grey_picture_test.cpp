@@ -57,6 +57,16 @@ TEST_CASE("grey TIFFs and PNGs hold the counts and their scale", "[render]") {
     }
 }
 
+TEST_CASE("a grey picture says how many pixels its scale does not hold", "[render]") {
+    // 65535 counts of 0.01 K end at 655.35 K: an exhaust's 700 K is beyond, a sky's 655.352 is not.
+    Frame frame = warm_frame();
+    frame.planes.front().pixel = {300.0F, 655.352F, 655.36F, 700.0F, std::nanf(""), 200.0F};
+    const GreyPicture picture = grey_picture_of(frame, "apparent_temperature.8-12", 16);
+    CHECK(picture.beyond == 2);
+    CHECK(picture.count[2] == 65535);
+    CHECK(picture.count[3] == 65535);
+}
+
 TEST_CASE("a grey TIFF of eight bits has a byte a pixel", "[render]") {
     GDALAllRegister();
     const ScratchFolder folder("grey");

@@ -1,0 +1,53 @@
+#include "scenes/run/frames_told.hpp"
+
+#include <cstdlib>
+#include <utility>
+
+namespace diurna {
+
+namespace {
+
+/// Of all frames' notes of one name, which begin with a number, that of the greatest.
+std::string worst_note(std::span<const Told> notes, const std::string& name) {
+    std::string worst;
+    double most = -1.0;
+    for (const Told& of_frame : notes) {
+        for (const auto& [key, note] : of_frame) {
+            const double value = std::strtod(note.c_str(), nullptr);
+            if (key != name || value <= most) continue;
+            most = value;
+            worst = note;
+        }
+    }
+    return worst;
+}
+
+}  // namespace
+
+std::vector<std::string> errors_told(const ObserverInput& observer, std::span<const Told> told) {
+    std::vector<std::string> lines;
+    for (const std::string& band : observer.bands) {
+        std::string line = "tables against the direct sum, worst frame: " + observer.name + ", " +
+                           band + ": " + worst_note(told, "error." + band);
+        const std::string scattered = worst_note(told, "scattered." + band);
+        if (!scattered.empty()) line += "; light scattered before surfaces " + scattered;
+        lines.push_back(std::move(line));
+    }
+    if (const std::string water = worst_note(told, "water"); !water.empty()) {
+        lines.push_back("water in pictures, frame with most of it: " + observer.name + ": " +
+                        water);
+    }
+    return lines;
+}
+
+std::vector<std::string> beyond_told(const ObserverInput& observer, std::span<const Told> told) {
+    std::vector<std::string> lines;
+    for (const std::string& band : observer.bands) {
+        const std::string beyond = worst_note(told, "beyond." + band);
+        if (beyond.empty()) continue;
+        lines.push_back("grey picture of " + observer.name + ", " + band + ": " + beyond);
+    }
+    return lines;
+}
+
+}  // namespace diurna

@@ -21,8 +21,14 @@ namespace diurna {
 
 namespace {
 
+constexpr double held_spread = 1e4;      // of a held inner face's own along the sheet
 constexpr double held_film = 1e5;        // [W m⁻² K⁻¹] to what a part is held at
 constexpr double air_heat = 1.2 * 1006;  // [J m⁻³ K⁻¹] of air indoors
+
+/// What is held on all its inner face is so at its edges too, and takes no half facet of the way.
+void hold_edges(NetworkColumn& column) {
+    column.spread[column.grid.size() == 1 ? 0 : 1] *= held_spread;
+}
 
 /// A part of the mesh as the target has it; one that no table names conducts, and no more.
 const PartInput& part_input(const ObjectInput& input, std::size_t part) {
@@ -141,6 +147,9 @@ class Builder {
                 const bool closed = alone && inner == Inner::nothing;
                 network().column.push_back(network_column(
                     surface.layers, closed ? surface.bottom : FixedFlux{0.0}, {.deepest = 1e9}));
+                if (!std::isnan(of.kelvin) && of.hours.empty()) {
+                    hold_edges(network().column.back());
+                }
             }
             network().facet.push_back({.column = place->second, .area = double(facets_.area[f])});
             object_.facet.push_back(f);

@@ -350,6 +350,37 @@ name = "*"
     CHECK(sides + floor == Approx(4.0).epsilon(0.1));
 }
 
+TEST_CASE("a fin begins where the part ends that it is welded to", "[scenes][target]") {
+    // The four sides of a metre's height stand on a floor held at 340 K in air of 290 K: each a fin
+    // of the sheet above, m = 5 /m, without flow over its top. Its mean is 290 + 50 tanh(5) / 5 =
+    // 299.999 K (Incropera 3.6, case B), however large its facets: a floor that is held at every
+    // place is so at its edge, and takes no half facet of the way.
+    const over_plain::Given given{.mesh = box(1, 1.0),
+                                  .height = 2.0,
+                                  .albedo = 1.0,
+                                  .black = 0.0,
+                                  .layer = "thickness_m = 0.002, conductivity_W_mK = 200.0",
+                                  .ground_edge = 5.0};
+    const std::string parts = R"([[object.part]]
+name = "floor"
+temperature_K = 340.0
+[[object.part]]
+name = "lid"
+welded = false
+[[object.part]]
+name = "sides"
+)";
+    const double mean = 290.0 + 50.0 * std::tanh(5.0) / 5.0;
+    const double fine = solved(given, parts, 12.0, 0.05).kelvin("11:00", "sides") - mean;
+    const double middle = solved(given, parts, 12.0, 0.1).kelvin("11:00", "sides") - mean;
+    const double coarse = solved(given, parts, 12.0, 0.2).kelvin("11:00", "sides") - mean;
+    CAPTURE(fine, middle, coarse);
+    // A quarter of the error at half the edge: of second order.
+    CHECK(std::abs(coarse) < 0.5);
+    CHECK(std::abs(middle) < 0.15);
+    CHECK(std::abs(fine) < 0.05);
+}
+
 TEST_CASE("mistakes in a target are told with their place", "[scenes][target][input]") {
     const ScratchFolder folder("mistakes");
     over_plain::write_scene(folder.path, {.mesh = box(2, 0.5)});

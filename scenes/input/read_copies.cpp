@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -30,8 +31,39 @@ void check_heading(const Stand& stand) {
                                               stand.heading_deg));
 }
 
+void check_columns(const CsvTable& table) {
+    const std::vector<std::string> known{"east_m", "north_m", "heading_deg"};
+    for (const std::string& name : table.header) {
+        const bool twice = std::count(table.header.begin(), table.header.end(), name) > 1;
+        if (twice) {
+            throw InputError(table.path.string(), fmt::format("has column '{}' twice", name));
+        }
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        throw InputError(
+            table.path.string(),
+            fmt::format("unknown column '{}', expected {}", name, fmt::join(known, ", ")),
+            did_you_mean(name, known));
+    }
+}
+
+/// No two in one place: the one would be inside the other.
+void check_places(std::vector<Stand> stands) {
+    const auto by_place = [](const Stand& a, const Stand& b) {
+        return std::pair(a.place.x(), a.place.y()) < std::pair(b.place.x(), b.place.y());
+    };
+    std::stable_sort(stands.begin(), stands.end(), by_place);
+    const auto twice =
+        std::adjacent_find(stands.begin(), stands.end(),
+                           [](const Stand& a, const Stand& b) { return a.place == b.place; });
+    if (twice == stands.end()) return;
+    throw InputError(std::next(twice)->where,
+                     fmt::format("two copies stand at east {:g} m, north {:g} m", twice->place.x(),
+                                 twice->place.y()));
+}
+
 std::vector<Stand> stands_of_file(const std::filesystem::path& file) {
     const CsvTable table = read_csv(file);
+    check_columns(table);
     const std::size_t east = table.column("east_m"), north = table.column("north_m"),
                       heading = table.column("heading_deg");
     std::vector<Stand> stands;
@@ -73,10 +105,12 @@ std::vector<Stand> read_stands(const Section& section, const Reading& reading,
             }
             stands = stands_of_file(object.copies_file);
         }
+        check_places(stands);
     } catch (const InputError& error) {
         const Mistake& first = error.mistakes().front();
-        section.mistake(section.has("copies_file") ? "copies_file" : "copies",
-                        first.where + ": " + first.problem, first.hint);
+        const bool filed = section.has("copies_file");
+        section.mistake(filed ? "copies_file" : "copies",
+                        filed ? first.where + ": " + first.problem : first.problem, first.hint);
         return {};
     }
     return stands;

@@ -15,6 +15,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/passed_light.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/overlaps.hpp"
 #include "scenes/world/structures.hpp"
 #include "scenes/world/surroundings.hpp"
 #include "scenes/world/wind.hpp"
@@ -126,6 +127,25 @@ std::string told(const ObjectInput& object, const CopySet& set, const Shared& sh
            (some_go ? "; objects that go were compared where their ways begin" : "");
 }
 
+/// Of copies that stand in one another.
+std::string overlap_note(const Scene& scene, const std::vector<CopySet>& sets,
+                         const std::vector<BodyBox>& boxes) {
+    constexpr double least = 0.05;  // [m] things may touch, and boxes are a little large
+    const Overlaps found = overlaps(boxes, least);
+    if (found.pairs == 0) return "";
+    std::vector<std::string> name;
+    for (const CopySet& set : sets) {
+        for (std::size_t c = 0; c < set.count; ++c) {
+            name.push_back(scene.terrain.objects[set.first + c].name);
+        }
+    }
+    return fmt::format(
+        "copies: the boxes round {} of copies reach into one another, \"{}\" and \"{}\" by "
+        "{:.2g} m",
+        found.pairs == 1 ? "a pair" : fmt::format("{} pairs", found.pairs), name[found.worst.first],
+        name[found.worst.second], found.deepest);
+}
+
 }  // namespace
 
 void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
@@ -156,6 +176,9 @@ void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
         for (const Eigen::Isometry3d& pose : set.pose) {
             boxes.push_back(placed_box(box, pose * set.pose.front().inverse()));
         }
+    }
+    if (std::string note = overlap_note(scene, sets, boxes); !note.empty()) {
+        world.notes.push_back(std::move(note));
     }
     const std::vector<float> wind = wind_at_boxes(world, boxes);
     const RayScene rays(world.facets, passed_light(scene.materials), Copies(std::move(all)));

@@ -80,7 +80,11 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
     };
     has(told("copies = [[0.0, 0.0, 0.0]]\nplace_m = [0.0, 0.0]"), "place_m: stands beside copies");
     has(told("copies = [[0.0, 0.0, 500.0]]"), "found heading_deg 500");
+    const std::string turned = told("copies = [[0.0, 0.0, 500.0]]");
+    CHECK(turned.find("toml:") == turned.rfind("toml:"));
     has(told("copies = [[0.0, 0.0]]"), "copies");
+    has(told("copies = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 0.0, 90.0]]"),
+        "copies: two copies stand at east 0 m, north 0 m");
     has(told("copies = [[9000.0, 0.0, 0.0]]"), "crate_0001");
     has(told("place_m = [0.0, 0.0]\ncopies_alike_K = 1.0"), "copies_alike_K: stands without");
 
@@ -102,6 +106,10 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
     has(told("copies_file = \"park.csv\""), "park.csv:5:");
     write_text(folder.path / "park.csv", "east_m,nord_m,heading_deg\n1,2,3\n");
     has(told("copies_file = \"park.csv\""), "north_m");
+    write_text(folder.path / "park.csv", "east_m,north_m,heading_deg,colour\n0,0,0,3\n");
+    has(told("copies_file = \"park.csv\""), "unknown column 'colour'");
+    write_text(folder.path / "park.csv", "east_m,north_m,heading_deg\n5,5,0\n0,0,0\n5,5,90\n");
+    has(told("copies_file = \"park.csv\""), "park.csv:4:3");
     write_text(folder.path / "park.csv", "east_m,north_m,heading_deg\n0,0,0\n10,0,90\n");
     CHECK(mistakes_of(folder.path,
                       "[[object]]\nname = \"crate\"\n" + about_crate + "copies_file = \"park.csv\"")
@@ -110,4 +118,18 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
                                      about_crate + "[[object]]\nname = \"crate\"\n" + about_crate +
                                      "copies_file = \"park.csv\""),
         "crate_0002");
+}
+
+// Edges of 0.5 m that reach into each other are told; things that touch are not.
+TEST_CASE("copies that stand in one another are told", "[scenes][copies]") {
+    const ScratchFolder folder("copies_overlap");
+    const auto noted = [&](const std::string& places) {
+        const Prepared built = prepare(read_scene(
+            written(folder.path, "[[object]]\nname = \"crate\"\n" + about_crate + places)));
+        return std::count_if(built.notes.begin(), built.notes.end(), [](const std::string& note) {
+            return note.find("reach into one another") != std::string::npos;
+        });
+    };
+    CHECK(noted("copies = [[0.0, 0.0, 0.0], [0.3, 0.0, 0.0]]") == 1);
+    CHECK(noted("copies = [[0.0, 0.0, 0.0], [30.0, 0.0, 0.0]]") == 0);
 }

@@ -114,15 +114,21 @@ Scene only_variant(const Sweep& sweep, const std::string& name, JobOptions& job)
                                            names.front(), names.back()));
 }
 
+/// All that can be known to be wrong before anything is computed; returns what is told of objects.
+std::vector<NetworkObject> checked(const Prepared& prepared) {
+    check_start(prepared);
+    return targets(prepared.world, prepared.scene);
+}
+
 void check_verb(const SceneArguments& a) {
     Scene scene = a.read();
     if (!scene.sweep.axes.empty()) {
-        fmt::print("{}: {}\n", a.scene.string(),
-                   count_told(read_sweep_variants(a.scene, a.settings)));
+        const Sweep sweep = read_sweep_variants(a.scene, a.settings);
+        for_each_value(sweep, [](Scene variant) { checked(prepare(std::move(variant))); });
+        fmt::print("{}: {}\n", a.scene.string(), count_told(sweep));
     }
     const Prepared prepared = prepare(std::move(scene));
-    check_start(prepared);
-    const std::vector<NetworkObject> networks = targets(prepared.world, prepared.scene);
+    const std::vector<NetworkObject> networks = checked(prepared);
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.surfaces().size(), prepared.sequences.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);

@@ -43,30 +43,6 @@ Scene scene_with(const Sweep& sweep, const Variant& variant, const Counts& count
     return read_scene(document);
 }
 
-/// Every value by itself.
-void check_values(const Sweep& sweep) {
-    std::vector<Mistake> mistakes;
-    std::set<std::string> told;
-    const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
-    for (std::size_t a = 0; a < axes.size(); ++a) {
-        for (std::size_t v = 0; v < axes[a].values.size(); ++v) {
-            try {
-                Document document = document_of(sweep);
-                take(document, axes[a], a, v);
-                document.drop("sweep");
-                read_scene(document);
-            } catch (const InputError& error) {
-                // A key that is none is so for every value: told of the first.
-                for (const Mistake& mistake : error.mistakes()) {
-                    const std::string key = mistake.where.substr(mistake.where.find(' ') + 1);
-                    if (told.insert(key + mistake.problem).second) mistakes.push_back(mistake);
-                }
-            }
-        }
-    }
-    if (!mistakes.empty()) throw InputError(std::move(mistakes));
-}
-
 /// Whether the ground's mesh follows the observers (terrain.coarsest_m), in any variant.
 bool ground_by_observers(const Scene& base) {
     bool follows = base.terrain.coarsest > base.terrain.tolerance;
@@ -123,6 +99,29 @@ Variant variant_of(const Sweep& whole, std::uint64_t number) {
 
 }  // namespace
 
+void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use) {
+    std::vector<Mistake> mistakes;
+    std::set<std::string> told;
+    const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        for (std::size_t v = 0; v < axes[a].values.size(); ++v) {
+            try {
+                Document document = document_of(sweep);
+                take(document, axes[a], a, v);
+                document.drop("sweep");
+                use(read_scene(document));
+            } catch (const InputError& error) {
+                // A key that is none is so for every value: told of the first.
+                for (const Mistake& mistake : error.mistakes()) {
+                    const std::string key = mistake.where.substr(mistake.where.find(' ') + 1);
+                    if (told.insert(key + mistake.problem).second) mistakes.push_back(mistake);
+                }
+            }
+        }
+    }
+    if (!mistakes.empty()) throw InputError(std::move(mistakes));
+}
+
 std::size_t Sweep::solves() const {
     std::set<std::string> heats;
     for (const Variant& variant : variants) heats.insert(variant.heat);
@@ -142,7 +141,7 @@ Sweep read_sweep_variants(const std::filesystem::path& file,
                           const std::vector<std::string>& settings) {
     Sweep sweep{
         .file = file, .settings = settings, .base = read_scene(file, settings), .variants = {}};
-    check_values(sweep);
+    for_each_value(sweep, [](const Scene&) {});
     sweep.ground_by_observers = ground_by_observers(sweep.base);
     for (const std::uint64_t number : chosen_numbers(sweep.base.sweep, sweep.base.seed)) {
         sweep.variants.push_back(variant_of(sweep, number));

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ struct Sweep {
 /// InputError with all mistakes, told where the values stand.
 Sweep read_sweep_variants(const std::filesystem::path& file,
                           const std::vector<std::string>& settings);
+
+/// Hands over the scene with every value of every axis by itself. Throws InputError with all
+/// mistakes of reading and of `use`, told where the values stand, each once.
+void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use);
 
 /// Whether two variants that differ there have temperatures of their own. Else the axis is of
 /// pictures alone: of observers, but for when they look, and of labels.

@@ -21,6 +21,7 @@ struct DocumentState {
     struct Placed {
         std::uint32_t line = 0, column = 0;
         Mistake mistake;
+        std::string path;  // "terrain.rule[0].width_m"
     };
 
     /// What was asked of one table.
@@ -45,7 +46,7 @@ struct DocumentState {
     void note(const toml::source_region& source, const std::string& path,
               const std::string& problem, const std::string& hint = "") {
         mistakes.push_back(
-            {source.begin.line, source.begin.column, Mistake{place(source, path), problem, hint}});
+            {source.begin.line, source.begin.column, {place(source, path), problem, hint}, path});
     }
 };
 

@@ -85,6 +85,14 @@ std::string Section::where(const std::string& key) const {
     return state_->place(source, joined_path(path_, key));
 }
 
+bool Section::amiss() const {
+    return std::any_of(state_->mistakes.begin(), state_->mistakes.end(), [&](const auto& told) {
+        const std::string rest =
+            told.path.starts_with(path_) ? told.path.substr(path_.size()) : "-";
+        return rest.empty() || rest.front() == '.' || rest.front() == '[';
+    });
+}
+
 void Section::mistake(const std::string& key, const std::string& problem,
                       const std::string& hint) const {
     if (missed_) return;
@@ -178,8 +186,9 @@ std::string Section::checked_name(const std::string& key, const std::string& fal
     const std::string name = checked_text(key, fallback);
     if (node == nullptr || !node->is_string()) return name;
     if (std::find(names.known.begin(), names.known.end(), name) == names.known.end()) {
+        const auto instead = names.instead.find(name);
         mistake(key, fmt::format("no {} \"{}\"{}", names.what, name, names.where),
-                did_you_mean(name, names.known));
+                instead != names.instead.end() ? instead->second : did_you_mean(name, names.known));
     }
     return name;
 }

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <string>
 #include <type_traits>
@@ -36,11 +37,12 @@ struct Choice {
 };
 
 /// Names that a key may give: a material's, a texture's. `where` ends the message of an unknown
-/// one: no texture "grvel" in [[texture]].
+/// one: no texture "grvel" in [[texture]]; its hint is the nearest, unless `instead` has one.
 struct Names {
     std::string what;
     std::vector<std::string> known;
     std::string where = "";
+    std::map<std::string, std::string> instead{};  // what mends a name that is known to be none
 };
 
 /// A table of a document, read key by key. Cheap to copy; lives as long as any copy of it or the
@@ -120,6 +122,8 @@ class Section {
 
     /// "file:line:column: path.to.key" of a key, or of the table itself for "".
     std::string where(const std::string& key = "") const;
+    /// Whether a mistake in it has been told, so that what follows from it is none.
+    bool amiss() const;
     /// Notes a mistake the caller found.
     void mistake(const std::string& key, const std::string& problem,
                  const std::string& hint = "") const;

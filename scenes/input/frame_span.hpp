@@ -12,6 +12,7 @@ namespace diurna {
 /// Within which instants pictures may be taken, and when they are taken by default.
 struct FrameSpan {
     Instant begin, end;
+    std::string said = "the span of [time]";
     double utc_offset = 0.0;     // [s] that the clock of windows is ahead of UTC
     double every = 3600.0;       // [s] by default
     std::string every_said{};    // in the page of keys

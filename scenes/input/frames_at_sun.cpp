@@ -73,6 +73,7 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
                               {"afternoon", DayHalf::afternoon},
                               {"both", DayHalf::both}});
     }
+    if (sun.amiss()) return {};
     if (!span.site) {
         section.mistake("frames_at_sun",
                         "asks where the sun stands, expected [site] with latitude_deg and "
@@ -94,9 +95,9 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
                  [&](Instant at) { return at >= span.begin && at <= span.end; });
     frames.note = missed_days(passage, midnight, end, span);
     if (frames.frame.empty()) {
-        section.mistake("frames_at_sun", frames.note.empty()
-                                             ? "the sun stands there outside the span alone"
-                                             : fmt::format("has no picture: {}", frames.note));
+        section.mistake("frames_at_sun",
+                        frames.note.empty() ? "the sun stands there outside " + span.said + " alone"
+                                            : fmt::format("has no picture: {}", frames.note));
     }
     return frames;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/base/units.hpp"
+#include "scenes/input/object_names.hpp"
 
 namespace diurna {
 
@@ -15,7 +16,7 @@ Eigen::Vector2d Around::eye() const {
 
 Around read_around(const Section& section, const TerrainInput& terrain) {
     Names known{.what = "object or building", .known = {}};
-    for (const ObjectInput& object : terrain.objects) known.known.push_back(object.name);
+    add_objects(known, terrain);
     for (const Building& building : terrain.buildings) known.known.push_back(building.name);
     Around around{
         .object = section.name("object", "or building, whose middle it looks at", known),

@@ -9,6 +9,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/input/frames_at_sun.hpp"
+#include "terrain/place/local_time.hpp"
 
 namespace diurna {
 
@@ -68,6 +69,12 @@ void add_window(const Window& window, const FrameSpan& span, std::vector<Instant
     }
 }
 
+std::string outside(const std::string& text, const FrameSpan& span) {
+    return fmt::format("{} lies outside {}, {} to {}", text, span.said,
+                       format_local(span.begin, span.utc_offset),
+                       format_local(span.end, span.utc_offset));
+}
+
 /// The instant or the window that a text says.
 void add_text(const Section& section, const std::string& text, const FrameSpan& span,
               std::vector<Instant>& frames) {
@@ -75,7 +82,7 @@ void add_text(const Section& section, const std::string& text, const FrameSpan& 
         const std::size_t before = frames.size();
         add_window(*window, span, frames);
         if (frames.size() == before) {
-            section.mistake("frames", fmt::format("{} lies outside the span", text));
+            section.mistake("frames", outside(text, span));
         }
         return;
     }
@@ -89,7 +96,7 @@ void add_text(const Section& section, const std::string& text, const FrameSpan& 
         return;
     }
     if (frames.back() < span.begin || frames.back() > span.end) {
-        section.mistake("frames", fmt::format("{} lies outside the span", text));
+        section.mistake("frames", outside(text, span));
     }
 }
 

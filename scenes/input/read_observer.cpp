@@ -4,90 +4,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <numbers>
 #include <utility>
 
 #include "materials/base/units.hpp"
 #include "scenes/input/checked_names.hpp"
+#include "scenes/input/object_names.hpp"
 #include "scenes/input/read_frames.hpp"
+#include "scenes/input/read_projection.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// The field of view from a focal plane behind a lens.
-double read_lens(const Section& section, ObserverInput& observer) {
-    const double focal_length = section.number(
-        "focal_length_mm", "with pixel_pitch_um, of a pinhole: in place of horizontal_fov_deg",
-        {0.1, 1e5});
-    const double pitch =
-        section.number("pixel_pitch_um", "with focal_length_mm: of its pixels", {0.1, 1e4});
-    observer.pixel_pitch_um = pitch;
-    const double fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
-    if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
-        section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
-    } else if (!(fov_deg <= 150.0)) {
-        section.mistake(
-            "focal_length_mm",
-            fmt::format("makes a field of view of {:.1f} degrees, expected at most 150", fov_deg));
-    }
-    return fov_deg;
-}
-
-/// No pixel may look round the back of the sphere, where things are seen again.
-void check_sphere(const Section& section, const ObserverInput& observer) {
-    const double half = radians(0.5 * observer.horizontal_fov_deg);
-    const double width = observer.width, height = observer.height;
-    const char* key = section.has("height") ? "height" : "horizontal_fov_deg";
-    if (observer.projection == Projection::panorama) {
-        const double most = degrees(2.0 * half * height / width);
-        if (most <= 180.0 + 1e-9) return;
-        section.mistake(key,
-                        fmt::format("rows of the panorama reach over {:.0f} degrees, expected at "
-                                    "most 180",
-                                    most),
-                        fmt::format("height = {:.0f} is pole to pole at this width",
-                                    std::floor(1e-6 + width * 90.0 / degrees(half))));
-        return;
-    }
-    const bool even = observer.projection == Projection::equidistant;
-    if (!even && observer.projection != Projection::equisolid) return;
-    const double to_corner = std::hypot(1.0, height / width);
-    const double law = even ? half * to_corner : std::sin(0.5 * half) * to_corner;
-    if (law <= (even ? std::numbers::pi : 1.0) + 1e-9) return;
-    section.mistake(
-        key,
-        "pixels in the corners of the fisheye's picture look round its back, "
-        "expected at most 180 degrees off its axis",
-        fmt::format("horizontal_fov_deg = {:.0f} is the whole sphere of this picture",
-                    std::floor(1e-6 + degrees(even ? 2.0 * std::numbers::pi / to_corner
-                                                   : 4.0 * std::asin(1.0 / to_corner)))));
-}
-
-/// A field of view, or the width of a picture of parallel rays.
-void read_projection(const Section& section, ObserverInput& observer) {
-    observer.projection =
-        section.choice_or("projection", "how directions lie on the picture", Projection::pinhole,
-                          {{"pinhole", Projection::pinhole},
-                           {"equidistant", Projection::equidistant},
-                           {"equisolid", Projection::equisolid},
-                           {"panorama", Projection::panorama},
-                           {"orthographic", Projection::orthographic}});
-    if (observer.projection == Projection::orthographic) {
-        observer.picture_width =
-            section.number("picture_width_m", "that the picture is wide", {0.01, 2e5});
-    } else if (section.has("focal_length_mm")) {
-        observer.horizontal_fov_deg = read_lens(section, observer);
-    } else {
-        const bool pinhole = observer.projection == Projection::pinhole;
-        observer.horizontal_fov_deg = section.number_or(
-            "horizontal_fov_deg", "that the picture is wide; of a pinhole 20, at most 150",
-            pinhole ? 20.0 : 180.0, {0.01, pinhole ? 150.0 : 360.0});
-        check_sphere(section, observer);
-    }
-}
 
 /// Whether its pictures' time tells anything: it goes, or something does.
 bool sees_motion(const ObserverInput& observer, const TerrainInput& terrain) {
@@ -104,6 +32,8 @@ void read_motion(const Section& section, const TerrainInput& terrain, ObserverIn
         observer.velocity = {velocity[0], velocity[1], velocity[2]};
         if (!(observer.velocity.cwiseAbs().maxCoeff() <= 1e4)) {
             section.mistake("velocity_m_s", "faster than 10000 m/s");
+        } else if (observer.velocity.isZero() && !section.amiss()) {
+            section.mistake("velocity_m_s", "is zero, expected a camera that moves or no such key");
         }
     }
     observer.row_time = section.number_or(
@@ -134,7 +64,7 @@ void read_motion(const Section& section, const TerrainInput& terrain, ObserverIn
 /// On an object, which goes or stands.
 void read_ride(const Section& section, const TerrainInput& terrain, ObserverInput& observer) {
     Names known{.what = "object", .known = {}, .where = " in [[object]]"};
-    for (const ObjectInput& object : terrain.objects) known.known.push_back(object.name);
+    add_objects(known, terrain);
     observer.on = section.name(
         "on", "object that its eye rides on, in place of place_m and height_above_ground_m", known);
     const std::vector<double> at = section.numbers(
@@ -190,6 +120,7 @@ void read_pointing(const Section& section, const ObserverReading& reading,
     int ways = 0;
     for (const char* key : {"look_at_m", "look_at", "mount_deg"}) ways += section.has(key);
     if (ways > 1 || (ways == 1 && section.has("azimuth_deg"))) {
+        for (const char* key : {"azimuth_deg", "elevation_deg"}) section.has(key);
         section.mistake("",
                         "is pointed in more than one way, expected one of look_at_m, look_at, "
                         "mount_deg, and azimuth_deg with elevation_deg");
@@ -233,7 +164,9 @@ void read_own_frames(const Section& section, const ObserverReading& reading,
                    .every_said = "the pictures of [time]",
                    .site = reading.site};
     const TrajectoryInput* way = find_trajectory(reading.trajectories, observer.trajectory);
-    if (way != nullptr && observer.on.empty()) {  // what it rides on is there before and after
+    if (way != nullptr && way->sound && observer.on.empty()) {
+        // What it rides on is there before and after.
+        span.said = fmt::format("the way \"{}\" in the span of [time]", way->name);
         span.begin = std::max(span.begin, way->begin());
         span.end = std::min(span.end, way->end());
         if (span.end < span.begin) {
@@ -250,7 +183,7 @@ void read_own_frames(const Section& section, const ObserverReading& reading,
     std::copy_if(reading.time.frames.begin(), reading.time.frames.end(),
                  std::back_inserter(observer.frames),
                  [&](Instant when) { return when >= span.begin && when <= span.end; });
-    if (observer.frames.empty()) {
+    if (observer.frames.empty() && way != nullptr && way->sound) {
         section.mistake("trajectory",
                         "is gone while none of the pictures of [time] is taken, expected "
                         "frame_every_s or frames beside it");
@@ -359,9 +292,10 @@ ObserverInput read_observer(const Section& section, const ObserverReading& readi
     read_bands_and_cubes(section, reading.bands, reading.cubes, observer);
     read_own_frames(section, reading, observer);
     for (const char* key : {"around", "on", "trajectory", "place_m"}) {
-        if (!section.has(key)) continue;
-        observer.where = section.where(key);
-        break;
+        if (section.has(key) && observer.where.empty()) observer.where = section.where(key);
+    }
+    for (const char* key : {"look_at", "look_at_m"}) {
+        if (section.has(key)) observer.look_where = section.where(key);
     }
     return observer;
 }

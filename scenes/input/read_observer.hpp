@@ -45,7 +45,7 @@ struct ObserverInput {
     int surfaces = 0;                         // of each pixel that have planes of their own
     std::vector<Instant> frames;              // its own, or the scene's
     std::string frames_note{};                // days that have none
-    std::string where;                        // in the scene file: of where its eye is
+    std::string where, look_where;  // in the scene file: of where its eye is, what it sees
 
     bool goes() const { return !trajectory.empty(); }
 };

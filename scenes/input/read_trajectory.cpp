@@ -54,15 +54,23 @@ void read_waypoints(const Section& section, TrajectoryInput& input) {
     } else {
         input.way.seconds =
             section.numbers("times_s", "of the waypoints, from `start` on; or speed_m_s");
-        if (input.way.seconds.size() != count) {
+        if (input.way.seconds.size() != count && !section.amiss()) {
             section.mistake("times_s", fmt::format("has {} numbers for {} waypoints",
                                                    input.way.seconds.size(), count));
         }
     }
     for (std::size_t i = 1; i < input.way.seconds.size(); ++i) {
         if (!(input.way.seconds[i] <= input.way.seconds[i - 1])) continue;
-        section.mistake(section.has("speed_m_s") ? "waypoints_m" : "times_s",
-                        fmt::format("number {} is not later than number {}", i + 1, i));
+        if (section.has("speed_m_s")) {
+            section.mistake("waypoints_m",
+                            fmt::format("number {} is where number {} is, expected another place "
+                                        "of one that goes at a speed",
+                                        i + 1, i),
+                            "with times_s in place of speed_m_s it rests there");
+        } else {
+            section.mistake("times_s",
+                            fmt::format("number {} is not later than number {}", i + 1, i));
+        }
         break;
     }
 }
@@ -138,6 +146,7 @@ TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
     if (input.heights == Heights::ellipsoid && !input.geodetic) {
         section.mistake("heights", "\"ellipsoid\" is for files of latitudes and longitudes");
     }
+    input.sound = !section.amiss();
     return input;
 }
 

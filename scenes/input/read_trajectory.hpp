@@ -22,6 +22,7 @@ struct TrajectoryInput {
     Instant start;
     std::filesystem::path file;  // "": the scene's own
     std::string where;           // in the scene file
+    bool sound = true;           // else another way stands for one that has a mistake
 
     Instant begin() const { return later(start, way.begin()); }
     Instant end() const { return later(start, way.end()); }

@@ -10,6 +10,7 @@
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "scenes/input/index_reach.hpp"
+#include "scenes/input/object_names.hpp"
 #include "thermal/weather/sky_section.hpp"
 #include "thermal/weather_file/weather_section.hpp"
 
@@ -141,7 +142,7 @@ Scene read_scene(const Document& document) {
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading);
     reading.object_names.erase("ground");  // it has no middle to look at
-    const ObserverReading seen_by{
+    ObserverReading seen_by{
         .bands = scene.bands,
         .cubes = scene.cubes,
         .terrain = scene.terrain,
@@ -150,6 +151,7 @@ Scene read_scene(const Document& document) {
         .site = scene.site,
         .objects = {.what = "object",
                     .known = {reading.object_names.begin(), reading.object_names.end()}}};
+    add_objects(seen_by.objects, scene.terrain);
     for (const Section& observer : root.sections("observer", "a camera; at least one")) {
         ObserverInput input = read_observer(observer, seen_by);
         const bool twice = std::any_of(scene.observers.begin(), scene.observers.end(),

@@ -51,9 +51,7 @@ class Target {
  public:
     Target(const ObserverInput& input, const Scene& scene, const Dem& dem, const World& world) {
         if (input.look_at) {
-            const std::string where =
-                fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
-            at_ = ground_point(dem, world.site, *input.look_at, where);
+            at_ = ground_point(dem, world.site, *input.look_at, input.look_where);
         } else if (!input.look_at_object.empty()) {
             at_ = middle_of(world, input.look_at_object,
                             heading_of(scene.terrain, input.look_at_object));
@@ -76,12 +74,20 @@ class Target {
     std::optional<ObjectCourse> course_;
 };
 
+/// looking_at() with the place of the mistake in the scene file.
+Observer pointed_at(const ObserverInput& input, const Observer& from, const Eigen::Vector3d& at) {
+    if (from.position == at) {
+        throw InputError(input.look_where, "is where its eye is, expected another place");
+    }
+    return looking_at(from, at);
+}
+
 /// The camera on a body at an instant, as it is mounted, or turned to what it looks at.
 Observer pointed(const ObserverInput& input, const PoseOnWay& body, const Target& target,
                  Instant when) {
     Observer observer = camera_of(input);
     observer.position = body.place;
-    if (const auto looked_at = target.at(when)) return looking_at(observer, *looked_at);
+    if (const auto looked_at = target.at(when)) return pointed_at(input, observer, *looked_at);
     if (!input.mount) return observer;
     const Eigen::Vector3d& angle = *input.mount;
     return turned_to(observer, body.attitude * attitude(angle.x(), angle.y(), angle.z()));
@@ -154,17 +160,16 @@ Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& 
         sequence.pose = poses_on_way(input, way, target);
         return sequence;
     }
-    const std::string where = fmt::format("{}: observer \"{}\"", scene.file.string(), input.name);
     Observer observer = camera_of(input);
     if (input.around) {
         sequence.pose = {placed_around(observer, *input.around, world)};
         return sequence;
     }
-    observer.position = ground_point(dem, world.site, input.place, where) +
+    observer.position = ground_point(dem, world.site, input.place, input.where) +
                         Eigen::Vector3d(0.0, 0.0, input.height_above_ground);
     if (!target.goes()) {
         const auto at = target.at({});
-        sequence.pose = {at ? looking_at(observer, *at) : observer};
+        sequence.pose = {at ? pointed_at(input, observer, *at) : observer};
         return sequence;
     }
     const PoseOnWay stand{observer.position, Eigen::Quaterniond::Identity()};

@@ -74,6 +74,17 @@ std::vector<Eigen::Vector2d> shadow_places(const ObjectInput& input, const Scene
     return places;
 }
 
+/// Of an object beyond the raster: only one that flies, its heights not those above the ground, may
+/// be there.
+void refuse_beyond(const ObjectInput& object, const Eigen::Vector2d& place, const Scene& scene) {
+    const TrajectoryInput* way = find_trajectory(scene.trajectories, object.trajectory);
+    if (way != nullptr && way->heights != TrajectoryInput::Heights::ground) return;
+    throw InputError(
+        way != nullptr ? way->where : object.where,
+        fmt::format("\"{}\" {} east {:g} m, north {:g} m, outside the elevation data", object.name,
+                    way != nullptr ? "goes to" : "stands at", place.x(), place.y()));
+}
+
 /// Round objects, for their shadows. Throws InputError for one outside the raster.
 std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Site& site) {
     const std::span<const ObjectInput> objects = scene.terrain.objects;
@@ -88,7 +99,11 @@ std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Si
         std::vector<GroundPatch> patches;
         if (object.copy_of.empty()) {
             for (const Eigen::Vector2d& place : shadow_places(object, scene, site)) {
-                patches.push_back(ground_patch(object, place));
+                if (lies_on(dem, raster_places(dem, site, {&place, 1}))) {
+                    patches.push_back(ground_patch(object, place));
+                } else {
+                    refuse_beyond(object, place, scene);
+                }
             }
         } else {
             for (const ObjectInput& copy : objects.subspan(k, end - k)) {

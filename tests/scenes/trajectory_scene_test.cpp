@@ -215,7 +215,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
                Contains("frame_every_s or frames"));
     CHECK_THAT(
         told(with(aimed, "frame_every_s = 10.0", "frames = [\"2026-07-15T14:00:00-04:00\"]")),
-        Contains("outside the span"));
+        Contains("outside the way \"approach\" in the span"));
     CHECK_THAT(told(with(aimed, "2026-07-15T12:05", "2026-08-15T12:05")),
                Contains("outside the span of [time]"));
     CHECK_THAT(told(with(aimed, "heights = \"sea\"", "heights = \"sea\"\ncurve = \"smooth\"")),
@@ -247,7 +247,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     const std::string resting =
         with(with(aimed, "[0.0, 0.0, 500.0]]", "[-2000.0, -2000.0, 900.0]]"),
              "times_s = [0.0, 40.0]", "speed_m_s = 50.0");
-    CHECK_THAT(told(resting), Contains("waypoints_m") && Contains("not later"));
+    CHECK_THAT(told(resting), Contains("waypoints_m") && Contains("another place"));
     CHECK(lines(told(resting)) == 1);
     const std::string beside =
         with(log, "file = \"way.csv\"", "file = \"way.csv\"\nspeed_m_s = 5.0");
@@ -260,4 +260,33 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
                     "time_s,east_m,north_m,height_m,qw,qx,qy,qz\n0,0,0,900,1,0,0,0\n"
                     "9,0,0,900,2,0,0,0\n"),
                Contains("way.csv:3:5") && Contains("length 2"));
+    // What follows from a mistake is none: a way that is wrong, and pictures within it.
+    const std::string two =
+        with(aimed, "frame_every_s = 10.0", "frames = [\"2026-07-15T12:05:10-04:00\"]");
+    for (const std::string& wrong :
+         {with(two, "[0.0, 40.0]", "[40.0, 0.0]"), with(two, "[0.0, 40.0]", "[0.0, nan]"),
+          with(two, "[0.0, 40.0]", "[0.0]"), with(two, "12:05:00-04:00", "12:05:00"),
+          with(two, "frames = [\"2026-07-15T12:05:10-04:00\"]",
+               "frames_at_sun = { elevation_deg = 10.0, azimuth_deg = 90.0 }")}) {
+        CAPTURE(told(wrong));
+        CHECK(lines(told(wrong)) == 1);
+    }
+    // A picture outside a way says whose.
+    CHECK_THAT(told(with(two, "12:05:10", "13:05:10")),
+               Contains("outside the way \"approach\"") && Contains("12:05:40"));
+    // Where the mistake stands.
+    const std::string still =
+        "[[observer]]\nname = \"still\"\nplace_m = [0.0, 0.0]\n"
+        "height_above_ground_m = 40.0\n" +
+        camera;
+    CHECK_THAT(told(still + "look_at_m = [0.0, 9e5]\n"),
+               Contains("observer[0].look_at_m: ") && Contains("lies outside"));
+    CHECK_THAT(told(with(still, "[0.0, 0.0]", "[0.0, 9e5]") + "look_at_m = [0.0, 0.0]\n"),
+               Contains("observer[0].place_m: ") && Contains("lies outside"));
+    CHECK_THAT(told(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
+               Contains("velocity_m_s: is zero"));
+    CHECK_THAT(told(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n"),
+               Contains("more than one way"));
+    CHECK(lines(told(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n")) ==
+          1);
 }

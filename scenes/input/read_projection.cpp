@@ -1,0 +1,100 @@
+#include "scenes/input/read_projection.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// The field of view from a focal plane behind a lens.
+double read_lens(const Section& section, ObserverInput& observer) {
+    const double focal_length = section.number(
+        "focal_length_mm", "with pixel_pitch_um, of a pinhole: in place of horizontal_fov_deg",
+        {0.1, 1e5});
+    const double pitch =
+        section.number("pixel_pitch_um", "with focal_length_mm: of its pixels", {0.1, 1e4});
+    observer.pixel_pitch_um = pitch;
+    const double fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
+    if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
+        section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
+    } else if (!(fov_deg <= 150.0)) {
+        section.mistake(
+            "focal_length_mm",
+            fmt::format("makes a field of view of {:.1f} degrees, expected at most 150", fov_deg));
+    }
+    return fov_deg;
+}
+
+/// No pixel may look round the back of the sphere, where things are seen again.
+void check_sphere(const Section& section, const ObserverInput& observer) {
+    const double half = radians(0.5 * observer.horizontal_fov_deg);
+    const double width = observer.width, height = observer.height;
+    const char* key = section.has("height") ? "height" : "horizontal_fov_deg";
+    if (observer.projection == Projection::panorama) {
+        const double most = degrees(2.0 * half * height / width);
+        if (most <= 180.0 + 1e-9) return;
+        section.mistake(key,
+                        fmt::format("rows of the panorama reach over {:.0f} degrees, expected at "
+                                    "most 180",
+                                    most),
+                        fmt::format("height = {:.0f} is pole to pole at this width",
+                                    std::floor(1e-6 + width * 90.0 / degrees(half))));
+        return;
+    }
+    const bool even = observer.projection == Projection::equidistant;
+    if (!even && observer.projection != Projection::equisolid) return;
+    const double to_corner = std::hypot(1.0, height / width);
+    const double law = even ? half * to_corner : std::sin(0.5 * half) * to_corner;
+    if (law <= (even ? std::numbers::pi : 1.0) + 1e-9) return;
+    section.mistake(
+        key,
+        "pixels in the corners of the fisheye's picture look round its back, "
+        "expected at most 180 degrees off its axis",
+        fmt::format("horizontal_fov_deg = {:.0f} is the whole sphere of this picture",
+                    std::floor(1e-6 + degrees(even ? 2.0 * std::numbers::pi / to_corner
+                                                   : 4.0 * std::asin(1.0 / to_corner)))));
+}
+
+}  // namespace
+
+void read_projection(const Section& section, ObserverInput& observer) {
+    observer.projection =
+        section.choice_or("projection", "how directions lie on the picture", Projection::pinhole,
+                          {{"pinhole", Projection::pinhole},
+                           {"equidistant", Projection::equidistant},
+                           {"equisolid", Projection::equisolid},
+                           {"panorama", Projection::panorama},
+                           {"orthographic", Projection::orthographic}});
+    if (observer.projection == Projection::orthographic) {
+        observer.picture_width =
+            section.number("picture_width_m", "that the picture is wide", {0.01, 2e5});
+        for (const char* key : {"horizontal_fov_deg", "focal_length_mm", "pixel_pitch_um"}) {
+            if (section.has(key)) {
+                section.mistake(key,
+                                "is not of an orthographic picture, whose rays are parallel: "
+                                "picture_width_m says how wide it is");
+            }
+        }
+        return;
+    }
+    if (section.has("picture_width_m")) {
+        section.mistake("picture_width_m",
+                        "is of orthographic pictures, expected horizontal_fov_deg of this one");
+    }
+    if (section.has("focal_length_mm")) {
+        observer.horizontal_fov_deg = read_lens(section, observer);
+    } else {
+        const bool pinhole = observer.projection == Projection::pinhole;
+        observer.horizontal_fov_deg = section.number_or(
+            "horizontal_fov_deg", "that the picture is wide; of a pinhole 20, at most 150",
+            pinhole ? 20.0 : 180.0, {0.01, pinhole ? 150.0 : 360.0});
+        check_sphere(section, observer);
+    }
+}
+
+}  // namespace diurna

@@ -19,6 +19,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/variants.hpp"
@@ -411,6 +412,27 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
                    "[[sweep.axis]]\nkeys = [\"scene.seed\", \"time.step_s\"]\nvalues = "
                    "[[1, 600.0], [2]]\n")
               .find("an array of 2 values") != std::string::npos);
+}
+
+// What only the world knows: whether an eye is somewhere.
+TEST_CASE("eyes of every value are placed before anything is run", "[scenes][sweep]") {
+    const ScratchFolder folder("eyes");
+    const Sweep sweep = read(folder, swept("[[sweep.axis]]\nkey = \"observer.east.place_m\"\n"
+                                           "values = [[0.0, 0.0], [9e5, 0.0]]\n"));
+    std::size_t tried = 0;
+    try {
+        for_each_value(sweep, [&](Scene scene) {
+            ++tried;
+            prepare(std::move(scene));
+        });
+        FAIL("an eye 900 km away was taken");
+    } catch (const InputError& error) {
+        REQUIRE(error.mistakes().size() == 1);
+        const std::string where = error.mistakes().front().where;
+        CAPTURE(where);
+        CHECK(where.find(":23: observer[0].place_m") != std::string::npos);  // of the second
+    }
+    CHECK(tried == 2);
 }
 
 // Sections of one case, so that the sweep is run once.

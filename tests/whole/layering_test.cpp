@@ -39,7 +39,8 @@ const std::map<std::string, std::vector<std::string>> rooms = {
      {"weather", "weather_file", "column", "surface", "kernels", "steppers", "network", "point",
       "covered_facets", "heat_flux_field", "netcdf_output", "temperature_names",
       "temperature_field", "temperature_reader", "solve"}},
-    {"render", {"picture", "instrument", "view", "light", "path", "eye", "rays", "tracer"}},
+    {"render",
+     {"picture", "instrument", "detection", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes", {"input", "keys", "world", "plan", "labels", "report", "run", "sweep", "commands"}},
 };
 

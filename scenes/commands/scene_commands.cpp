@@ -13,8 +13,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "materials/base/parallel.hpp"
-#include "scenes/input/scene_file.hpp"
+#include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/frames.hpp"
@@ -30,36 +29,6 @@
 namespace diurna {
 
 namespace {
-
-/// Options that verbs working on a scene share.
-struct SceneArguments {
-    std::filesystem::path scene;
-    std::vector<std::string> settings;
-    std::string progress;
-    int threads = 0;
-
-    Scene read() const {
-        set_thread_count(threads);
-        return read_scene(scene, settings);
-    }
-    ProgressStyle style() const {
-        if (progress == "json") return ProgressStyle::json;
-        if (progress == "none") return ProgressStyle::silent;
-        return default_progress_style();
-    }
-};
-
-/// The arguments of a verb, read into what is returned.
-std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
-    auto a = std::make_shared<SceneArguments>();
-    verb.add_option("SCENE", a->scene, "scene file (TOML)")->required();
-    verb.add_option("--set", a->settings, "key.path=value in place of what the file says");
-    verb.add_option("--threads", a->threads, "worker threads; 0: one per core")
-        ->check(CLI::Range(0, 1024));
-    verb.add_option("--progress", a->progress, "json, none or auto")
-        ->check(CLI::IsMember({"json", "none", "auto"}));
-    return a;
-}
 
 /// Results that have not converged are kept, but the program fails.
 void check_converged(const std::string& not_converged) {

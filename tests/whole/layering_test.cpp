@@ -41,7 +41,8 @@ const std::map<std::string, std::vector<std::string>> rooms = {
       "temperature_field", "temperature_reader", "solve"}},
     {"render",
      {"picture", "instrument", "detection", "view", "light", "path", "eye", "rays", "tracer"}},
-    {"scenes", {"input", "keys", "world", "plan", "labels", "report", "run", "sweep", "commands"}},
+    {"scenes",
+     {"input", "keys", "world", "plan", "labels", "report", "run", "sweep", "studies", "commands"}},
 };
 
 // Units that still include each other, directly or around. To become empty.
@@ -84,14 +85,17 @@ const std::map<std::string, std::set<std::string>> homes = {
      {"scenes/labels/attribute_json.hpp", "scenes/labels/coco.cpp", "scenes/keys/keys_schema.cpp",
       "scenes/run/manifest.cpp", "scenes/run/ledger.cpp", "scenes/run/listed_outputs.cpp",
       "scenes/sweep/records.cpp", "scenes/sweep/merged_labels.cpp",
+      "scenes/studies/detection_files.cpp", "scenes/studies/signature_files.cpp",
       "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp"}},
     {"CLI/",
      {"scenes/commands/main.cpp", "scenes/commands/column_command.cpp",
       "scenes/commands/doctor_command.cpp", "scenes/commands/keys_command.cpp",
       "scenes/commands/materials_command.cpp", "scenes/commands/model_command.cpp",
       "scenes/commands/movie_command.cpp", "scenes/commands/path_command.cpp",
-      "scenes/commands/raster_commands.cpp", "scenes/commands/scene_commands.cpp",
-      "scenes/commands/sun_command.cpp", "scenes/commands/verify_command.cpp"}},
+      "scenes/commands/raster_commands.cpp", "scenes/commands/scene_arguments.cpp",
+      "scenes/commands/scene_commands.cpp", "scenes/commands/detection_command.cpp",
+      "scenes/commands/signature_command.cpp", "scenes/commands/sun_command.cpp",
+      "scenes/commands/verify_command.cpp"}},
 };
 
 struct Include {

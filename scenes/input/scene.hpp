@@ -10,11 +10,13 @@
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
+#include "scenes/input/read_detection.hpp"
 #include "scenes/input/read_instrument.hpp"
 #include "scenes/input/read_labels.hpp"
 #include "scenes/input/read_observer.hpp"
 #include "scenes/input/read_output.hpp"
 #include "scenes/input/read_plumes.hpp"
+#include "scenes/input/read_signature.hpp"
 #include "scenes/input/read_sweep.hpp"
 #include "scenes/input/read_terrain.hpp"
 #include "scenes/input/read_textures.hpp"
@@ -57,6 +59,8 @@ struct Scene {
     std::vector<TrajectoryInput> trajectories;
     std::vector<ObserverInput> observers;
     std::vector<InstrumentInput> instruments;
+    std::vector<SignatureInput> signatures;
+    std::vector<DetectionInput> detections;
     SweepInput sweep;
     double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground

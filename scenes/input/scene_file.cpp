@@ -165,6 +165,9 @@ Scene read_scene(const Document& document) {
         root.mistake("observer", "missing, expected at least one table [[observer]]");
     }
     scene.instruments = read_instruments(root, scene.seed, scene.observers, scene.bands);
+    scene.signatures = read_signatures(root, scene.terrain, scene.bands, scene.time, scene.site);
+    scene.detections = read_detections(root, scene.terrain, scene.instruments, scene.bands,
+                                       scene.observers, scene.time, scene.site);
     scene.sweep = read_sweep(
         root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
     scene.texture_uses = std::move(reading.texture_uses);

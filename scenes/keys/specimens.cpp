@@ -135,6 +135,20 @@ preset = "uncooled_lwir"
 electronics = { display = "plateau" }
 [[instrument]]
 electronics = { display = "manual" }
+[[signature]]
+range_m = 500.0
+[[signature]]
+frame_every_s = 3600.0
+[[signature]]
+frames_at_sun = { azimuth_deg = 180.0 }
+[[signature]]
+frames_at_sun = { elevation_deg = 30.0 }
+[[detection]]
+frame_every_s = 3600.0
+[[detection]]
+frames_at_sun = { azimuth_deg = 180.0 }
+[[detection]]
+frames_at_sun = { elevation_deg = 30.0 }
 [sweep]
 draw = 1
 [[sweep.axis]]

@@ -261,3 +261,44 @@ TEST_CASE("a model as a file of its own", "[command_line]") {
     CHECK(unknown.code == 2);
     CHECK(unknown.out.find("did you mean 'truck'") != std::string::npos);
 }
+
+TEST_CASE("studies of an object write the same bytes on any number of threads", "[command_line]") {
+    const ScratchFolder folder("studies");
+    const fs::path scene = folder.path / "scene.toml";
+    write_text(scene, small_scene());
+    for (const char* verb : {"signature", "detection"}) {
+        const Ran without = diurna(std::string(verb) + " --progress none " + scene.string());
+        CHECK(without.code == 2);
+        CHECK(without.out.find("no table [[" + std::string(verb) + "]]") != std::string::npos);
+    }
+    write_text(scene, small_scene() + R"(
+[[signature]]
+object = "hangar"
+bands = ["3-5", "8-12"]
+directions = 42
+pixels = 48
+[instrument]
+preset = "cooled_mwir"
+band = "3-5"
+[[detection]]
+object = "hangar"
+)");
+    const std::string heat = (folder.path / "t.nc").string();
+    REQUIRE(diurna("solve --progress none " + scene.string() + " --out " + heat).code == 0);
+    for (const char* verb : {"signature", "detection"}) {
+        const auto ran_on = [&](int threads) {
+            const fs::path out = folder.path / fmt::format("{}{}", verb, threads);
+            const Ran ran =
+                diurna(fmt::format("{} --progress none --threads {} {} --temperatures "
+                                   "{} --out {}",
+                                   verb, threads, scene.string(), heat, out.string()));
+            CAPTURE(ran.out);
+            CHECK(ran.code == 0);
+            return contents(out);
+        };
+        const auto one = ran_on(1);
+        CHECK(one.size() == 3);
+        CHECK(one.count("hangar.csv") + one.count("hangar.json") + one.count("hangar.svg") == 3);
+        CHECK(one == ran_on(2));
+    }
+}

@@ -1,0 +1,92 @@
+#include "scenes/input/read_signature.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "materials/base/error.hpp"
+#include "scenes/input/read_frames.hpp"
+
+namespace diurna {
+
+StudiedObject read_studied(const Section& section, const TerrainInput& terrain,
+                           const TimeInput& time, const std::optional<Site>& site) {
+    Names known{.what = "object or building", .known = {}};
+    for (const ObjectInput& object : terrain.objects) known.known.push_back(object.name);
+    for (const Building& building : terrain.buildings) known.known.push_back(building.name);
+    StudiedObject studied{.object = section.name("object", "or building, that is studied", known),
+                          .frames = time.frames,
+                          .where = section.where()};
+    if (section.has("frames") || section.has("frame_every_s") || section.has("frames_at_sun")) {
+        const FrameSpan span{.begin = time.start,
+                             .end = time.end(),
+                             .utc_offset = time.utc_offset,
+                             .every = 3600.0,
+                             .every_said = "the pictures of [time]",
+                             .site = site};
+        studied.frames = read_frames(section, span).frame;
+    }
+    return studied;
+}
+
+std::string study_name(const Section& section, const StudiedObject& studied,
+                       std::vector<std::string>& names) {
+    const std::string name =
+        section.text_or("name", "of the study and its files", {studied.object, "its object"});
+    const bool fits = std::all_of(name.begin(), name.end(), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
+    });
+    if (!fits || name.starts_with('.')) {
+        section.mistake("name", "names files, expected letters, digits, '_', '-' and '.'");
+    } else if (!name.empty() && std::find(names.begin(), names.end(), name) != names.end()) {
+        section.mistake("name", fmt::format("a second one named \"{}\"", name));
+    }
+    names.push_back(name);
+    return name;
+}
+
+std::vector<SignatureInput> read_signatures(const Section& root, const TerrainInput& terrain,
+                                            const std::vector<BandInput>& bands,
+                                            const TimeInput& time,
+                                            const std::optional<Site>& site) {
+    std::vector<SignatureInput> found;
+    std::vector<std::string> names;
+    for (const Section& section : root.sections(
+             "signature", "how strongly an object shines in every direction: diurna signature")) {
+        SignatureInput input;
+        input.studied = read_studied(section, terrain, time, site);
+        input.name = study_name(section, input.studied, names);
+        input.bands =
+            section.texts_or("bands", "ranges in µm, words or names of [[bands]]; one at least",
+                             {std::vector<std::string>{}, "none"});
+        if (input.bands.empty()) section.mistake("bands", "missing, expected at least one band");
+        for (const std::string& band : input.bands) {
+            try {
+                named_band(bands, band);
+            } catch (const InputError& error) {
+                section.mistake("bands", error.mistakes().front().problem,
+                                error.mistakes().front().hint);
+            }
+        }
+        input.directions = section.integer_or(
+            "directions", "of the sphere, evenly: 42, 162 or 642; those above the level are seen",
+            input.directions, {42, 642});
+        if (input.directions != 42 && input.directions != 162 && input.directions != 642) {
+            section.mistake("directions", "expected 42, 162 or 642");
+        }
+        if (section.has("range_m")) {
+            input.range = section.number(
+                "range_m", "to its middle, through the air; else at the target, by parallel rays",
+                {1.0, 200000.0});
+        }
+        input.pixels = section.integer_or(
+            "pixels", "each way of its pictures, three times as wide as it is from its middle",
+            input.pixels, {16, 2048});
+        input.samples = section.integer_or("samples", "rays of a pixel", input.samples, {1, 4096});
+        found.push_back(std::move(input));
+    }
+    return found;
+}
+
+}  // namespace diurna

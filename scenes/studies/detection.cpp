@@ -1,0 +1,211 @@
+#include "scenes/studies/detection.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/detection/ranges.hpp"
+#include "render/detection/resolvable.hpp"
+#include "render/detection/task_metric.hpp"
+#include "scenes/world/air.hpp"
+#include "scenes/world/heights.hpp"
+#include "terrain/place/local_time.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double wider = 1.5;  // the picture's half-width over the radius of the target's sphere
+constexpr int close_pixels = 192, close_samples = 16;
+constexpr int steps = 60;             // of ranges, evenly by ratio
+constexpr double black_body = 300.0;  // [K]
+
+/// The air's transmittance in a band along a line through the target, over range.
+class AirOnLine {
+ public:
+    AirOnLine(const Atmosphere& air, const Band& band, double target_height, double elevation_deg,
+              std::array<double, 2> range) {
+        std::vector<double> weight(band.node_um.size());
+        double all = 0.0;
+        for (std::size_t i = 0; i < weight.size(); ++i) {
+            weight[i] = band.weight[i] * planck_derivative(band.node_um[i], black_body);
+            all += weight[i];
+        }
+        root_step_ = (std::cbrt(range[1])) / knots;
+        logs_.push_back(0.0);
+        for (int k = 1; k <= knots; ++k) {
+            const double r = std::pow(k * root_step_, 3.0);
+            const double rise = r * std::sin(radians(elevation_deg));
+            const SightLine line =
+                chord((target_height + rise) / 1000.0, target_height / 1000.0, r / 1000.0);
+            const PathSpectrum path = path_at_nodes(air, line, band.node_um);
+            double sum = 0.0;
+            for (std::size_t i = 0; i < weight.size(); ++i) {
+                sum += weight[i] * path.transmittance[i];
+            }
+            logs_.push_back(std::log(std::max(1e-300, sum / all)));
+        }
+    }
+    /// Its logarithm is straight over the cube root of range between 96 knots.
+    double operator()(double range) const {
+        const double place = std::min(std::cbrt(range) / root_step_, double(knots) - 1e-9);
+        const auto cell = static_cast<std::size_t>(place);
+        return std::exp(std::lerp(logs_[cell], logs_[cell + 1], place - double(cell)));
+    }
+
+ private:
+    static constexpr int knots = 96;
+    double root_step_ = 1.0;
+    std::vector<double> logs_;
+};
+
+/// The instrument's observer, turned to the target and near enough to fill the picture with it.
+Observer close_eye(const Observer& pose, const StudiedTarget& target) {
+    Observer eye;
+    eye.name = pose.name;
+    eye.position = pose.position;
+    eye.width = eye.height = close_pixels;
+    const double range = (target.box.middle - pose.position).norm();
+    eye.horizontal_fov_deg = degrees(2.0 * std::atan(wider * target.radius / range));
+    return looking_at(eye, target.box.middle);
+}
+
+SeenTarget seen_target(const StudiedTarget& target, const Observer& pose, const std::string& band,
+                       const DetectionInput& input, const TemperatureField& field, Instant when,
+                       double utc_offset) {
+    const Eigen::Vector3d way = pose.position - target.box.middle;
+    SeenTarget seen{.when = when, .range = way.norm()};
+    if (seen.range < 5.0 * target.radius) {
+        throw InputError(
+            input.studied.where,
+            fmt::format("the instrument's observer is {:.3g} m from it, expected at "
+                        "least five times the radius of the sphere around it, {:.3g} m",
+                        seen.range, target.radius));
+    }
+    seen.elevation_deg = degrees(std::asin(way.z() / seen.range));
+    const CloseUp picture =
+        close_up(target, close_eye(pose, target), {band}, close_samples, field, when);
+    const ObjectFigures figures = picture.figures("apparent_temperature." + band);
+    if (!figures.known()) {
+        throw InputError(input.studied.where,
+                         fmt::format("nothing is seen of \"{}\" by the instrument's observer at {}",
+                                     input.studied.object, format_local(when, utc_offset)));
+    }
+    const double side = 2.0 * wider * target.radius / close_pixels;
+    seen.area = figures.covered * side * side;
+    seen.least_width = figures.least_width * side;
+    seen.difference = figures.difference;
+    seen.contrast = figures.rss();
+    return seen;
+}
+
+}  // namespace
+
+std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionInput& input,
+                                         const TemperatureField& field, Progress& progress) {
+    const Prepared& prepared = stages.scene();
+    const Scene& scene = prepared.scene;
+    const InstrumentInput& instrument = scene.instruments[input.instrument];
+    std::size_t o = 0;
+    while (scene.observers[o].name != instrument.observer) ++o;
+    const ObserverInput& observer = scene.observers[o];
+    const Sequence& sequence = prepared.sequences[o];
+    const Band band = named_band(scene.bands, instrument.band, bin_edges_um());
+    const Imager imager =
+        imager_of(instrument.instrument, band,
+                  focal_length_of(observer, instrument.instrument.detector.pitch));
+    const SystemThreshold threshold = system_threshold(imager, input.viewing);
+    progress.stage("pictures of " + input.studied.object);
+    std::vector<DetectionCurve> curves(input.studied.frames.size());
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const Instant when = input.studied.frames[i];
+        std::size_t frame = 0;
+        if (sequence.goes) {
+            const auto at = std::find(sequence.frame.begin(), sequence.frame.end(), when);
+            if (at == sequence.frame.end()) {
+                throw InputError(
+                    input.studied.where,
+                    fmt::format("observer {} goes, and has no picture at {}", observer.name,
+                                format_local(when, scene.time.utc_offset)),
+                    "leave frames out: its own are taken");
+            }
+            frame = static_cast<std::size_t>(at - sequence.frame.begin());
+        }
+        const StudiedTarget target = studied_target(stages, input.studied, when);
+        DetectionCurve& curve = curves[i];
+        curve.target = seen_target(target, sequence.at(frame), instrument.band, input, field, when,
+                                   scene.time.utc_offset);
+        const Atmosphere air = atmosphere_at(scene, prepared.world, prepared.weather, when);
+        const double height = height_above_sea(prepared.world, target.box.middle);
+        const std::array<double, 2> reach{input.range[0],
+                                          std::max(input.range[1], curve.target.range)};
+        const AirOnLine on_line(air, band, height, curve.target.elevation_deg, reach);
+        curve.target.transmittance = on_line(curve.target.range);
+        const auto contrast = [&](double range) {
+            return curve.target.contrast * on_line(range) / curve.target.transmittance;
+        };
+        const double root = std::sqrt(curve.target.area);
+        const double across = input.across ? curve.target.least_width : root;
+        const auto cycles = [&](double range) {
+            return resolved_cycles(contrast(range), across, range, imager);
+        };
+        const auto metric = [&](double range) {
+            return task_metric(contrast(range), root, range, threshold, input.viewing);
+        };
+        for (int k = 0; k <= steps; ++k) {
+            const double range =
+                input.range[0] * std::pow(input.range[1] / input.range[0], double(k) / steps);
+            curve.range.push_back(range);
+            curve.transmittance.push_back(on_line(range));
+            curve.contrast.push_back(contrast(range));
+            for (std::size_t t = 0; t < 3; ++t) {
+                curve.johnson[t].push_back(johnson_probability(cycles(range), input.n50[t]));
+                curve.metric[t].push_back(ttp_probability(metric(range), input.v50[t]));
+            }
+        }
+        for (std::size_t t = 0; t < 3; ++t) {
+            for (const double p : input.probabilities) {
+                curve.johnson_range[t].push_back(farthest_range(
+                    cycles, input.n50[t] * johnson_ratio(p), input.range[0], input.range[1]));
+                curve.metric_range[t].push_back(farthest_range(metric, input.v50[t] * ttp_ratio(p),
+                                                               input.range[0], input.range[1]));
+            }
+        }
+        progress.done(double(i + 1) / double(curves.size()));
+    }
+    return curves;
+}
+
+std::vector<std::string> detection_notes(const Scene& scene, const DetectionInput& input) {
+    const InstrumentInput& instrument = scene.instruments[input.instrument];
+    std::vector<std::string> notes;
+    for (const ObserverInput& observer : scene.observers) {
+        if (observer.name != instrument.observer) continue;
+        const Band band = named_band(scene.bands, instrument.band);
+        const Imager imager =
+            imager_of(instrument.instrument, band,
+                      focal_length_of(observer, instrument.instrument.detector.pitch));
+        notes.push_back(fmt::format(
+            "{}: pixels of {:.4g} mrad, MTF {:.3f} at half their rate ({:.3g} cycles/mrad), beyond "
+            "which nothing counts; NETD {:.3g} mK before 300 K; {:g} frames a second",
+            instrument.instrument.name, imager.pixel, imager.mtf_right(imager.finest()),
+            imager.finest(), 1e3 * imager.netd, imager.frame_rate));
+    }
+    notes.push_back(fmt::format(
+        "display: {:g} cd/m2, magnified {:.3g} times, mean luminance for {:g} K of scene",
+        input.viewing.luminance, input.viewing.magnification, input.viewing.scene_contrast));
+    notes.emplace_back(
+        "temporal noise alone: what the fixed pattern's correction leaves, clutter and search are "
+        "left out; turbulence is that of the instrument's own range");
+    notes.emplace_back(
+        "no published example that gives all of its inputs was found: formulas are tested against "
+        "printed tables and closed forms, absolute ranges are not");
+    return notes;
+}
+
+}  // namespace diurna

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "render/detection/tasks.hpp"
+#include "scenes/input/read_detection.hpp"
+#include "scenes/studies/signature_scene.hpp"
+
+namespace diurna {
+
+/// What a target is to an instrument at an instant, as rendered from where its observer is.
+struct SeenTarget {
+    Instant when;
+    double range = 0.0;          // [m] from the eye to its middle
+    double elevation_deg = 0.0;  // of the eye above its level
+    double area = 0.0;           // [m²] seen of it, projected
+    double least_width = 0.0;    // [m] of the upright box around it in the picture
+    double difference = 0.0;     // [K] of apparent temperature: mean less the background's
+    double contrast = 0.0;       // [K] root sum square of that and of its spread
+    double transmittance = 0.0;  // of the air to it, weighted by Planck's slope at 300 K
+};
+
+/// Probabilities over range at an instant.
+struct DetectionCurve {
+    SeenTarget target;
+    std::vector<double> range;                           // [m]
+    std::vector<double> transmittance;                   // (range)
+    std::vector<double> contrast;                        // (range) [K] at the eye
+    std::array<std::vector<double>, 3> johnson, metric;  // (task)(range) probabilities
+    /// (task)(probability): ranges [m]; 0: not even at the least asked of.
+    std::array<std::vector<double>, 3> johnson_range, metric_range;
+};
+
+/// The contrast is that of the picture taken to other ranges on the same line: times the air's
+/// transmittance there over that here (air at the temperature of the background: Ratches and others
+/// 1975). Aspect and background stay. Throws InputError for a target of which nothing is seen.
+std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionInput& input,
+                                         const TemperatureField& field, Progress& progress);
+
+/// What was assumed, and what an instrument is to the formulas, a line each.
+std::vector<std::string> detection_notes(const Scene& scene, const DetectionInput& input);
+
+}  // namespace diurna

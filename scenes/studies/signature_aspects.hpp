@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace diurna {
+
+/// Directions spread evenly over the sphere: the corners of an icosahedron, its edges halved until
+/// there are so many: 12, 42, 162, 642, ...; unit vectors, one of them upward. In a fixed order.
+///
+/// Each of 42 or more stands for 4π over their number within 12 % of solid angle.
+std::vector<Eigen::Vector3d> even_directions(int count);
+
+}  // namespace diurna

@@ -14,6 +14,7 @@ struct Task {
                            // vehicles, side and front in thermal contrast
 };
 
+/// The numbers are those in common use under these names, not checked against the originals:
 /// Johnson, "Analysis of image forming systems" (1958): 1.0, 4.0 and (as for identification in
 /// the two-sided average of vehicles) 8.0 cycles across the least dimension. ACQUIRE (NVESD 1995):
 /// 0.75, 3.0, 6.0 over √area. NVThermIP User's Manual (NVESD, 2006) and Vollmerhausen & Jacobs,

@@ -286,7 +286,11 @@ ObserverInput read_observer(const Section& section, const ObserverReading& readi
         section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
     observer.width = section.integer_or("width", "pixels", 640, {1, 16384});
     observer.height = section.integer_or("height", "pixels", 512, {1, 16384});
-    read_projection(section, observer);
+    const PictureAngles angles = read_projection(section, observer.width, observer.height);
+    observer.projection = angles.projection;
+    observer.horizontal_fov_deg = angles.horizontal_fov_deg;
+    observer.picture_width = angles.picture_width;
+    observer.pixel_pitch_um = angles.pixel_pitch_um;
     read_motion(section, reading.terrain, observer);
     read_sampling(section, observer);
     read_bands_and_cubes(section, reading.bands, reading.cubes, observer);

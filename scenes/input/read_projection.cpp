@@ -12,15 +12,15 @@ namespace diurna {
 namespace {
 
 /// The field of view from a focal plane behind a lens.
-double read_lens(const Section& section, ObserverInput& observer) {
+double read_lens(const Section& section, int width, PictureAngles& angles) {
     const double focal_length = section.number(
         "focal_length_mm", "with pixel_pitch_um, of a pinhole: in place of horizontal_fov_deg",
         {0.1, 1e5});
     const double pitch =
         section.number("pixel_pitch_um", "with focal_length_mm: of its pixels", {0.1, 1e4});
-    observer.pixel_pitch_um = pitch;
-    const double fov_deg = field_of_view_deg(observer.width, pitch, focal_length);
-    if (observer.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
+    angles.pixel_pitch_um = pitch;
+    const double fov_deg = field_of_view_deg(width, pitch, focal_length);
+    if (angles.projection != Projection::pinhole || section.has("horizontal_fov_deg")) {
         section.mistake("focal_length_mm", "is for pinhole cameras without horizontal_fov_deg");
     } else if (!(fov_deg <= 150.0)) {
         section.mistake(
@@ -31,11 +31,11 @@ double read_lens(const Section& section, ObserverInput& observer) {
 }
 
 /// No pixel may look round the back of the sphere, where things are seen again.
-void check_sphere(const Section& section, const ObserverInput& observer) {
-    const double half = radians(0.5 * observer.horizontal_fov_deg);
-    const double width = observer.width, height = observer.height;
+void check_sphere(const Section& section, const PictureAngles& angles, double width,
+                  double height) {
+    const double half = radians(0.5 * angles.horizontal_fov_deg);
     const char* key = section.has("height") ? "height" : "horizontal_fov_deg";
-    if (observer.projection == Projection::panorama) {
+    if (angles.projection == Projection::panorama) {
         const double most = degrees(2.0 * half * height / width);
         if (most <= 180.0 + 1e-9) return;
         section.mistake(key,
@@ -46,8 +46,8 @@ void check_sphere(const Section& section, const ObserverInput& observer) {
                                     std::floor(1e-6 + width * 90.0 / degrees(half))));
         return;
     }
-    const bool even = observer.projection == Projection::equidistant;
-    if (!even && observer.projection != Projection::equisolid) return;
+    const bool even = angles.projection == Projection::equidistant;
+    if (!even && angles.projection != Projection::equisolid) return;
     const double to_corner = std::hypot(1.0, height / width);
     const double law = even ? half * to_corner : std::sin(0.5 * half) * to_corner;
     if (law <= (even ? std::numbers::pi : 1.0) + 1e-9) return;
@@ -62,16 +62,17 @@ void check_sphere(const Section& section, const ObserverInput& observer) {
 
 }  // namespace
 
-void read_projection(const Section& section, ObserverInput& observer) {
-    observer.projection =
+PictureAngles read_projection(const Section& section, int width, int height) {
+    PictureAngles angles;
+    angles.projection =
         section.choice_or("projection", "how directions lie on the picture", Projection::pinhole,
                           {{"pinhole", Projection::pinhole},
                            {"equidistant", Projection::equidistant},
                            {"equisolid", Projection::equisolid},
                            {"panorama", Projection::panorama},
                            {"orthographic", Projection::orthographic}});
-    if (observer.projection == Projection::orthographic) {
-        observer.picture_width =
+    if (angles.projection == Projection::orthographic) {
+        angles.picture_width =
             section.number("picture_width_m", "that the picture is wide", {0.01, 2e5});
         for (const char* key : {"horizontal_fov_deg", "focal_length_mm", "pixel_pitch_um"}) {
             if (section.has(key)) {
@@ -80,21 +81,22 @@ void read_projection(const Section& section, ObserverInput& observer) {
                                 "picture_width_m says how wide it is");
             }
         }
-        return;
+        return angles;
     }
     if (section.has("picture_width_m")) {
         section.mistake("picture_width_m",
                         "is of orthographic pictures, expected horizontal_fov_deg of this one");
     }
     if (section.has("focal_length_mm")) {
-        observer.horizontal_fov_deg = read_lens(section, observer);
+        angles.horizontal_fov_deg = read_lens(section, width, angles);
     } else {
-        const bool pinhole = observer.projection == Projection::pinhole;
-        observer.horizontal_fov_deg = section.number_or(
+        const bool pinhole = angles.projection == Projection::pinhole;
+        angles.horizontal_fov_deg = section.number_or(
             "horizontal_fov_deg", "that the picture is wide; of a pinhole 20, at most 150",
             pinhole ? 20.0 : 180.0, {0.01, pinhole ? 150.0 : 360.0});
-        check_sphere(section, observer);
+        check_sphere(section, angles, width, height);
     }
+    return angles;
 }
 
 }  // namespace diurna

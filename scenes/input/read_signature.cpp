@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "materials/base/error.hpp"
+#include "scenes/input/object_names.hpp"
 #include "scenes/input/read_frames.hpp"
 
 namespace diurna {
@@ -13,7 +14,7 @@ namespace diurna {
 StudiedObject read_studied(const Section& section, const TerrainInput& terrain,
                            const TimeInput& time, const std::optional<Site>& site) {
     Names known{.what = "object or building", .known = {}};
-    for (const ObjectInput& object : terrain.objects) known.known.push_back(object.name);
+    add_objects(known, terrain);
     for (const Building& building : terrain.buildings) known.known.push_back(building.name);
     StudiedObject studied{.object = section.name("object", "or building, that is studied", known),
                           .frames = time.frames,

@@ -134,22 +134,25 @@ std::string detection_json(const DetectionInput& input, const std::string& instr
               {"name", input.name},
               {"object", input.studied.object},
               {"instrument", instrument}};
-    json["johnson"] = {
-        {"criterion", input.across ? "least width" : "root of the area"},
-        {"n50", input.n50},
-        {"exponent", "2.7 + 0.7 N/N50"},
-        {"bar_threshold", bar_threshold},
-        {"eye_s", eye_seconds},
-        {"source", "Johnson 1958; Ratches and others, ECOM-7043, 1975; ACQUIRE, NVESD 1995"}};
-    json["ttp"] = {{"v50", input.v50},
-                   {"exponent", "1.51 + 0.24 V/V50"},
-                   {"noise_sensitivity_root_Hz", noise_sensitivity},
-                   {"luminance_cd_m2", input.viewing.luminance},
-                   {"magnification", input.viewing.magnification},
-                   {"scene_contrast_K", input.viewing.scene_contrast},
-                   {"source",
-                    "Vollmerhausen & Jacobs, AMSEL-NV-TR-230, 2004; eye: Barten, Proc. SPIE 1077, "
-                    "1989, Overington 1976"}};
+    json["johnson"] = {{"criterion", input.across ? "least width" : "root of the area"},
+                       {"n50", input.n50},
+                       {"exponent", "2.7 + 0.7 N/N50"},
+                       {"bar_threshold", bar_threshold},
+                       {"eye_s", eye_seconds},
+                       {"source",
+                        "numbers in common use under these names, not checked against the "
+                        "originals: Johnson 1958; "
+                        "Ratches and others, ECOM-7043, 1975; ACQUIRE, NVESD 1995"}};
+    json["ttp"] = {
+        {"v50", input.v50},
+        {"exponent", "1.51 + 0.24 V/V50"},
+        {"noise_sensitivity_root_Hz", noise_sensitivity},
+        {"luminance_cd_m2", input.viewing.luminance},
+        {"magnification", input.viewing.magnification},
+        {"scene_contrast_K", input.viewing.scene_contrast},
+        {"source",
+         "likewise: Vollmerhausen & Jacobs, AMSEL-NV-TR-230, 2004; eye: Barten, Proc. SPIE 1077, "
+         "1989, Overington 1976"}};
     json["notes"] = notes;
     json["instants"] = Json::array();
     for (const DetectionCurve& curve : curves) {

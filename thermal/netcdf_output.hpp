@@ -2,20 +2,26 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <netcdf_mem.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "materials/base/files.hpp"
+
 namespace diurna {
 
-/// An open netCDF file; closed, and removed if it was not finished.
+/// An open netCDF file; one that is written is there once it is finished, whole.
 class NetcdfFile {
  public:
     NetcdfFile(std::filesystem::path path, int id) : path_(std::move(path)), id_(id) {}
@@ -23,29 +29,22 @@ class NetcdfFile {
     NetcdfFile& operator=(const NetcdfFile&) = delete;
     ~NetcdfFile() {
         if (id_ >= 0) nc_close(id_);
-        if (!temporary_.empty()) {
-            std::error_code ignored;
-            std::filesystem::remove(temporary_, ignored);
-        }
     }
     static NetcdfFile create(const std::filesystem::path& target) {
+        check_output_file(target);
         remove_left_over(target);
-        const std::filesystem::path temporary = target.string() + fmt::format(".{}.part", getpid());
         int id = -1;
-        const int status = nc_create(temporary.c_str(), NC_NETCDF4 | NC_CLOBBER, &id);
+        const int status = nc_create_mem(target.c_str(), NC_NETCDF4, 1 << 20, &id);
         NetcdfFile file(target, status == NC_NOERR ? id : -1);
-        file.temporary_ = temporary;
         file.must(status);
         return file;
     }
     NetcdfFile(NetcdfFile&& other) noexcept
-        : path_(std::move(other.path_)),
-          temporary_(std::exchange(other.temporary_, {})),
-          id_(std::exchange(other.id_, -1)) {}
+        : path_(std::move(other.path_)), id_(std::exchange(other.id_, -1)) {}
 
     /// What runs that were killed have left of the same file: those of processes that live no more.
     static void remove_left_over(const std::filesystem::path& target) {
-        const std::string begin = target.filename().string() + ".";
+        const std::string begin = fmt::format(".{}.", target.filename().string());
         const auto folder = target.has_parent_path() ? target.parent_path() : ".";
         std::error_code ignored;
         for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
@@ -78,19 +77,16 @@ class NetcdfFile {
     void text(int variable, const char* name, const std::string& value) const {
         must(nc_put_att_text(id_, variable, name, value.size(), value.c_str()));
     }
+    /// Made in memory, for the library ends the program where a disk is full.
     void finish() {
-        must(nc_close(std::exchange(id_, -1)));
-        std::error_code error;
-        std::filesystem::rename(temporary_, path_, error);
-        if (error) {
-            throw std::runtime_error(
-                fmt::format("{}: cannot be written: {}", path_.string(), error.message()));
-        }
-        temporary_.clear();
+        NC_memio made{};
+        must(nc_close_memio(std::exchange(id_, -1), &made));
+        const std::unique_ptr<void, decltype(&std::free)> memory(made.memory, &std::free);
+        write_whole_file(path_, std::span(static_cast<const std::byte*>(made.memory), made.size));
     }
 
  private:
-    std::filesystem::path path_, temporary_;
+    std::filesystem::path path_;
     int id_;
 };
 

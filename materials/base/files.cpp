@@ -1,16 +1,18 @@
 #include "materials/base/files.hpp"
 
 #include <fcntl.h>
+#include <sys/random.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "materials/base/error.hpp"
-#include "materials/base/files_read.hpp"
 
 namespace diurna {
 
@@ -35,24 +37,33 @@ std::string read_text(const fs::path& path, std::size_t limit) {
 }
 
 void write_whole_file(const fs::path& path, std::span<const std::byte> bytes) {
-    const fs::path temporary = path.string() + ".part";
+    check_output_file(path);
+    const fs::path temporary = temporary_beside(path);
     const auto fail = [&](const char* what) {
         const std::string reason = std::strerror(errno);
         ::unlink(temporary.c_str());
         throw std::runtime_error(path.string() + ": " + what + ": " + reason);
     };
-    const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-    if (file < 0) fail("cannot create");
+    const int file =
+        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+    if (file < 0) {
+        throw std::runtime_error(path.string() + ": cannot create: " + std::strerror(errno));
+    }
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
+        if (written < 0 && errno == EINTR) continue;
         if (written < 0) {
+            const int reason = errno;
             ::close(file);
+            errno = reason;
             fail("cannot write");
         }
         done += static_cast<std::size_t>(written);
     }
     if (::fsync(file) != 0) {
+        const int reason = errno;
         ::close(file);
+        errno = reason;
         fail("cannot flush");
     }
     if (::close(file) != 0) fail("cannot close");
@@ -63,7 +74,41 @@ void write_whole_file(const fs::path& path, std::string_view text) {
     write_whole_file(path, std::as_bytes(std::span(text.data(), text.size())));
 }
 
-bool is_temporary_name(const std::string& name) { return name.ends_with(".part"); }
+void check_output_file(const fs::path& path, const std::vector<FileRead>& inputs) {
+    std::error_code problem;
+    const fs::file_status status = fs::status(path, problem);
+    if (path.empty() || !path.has_filename()) {
+        throw InputError(path.string(), "is no name of a file to be written");
+    }
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        throw InputError(path.string(), "is no regular file: results would take its place",
+                         "expected the name of a file");
+    }
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path(), problem)) {
+        throw InputError(path.string(), "cannot be written: there is no such folder");
+    }
+    for (const FileRead& input : inputs) {
+        if (!fs::equivalent(path, input.path, problem)) continue;
+        throw InputError(path.string(),
+                         "is what the results are made of: they would take its place",
+                         "choose another name");
+    }
+}
+
+fs::path temporary_beside(const fs::path& path) {
+    std::uint64_t random = 0;
+    if (::getrandom(&random, sizeof random, 0) != sizeof random) {
+        throw std::runtime_error(path.string() + ": no random name for it");
+    }
+    char tail[48];
+    std::snprintf(tail, sizeof tail, ".%ld.%016llx.part", long(::getpid()),
+                  static_cast<unsigned long long>(random));
+    return path.parent_path() / fs::path(".").concat(path.filename().string()).concat(tail);
+}
+
+bool is_temporary_name(const std::string& name) {
+    return name.starts_with(".") && name.ends_with(".part");
+}
 
 fs::path data_folder() {
     const char* named = std::getenv("DIURNA_DATA");

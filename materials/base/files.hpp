@@ -5,6 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "materials/base/files_read.hpp"
 
 namespace diurna {
 
@@ -16,6 +19,13 @@ std::string read_text(const std::filesystem::path& path, std::size_t limit = 64u
 /// Throws std::runtime_error with path and reason; the target is then as it was.
 void write_whole_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_whole_file(const std::filesystem::path& path, std::string_view text);
+
+/// Throws InputError where results cannot take the place of what stands at a path: a device, a
+/// pipe, a folder, one of the `inputs` they are made of; or where its folder is none.
+void check_output_file(const std::filesystem::path& path, const std::vector<FileRead>& inputs = {});
+
+/// A name beside a file that nobody can guess, for it while it is unfinished.
+std::filesystem::path temporary_beside(const std::filesystem::path& path);
 
 /// Whether a file's name is one that unfinished files have: ".NAME.PROCESS.RANDOM.part".
 bool is_temporary_name(const std::string& name);

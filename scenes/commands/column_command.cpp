@@ -26,7 +26,10 @@ struct ColumnArguments {
 };
 
 void column_verb(const ColumnArguments& a) {
-    const PointResult result = run_column(read_column_job(a.file));
+    const FilesRead opened;
+    const PointJob job = read_column_job(a.file);
+    if (!a.out.empty()) check_output_file(a.out, opened.files());
+    const PointResult result = run_column(job);
     const std::string text = column_csv(result);
     if (a.out.empty()) {
         fmt::print("{}", text);

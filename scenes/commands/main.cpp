@@ -2,8 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -74,7 +78,12 @@ int main(int argc, char** argv) {
         return failed;
     }
     try {
+        std::signal(SIGXFSZ, SIG_IGN);  // too large a file is an error of write(), not an end
         run_program(argc, argv);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+            throw std::runtime_error(std::string("stdout: cannot be written: ") +
+                                     std::strerror(errno));
+        }
         return done;
     } catch (const InputError& error) {
         for (const Mistake& mistake : error.mistakes()) fmt::print(stderr, "{}\n", mistake.line());

@@ -47,7 +47,9 @@ struct MeshArguments {
 
 void mesh_verb(const MeshArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
+    const FilesRead opened;
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::fill, .centre = {}});
+    if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
     const auto read = std::chrono::steady_clock::now();
     const Tin tin = affordable_tin(dem, arguments.tolerance_m);
     const auto meshed = std::chrono::steady_clock::now();

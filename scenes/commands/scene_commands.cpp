@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
@@ -142,7 +143,9 @@ void tell_of_sweep(const Scene& scene) {
 }
 
 void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
+    check_output_file(out);
     const Prepared prepared = prepare(a.read());
+    check_output_file(out, prepared.scene.files);
     tell_of_sweep(prepared.scene);
     Progress progress(a.style());
     progress.stage("sky view");

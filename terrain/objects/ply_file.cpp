@@ -1,9 +1,10 @@
 #include "terrain/objects/ply_file.hpp"
 
 #include <bit>
-#include <fstream>
+#include <sstream>
+#include <utility>
 
-#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 
 namespace diurna {
 
@@ -20,7 +21,7 @@ void put(std::ostream& out, T value) {
 
 void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3d> vertex,
                std::span<const std::array<std::uint32_t, 3>> triangle) {
-    std::ofstream out(file, std::ios::binary);
+    std::ostringstream out(std::ios::binary);
     out << "ply\nformat binary_little_endian 1.0\nelement vertex " << vertex.size()
         << "\nproperty double x\nproperty double y\nproperty double z\nelement face "
         << triangle.size() << "\nproperty list uchar uint vertex_indices\nend_header\n";
@@ -31,8 +32,7 @@ void write_ply(const std::filesystem::path& file, std::span<const Eigen::Vector3
         put(out, std::uint8_t{3});
         for (const std::uint32_t corner : corners) put(out, corner);
     }
-    out.flush();
-    if (!out) throw InputError(file.string(), "cannot be written");
+    write_whole_file(file, std::move(out).str());
 }
 
 }  // namespace diurna

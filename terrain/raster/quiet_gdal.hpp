@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cpl_http.h>
 #include <gdal_priv.h>
 
 #include <algorithm>
@@ -13,7 +14,11 @@ class QuietGdal {
  public:
     QuietGdal() {
         static std::once_flag once;
-        std::call_once(once, [] { GDALAllRegister(); });
+        std::call_once(once, [] {
+            GDALAllRegister();
+            // A file is data: what it names on a network is not fetched.
+            CPLHTTPSetFetchCallback(fetch_nothing, nullptr);
+        });
         CPLPushErrorHandlerEx(remember, &first_);
     }
     ~QuietGdal() { CPLPopErrorHandler(); }
@@ -23,6 +28,11 @@ class QuietGdal {
     std::string because() const { return first_.empty() ? "" : ": " + first_; }
 
  private:
+    static CPLHTTPResult* fetch_nothing(const char*, CSLConstList, GDALProgressFunc, void*,
+                                        CPLHTTPFetchWriteFunc, void*, void*) {
+        CPLError(CE_Failure, CPLE_AppDefined, "nothing is fetched from a network");
+        return nullptr;
+    }
     static void CPL_STDCALL remember(CPLErr level, CPLErrorNum, const char* message) {
         auto* first = static_cast<std::string*>(CPLGetErrorHandlerUserData());
         if (level < CE_Failure || !first->empty()) return;

@@ -1,0 +1,89 @@
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "tests/support/small_scene.hpp"
+
+// What a user names by mistake as the place of results is as it was.
+
+using namespace diurna;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const PrivateTempFolder temp;
+
+int code_of(const std::string& command) {
+    return WEXITSTATUS(std::system(("exec 2>/dev/null; " + command).c_str()));
+}
+
+std::size_t files_in(const fs::path& folder) {
+    std::size_t count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        count += !entry.is_directory();
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("results take the place of no input, device or pipe", "[outputs]") {
+    const ScratchFolder folder("outputs");
+    const fs::path scene = folder.path / "scene.toml", weather = folder.path / "weather.csv";
+    const std::string from = DIURNA_SOURCE_DIR "/scenes/jacksboro/weather.csv";
+    fs::copy_file(from, weather);
+    write_text(scene, with(small_scene(), from, "weather.csv"));
+    const std::string solve = "'" DIURNA_BINARY "' solve '" + scene.string() + "' --out ";
+    for (const fs::path& target : {scene, weather}) {
+        const std::string before = read_text(target);
+        CHECK(code_of(solve + "'" + target.string() + "'") == 2);
+        CHECK(read_text(target) == before);
+    }
+    const fs::path pipe = folder.path / "pipe";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    CHECK(code_of(solve + "'" + pipe.string() + "'") == 2);
+    CHECK(fs::is_fifo(fs::status(pipe)));
+    CHECK(code_of(solve + "'" + (folder.path / "none/t.nc").string() + "'") == 2);
+    CHECK_THROWS_AS(write_whole_file(pipe, std::string_view("x")), InputError);
+    CHECK_THROWS_AS(write_whole_file("/dev/null", std::string_view("x")), InputError);
+    CHECK(fs::is_character_file("/dev/null"));
+    CHECK(files_in(folder.path) == 3);
+}
+
+TEST_CASE("a name that others have laid a link under is not written through", "[outputs]") {
+    const ScratchFolder folder("links");
+    const fs::path other = folder.path / "other", link = folder.path / "link";
+    write_text(other, "mine");
+    fs::create_symlink(other, link);
+    write_whole_file(link, std::string_view("results"));
+    CHECK(read_text(other) == "mine");
+    CHECK(read_text(link) == "results");
+    CHECK(temporary_beside(link) != temporary_beside(link));
+    CHECK(is_temporary_name(temporary_beside(link).filename().string()));
+}
+
+TEST_CASE("where a file cannot be whole, there is none and the code is 1", "[outputs]") {
+    CHECK(code_of("'" DIURNA_BINARY
+                  "' sun --latitude-deg 40 --longitude-deg 0 --time 2026-01-01T00:00:00Z "
+                  "> /dev/full") == 1);
+    // No file may have more than 20 blocks of 512 bytes: as on a disk that is full.
+    const ScratchFolder folder("full");
+    const std::string mesh = "'" DIURNA_BINARY "' mesh " DIURNA_SOURCE_DIR
+                             "/scenes/jacksboro/elevation.tif --tolerance-m 20 --out '" +
+                             (folder.path / "mesh.ply").string() + "' > /dev/null";
+    CHECK(code_of("ulimit -f 20; " + mesh) == 1);
+    CHECK(files_in(folder.path) == 0);
+    CHECK(code_of(mesh) == 0);
+    CHECK(files_in(folder.path) == 1);
+    const fs::path scene = folder.path / "scene.toml";
+    write_text(scene, small_scene());
+    CHECK(code_of("ulimit -f 20; '" DIURNA_BINARY "' solve '" + scene.string() + "' --out '" +
+                  (folder.path / "t.nc").string() + "'") == 1);
+    CHECK(files_in(folder.path) == 2);
+}

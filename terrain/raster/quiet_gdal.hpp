@@ -30,8 +30,13 @@ class QuietGdal {
  private:
     static CPLHTTPResult* fetch_nothing(const char*, CSLConstList, GDALProgressFunc, void*,
                                         CPLHTTPFetchWriteFunc, void*, void*) {
-        CPLError(CE_Failure, CPLE_AppDefined, "nothing is fetched from a network");
-        return nullptr;
+        constexpr const char* why = "nothing is fetched from a network";
+        CPLError(CE_Failure, CPLE_AppDefined, "%s", why);
+        // With no result at all GDAL would fetch it itself. Its own to free.
+        auto* result = static_cast<CPLHTTPResult*>(CPLCalloc(1, sizeof(CPLHTTPResult)));
+        result->nStatus = 1;
+        result->pszErrBuf = CPLStrdup(why);
+        return result;
     }
     static void CPL_STDCALL remember(CPLErr level, CPLErrorNum, const char* message) {
         auto* first = static_cast<std::string*>(CPLGetErrorHandlerUserData());

@@ -1,5 +1,9 @@
+#include <fcntl.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <catch2/catch.hpp>
 #include <cstdlib>
@@ -10,7 +14,8 @@
 #include "materials/base/files.hpp"
 #include "tests/support/small_scene.hpp"
 
-// What a user names by mistake as the place of results is as it was.
+// Nothing goes out to a network, and what a user names by mistake as the place of results is as it
+// was.
 
 using namespace diurna;
 
@@ -86,4 +91,30 @@ TEST_CASE("where a file cannot be whole, there is none and the code is 1", "[out
     CHECK(code_of("ulimit -f 20; '" DIURNA_BINARY "' solve '" + scene.string() + "' --out '" +
                   (folder.path / "t.nc").string() + "'") == 1);
     CHECK(files_in(folder.path) == 2);
+}
+
+TEST_CASE("a file of shapes sends nothing to a network", "[outputs][network]") {
+    const int server = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);
+    sockaddr_in place{};
+    place.sin_family = AF_INET;
+    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof place;
+    REQUIRE(::bind(server, reinterpret_cast<sockaddr*>(&place), size) == 0);
+    REQUIRE(::listen(server, 4) == 0);
+    REQUIRE(::getsockname(server, reinterpret_cast<sockaddr*>(&place), &size) == 0);
+    const ScratchFolder folder("network");
+    write_text(
+        folder.path / "land.geojson",
+        "{\"type\":\"FeatureCollection\",\"crs\":{\"type\":\"link\",\"properties\":{\"href\":"
+        "\"http://127.0.0.1:" +
+            std::to_string(ntohs(place.sin_port)) +
+            "/crs\",\"type\":\"proj4\"}},\"features\":[{\"type\":\"Feature\",\"properties\":{},"
+            "\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[-84.21,36.31],[-84.2,36.31],"
+            "[-84.2,36.32],[-84.21,36.31]]]}}]}");
+    write_text(folder.path / "scene.toml",
+               small_scene() + "[[shapes]]\nfile = \"land.geojson\"\nmaterial = \"asphalt\"\n");
+    code_of("timeout 20 '" DIURNA_BINARY "' check '" + (folder.path / "scene.toml").string() +
+            "' >/dev/null");
+    CHECK(::accept(server, nullptr, nullptr) < 0);  // nobody has called
+    ::close(server);
 }

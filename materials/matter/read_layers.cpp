@@ -1,5 +1,7 @@
 #include "materials/matter/read_layers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -39,6 +41,22 @@ Layer read_soil(const Section& layer) {
     return result;
 }
 
+/// A layer that takes no heat to warm, or gives some, has no temperature: from 50 to 700 K, between
+/// the poles of the moon and the day of Mercury, it must take a joule per kilogram and kelvin.
+void check_polynomial(const Section& layer, const std::vector<double>& heat) {
+    if (layer.amiss()) return;
+    for (double t = 50.0; t <= 700.0; t += 1.0) {
+        double capacity = 0.0;
+        for (std::size_t power = heat.size(); power-- > 0;) capacity = capacity * t + heat[power];
+        if (capacity >= 1.0 && capacity <= 1e5) continue;
+        layer.mistake("heat_capacity_polynomial",
+                      fmt::format("makes a heat capacity of {:g} J/kgK at {:g} K, expected 1 to "
+                                  "100000 from 50 to 700 K",
+                                  capacity, t));
+        return;
+    }
+}
+
 /// What a layer of given constants does beyond them.
 ThermalLaw read_law(const Section& layer) {
     if (layer.has("freezing_water_kg_m3")) {
@@ -68,6 +86,7 @@ ThermalLaw read_law(const Section& layer) {
             "heat_capacity_polynomial",
             "with cubic_K3: heat capacity in J/kgK as a sum of these times T^0 to T^4", 5);
         if (heat.size() == 5) std::copy(heat.begin(), heat.end(), law.heat.begin());
+        check_polynomial(layer, heat);
         return law;
     }
     return Constant{};

@@ -79,6 +79,19 @@ std::vector<std::string> notes_on_frames(const Scene& scene) {
     return notes;
 }
 
+/// Ground lower than air, sun and weather are known for: the bottom of a sea, or voids that nobody
+/// has declared. The Dead Sea's shore lies at -430 m.
+void refuse_depths(const Dem& dem) {
+    constexpr float lowest = -500.0f;
+    for (const float height : dem.height) {
+        if (!(height < lowest)) continue;  // true of voids, too
+        throw InputError(
+            dem.source,
+            fmt::format("found a height of {:.0f} m, expected {:.0f} m or more", height, lowest),
+            "a sea's bottom is no ground; posts without elevation must be declared");
+    }
+}
+
 }  // namespace
 
 Prepared moved(const Prepared& prepared, const MoverPoses& poses) {
@@ -106,6 +119,7 @@ Prepared prepare(Scene scene) {
     std::vector<std::filesystem::path> tiles{scene.terrain.elevation};
     tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
     const Dem dem = read_dem(tiles, scene.terrain.reading);
+    refuse_depths(dem);
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials), world.copies);
     Weather weather = scene_weather(scene, world);

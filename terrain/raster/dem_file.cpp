@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 #include "materials/base/error.hpp"
@@ -97,6 +98,19 @@ void check_size(GDALDataset& raster, const std::filesystem::path& file) {
     }
     const int post_bytes = GDALGetDataTypeSizeBytes(raster.GetRasterBand(1)->GetRasterDataType());
     std::error_code problem;
+    const auto bytes = std::filesystem::file_size(file, problem);
+    // GDAL reads zeros where such a file, which is as it is in memory, ends too soon.
+    const auto told = [&](const char* key) {
+        const char* text = raster.GetMetadataItem(key, "ENVI");
+        return text != nullptr ? std::atof(text) : 0.0;
+    };
+    const double whole = posts * post_bytes * raster.GetRasterCount() + told("header_offset");
+    const bool raw =
+        std::string_view(raster.GetDriverName()) == "ENVI" && told("file_compression") == 0.0;
+    if (raw && whole > double(bytes)) {
+        throw InputError(where, fmt::format("has {} bytes, its head claims {:.0f}", bytes, whole),
+                         "is it whole?");
+    }
     if (claims_too_much(posts * post_bytes, file)) {
         throw InputError(where, fmt::format("claims {} x {} posts but has only {} bytes", columns,
                                             rows, std::filesystem::file_size(file, problem)));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/unfinished.hpp"
 #include "scenes/commands/column_command.hpp"
 #include "scenes/commands/detection_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
@@ -79,6 +80,7 @@ int main(int argc, char** argv) {
     }
     try {
         std::signal(SIGXFSZ, SIG_IGN);  // too large a file is an error of write(), not an end
+        remove_unfinished_at_signals();
         run_program(argc, argv);
         if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
             throw std::runtime_error(std::string("stdout: cannot be written: ") +

@@ -94,7 +94,9 @@ void visibility_verb(const VisibilityArguments& arguments) {
         throw InputError("visibility",
                          "a sun needs both --sun-azimuth-deg and --sun-elevation-deg");
     }
+    const FilesRead opened;
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::leave});
+    if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
     for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", note);
     const Geodetic centre = dem_centre(dem);
     const HeightField field =

@@ -24,6 +24,7 @@ struct TimeInput {
     std::string state_where;      // in the scene file
     std::vector<Instant> frames;  // ascending, within the span
     std::string frames_note{};    // days that have none
+    bool every_step = false;      // temperatures are kept at each, for studies of all the time
 
     Instant end() const { return later(start, duration); }
 };

@@ -10,6 +10,7 @@
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
+#include "scenes/input/read_crossover.hpp"
 #include "scenes/input/read_detection.hpp"
 #include "scenes/input/read_instrument.hpp"
 #include "scenes/input/read_labels.hpp"
@@ -61,6 +62,7 @@ struct Scene {
     std::vector<InstrumentInput> instruments;
     std::vector<SignatureInput> signatures;
     std::vector<DetectionInput> detections;
+    std::vector<CrossoverInput> crossovers;
     SweepInput sweep;
     double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground

@@ -58,6 +58,18 @@ TemperatureField Study::heat(const std::filesystem::path& file,
             wanted.insert(when);
         }
     }
+    TemperatureField field = heat(file);
+    for (const Instant when : wanted) {
+        if (std::binary_search(field.instant.begin(), field.instant.end(), when)) continue;
+        const bool within = when > field.instant.front() && when < field.instant.back();
+        notes_.push_back(fmt::format(
+            "temperatures at {} are not kept: {}", format_local(when, scene().time.utc_offset),
+            within ? "straight between the nearest that are" : "the nearest that are stand in"));
+    }
+    return field;
+}
+
+TemperatureField Study::heat(const std::filesystem::path& file) {
     TemperatureField field;
     if (file.empty()) {
         SpanResult result = solve_scene(stages_, progress_);
@@ -66,13 +78,6 @@ TemperatureField Study::heat(const std::filesystem::path& file,
         field = std::move(result.temperature);
     } else {
         field = whole_field(file, prepared_.world.surfaces().size());
-    }
-    for (const Instant when : wanted) {
-        if (std::binary_search(field.instant.begin(), field.instant.end(), when)) continue;
-        const bool within = when > field.instant.front() && when < field.instant.back();
-        notes_.push_back(fmt::format(
-            "temperatures at {} are not kept: {}", format_local(when, scene().time.utc_offset),
-            within ? "straight between the nearest that are" : "the nearest that are stand in"));
     }
     return field;
 }

@@ -14,6 +14,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/unfinished.hpp"
 #include "scenes/commands/column_command.hpp"
+#include "scenes/commands/contrast_command.hpp"
 #include "scenes/commands/crossover_command.hpp"
 #include "scenes/commands/detection_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
@@ -40,7 +41,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_render_verb,    add_column_verb,     add_path_verb,      add_sun_verb,
     add_mesh_verb,      add_visibility_verb, add_materials_verb, add_model_verb,
     add_movie_verb,     add_verify_verb,     add_keys_verb,      add_doctor_verb,
-    add_signature_verb, add_detection_verb,  add_crossover_verb,
+    add_signature_verb, add_detection_verb,  add_crossover_verb, add_contrast_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

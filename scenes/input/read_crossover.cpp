@@ -6,65 +6,11 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
-#include "scenes/input/object_names.hpp"
 #include "scenes/input/read_signature.hpp"
 
 namespace diurna {
 
 namespace {
-
-constexpr const char* material_prefix = "material:";
-constexpr const char* region_says =
-    "an object, a building, a polygon of the ground, OBJECT/PART, or a material; material:NAME "
-    "where one of those has its name, too";
-
-/// All that a region may be, as it is written.
-struct RegionNames {
-    Names all;
-    std::vector<std::string> objects, materials;
-};
-
-RegionNames region_names(const TerrainInput& terrain, const std::vector<std::string>& materials) {
-    RegionNames names{.all = {.what = "object, part or material", .known = {}},
-                      .objects = {},
-                      .materials = materials};
-    add_objects(names.all, terrain);
-    for (const Building& one : terrain.buildings) names.all.known.push_back(one.name);
-    for (const auto& one : terrain.polygons) names.all.known.push_back(one.name);
-    names.all.known.emplace_back("ground");  // what is no polygon of it
-    names.objects = names.all.known;
-    for (const ObjectInput& object : terrain.objects) {
-        for (const PartInput& part : object.target.part) {
-            if (part.name != "*") names.all.known.push_back(object.name + "/" + part.name);
-        }
-    }
-    for (const std::string& material : materials) {
-        names.all.known.push_back(material);
-        names.all.known.push_back(material_prefix + material);
-    }
-    return names;
-}
-
-bool holds(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-RegionInput region_named(const std::string& name, const RegionNames& known) {
-    RegionInput region{.name = name};
-    if (holds(known.objects, name)) {
-        region.kind = RegionInput::Kind::object;
-        region.object = name;
-    } else if (holds(known.materials, name)) {
-        region.material = name;
-    } else if (name.starts_with(material_prefix)) {
-        region.material = name.substr(std::string(material_prefix).size());
-    } else if (const std::size_t slash = name.find('/'); slash != std::string::npos) {
-        region.kind = RegionInput::Kind::part;
-        region.object = name.substr(0, slash);
-        region.part = name.substr(slash + 1);
-    }
-    return region;
-}
 
 /// - which: "first" or "second"
 RegionInput read_region(const Section& section, const std::string& which, const RegionNames& known,
@@ -115,9 +61,8 @@ const ObserverInput* read_observer_name(const Section& section,
 /// Those the heat shines in: at night nothing is equal to nothing.
 void read_bands(const Section& section, const std::vector<BandInput>& bands,
                 const ObserverInput* observer, CrossoverInput& input) {
-    constexpr double heat_begins = 2.9;  // [µm]
     const auto warm = [&](const std::string& name) {
-        return named_band(bands, name).from_um() >= heat_begins;
+        return named_band(bands, name).from_um() >= heat_begins_um;
     };
     if (section.has("bands")) {
         input.bands = section.texts_or("bands", "ranges beyond 3 µm, words or names of [[bands]]",

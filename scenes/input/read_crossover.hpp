@@ -1,27 +1,16 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "materials/base/section.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_observer.hpp"
+#include "scenes/input/read_region.hpp"
 #include "scenes/input/read_terrain.hpp"
 
 namespace diurna {
-
-/// What of a scene is compared with something else.
-struct RegionInput {
-    enum class Kind { object, part, material, pixels };
-    Kind kind = Kind::material;
-    std::string name{};            // in words
-    std::string object{}, part{};  // of an object: ground polygons and buildings are some, too
-    std::string material{};        // all that is made of it
-    std::array<int, 4> pixels{};   // left, top, width, height of a rectangle in the picture
-};
 
 /// A number that is not known better than so.
 struct UncertainInput {

@@ -10,6 +10,7 @@
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
+#include "scenes/input/read_contrast.hpp"
 #include "scenes/input/read_crossover.hpp"
 #include "scenes/input/read_detection.hpp"
 #include "scenes/input/read_instrument.hpp"
@@ -63,6 +64,7 @@ struct Scene {
     std::vector<SignatureInput> signatures;
     std::vector<DetectionInput> detections;
     std::vector<CrossoverInput> crossovers;
+    std::vector<ContrastInput> contrasts;
     SweepInput sweep;
     double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground

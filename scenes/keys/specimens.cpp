@@ -155,6 +155,7 @@ uncertain = [{ key = "weather.changed.wind_factor", one_sigma = 1.1 }]
 first_pixels = [0, 0, 1, 1]
 second_pixels = [1, 0, 1, 1]
 bands = ["8-12"]
+[[contrast]]
 [sweep]
 draw = 1
 [[sweep.axis]]

@@ -31,14 +31,6 @@ std::string cell(const std::optional<double>& value, const char* format = "{:.1f
 
 Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-/// In quotes where it needs them (RFC 4180).
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
 }  // namespace
 
 const char* word_of(ZeroCrossing::Kind kind) {
@@ -66,14 +58,14 @@ std::string crossover_csv(const CrossoverInput& input, const CrossoverReport& re
                           double utc_offset) {
     std::string text = "band_um,time,kind,warmer_after,slope_K_per_h,least_K,sigma_s,refined_s";
     for (const UncertainInput& one : input.uncertain) {
-        text += "," + quoted("shift_s " + one.key);
+        text += "," + csv_cell("shift_s " + one.key);
     }
     text += '\n';
     for (const CrossoverDay& day : report.band) {
         for (const TimedCrossing& one : day.crossing) {
             text += fmt::format("{},{},{},{},{},{:.4g},{:.1f},{}", day.band,
                                 format_local(one.when, utc_offset), word_of(one.kind),
-                                quoted(warmer_after(input, one)), cell(hourly(one), "{:.4g}"),
+                                csv_cell(warmer_after(input, one)), cell(hourly(one), "{:.4g}"),
                                 one.least, one.sigma, cell(one.refined));
             for (const auto& shift : one.shift) text += "," + cell(shift);
             text += '\n';

@@ -72,23 +72,39 @@ std::vector<std::uint32_t> rectangle(const RegionInput& region, int width) {
 /// Those that are of the region and of nothing else.
 std::vector<std::uint32_t> filled_pixels(const View& view, const Prepared& prepared,
                                          const RegionInput& region) {
-    if (region.kind == RegionInput::Kind::pixels) return rectangle(region, view.width);
     constexpr float whole = 0.999f;
-    const Membership member(prepared, region);
     std::vector<std::uint32_t> pixels;
-    for (std::size_t p = 0; p < view.pixels(); ++p) {
-        float share = 0.0f;
-        for (std::uint32_t s = view.row[p]; s < view.row[p + 1]; ++s) {
-            const std::uint32_t target = view.sighting[s].target;
-            if (!member.has(view.facet[target], view.copy_of(target), view.copies)) continue;
-            share += view.sighting[s].weight;
-        }
-        if (share >= whole) pixels.push_back(static_cast<std::uint32_t>(p));
+    const std::vector<float> cover = region_cover(view, prepared, region);
+    for (std::size_t p = 0; p < cover.size(); ++p) {
+        if (cover[p] >= whole) pixels.push_back(static_cast<std::uint32_t>(p));
     }
     return pixels;
 }
 
 }  // namespace
+
+View first_seen(const Prepared& prepared, const Series& series) {
+    if (series.hops.empty()) return series.view;
+    return cast_view(prepared.rays, prepared.world.surfaces(), series.observer, series.sampling);
+}
+
+std::vector<float> region_cover(const View& view, const Prepared& prepared,
+                                const RegionInput& region) {
+    std::vector<float> cover(view.pixels(), 0.0f);
+    if (region.kind == RegionInput::Kind::pixels) {
+        for (const std::uint32_t p : rectangle(region, view.width)) cover[p] = 1.0f;
+        return cover;
+    }
+    const Membership member(prepared, region);
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        for (std::uint32_t s = view.row[p]; s < view.row[p + 1]; ++s) {
+            const std::uint32_t target = view.sighting[s].target;
+            if (!member.has(view.facet[target], view.copy_of(target), view.copies)) continue;
+            cover[p] += view.sighting[s].weight;
+        }
+    }
+    return cover;
+}
 
 SeenRegions::SeenRegions(const SceneStage& stage, std::size_t observer,
                          const std::vector<RegionInput>& asked,

@@ -7,11 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/read_crossover.hpp"
+#include "scenes/input/read_region.hpp"
 #include "scenes/run/series.hpp"
 #include "scenes/run/stages.hpp"
 
 namespace diurna {
+
+/// What every pixel of a series sees first. Its own view has nothing of pixels that see a net, a
+/// pane, a mirror or a plume: their rays are followed (render/rays/follow_rays.hpp).
+View first_seen(const Prepared& prepared, const Series& series);
+
+/// (pixel) share of a view's pixels that a region fills.
+std::vector<float> region_cover(const View& view, const Prepared& prepared,
+                                const RegionInput& region);
 
 /// Regions of an observer's picture, and how strongly they shine at any instant. The view is cast
 /// once, and only where it shows one of them.

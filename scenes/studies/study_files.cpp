@@ -32,6 +32,13 @@ void write_study_files(const fs::path& out, const std::string& name, const Study
     write_whole_file(out / (name + ".svg"), texts.svg);
 }
 
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
+}
+
 std::string stacked_svg(const std::vector<Chart>& charts) {
     int width = 0, height = 0;
     std::string inner;

@@ -23,6 +23,9 @@ void check_study_files(const std::filesystem::path& out, const std::vector<std::
 void write_study_files(const std::filesystem::path& out, const std::string& name,
                        const StudyTexts& texts);
 
+/// A text as a cell of CSV: in quotes where it needs them (RFC 4180).
+std::string csv_cell(const std::string& text);
+
 /// Charts below one another as a file of their own.
 std::string stacked_svg(const std::vector<Chart>& charts);
 

@@ -56,7 +56,8 @@ void print_report(const CrossoverInput& input, const CrossoverReport& report, do
 
 /// Notes of one crossover that its figures alone would not tell.
 std::vector<std::string> own_notes(const CrossoverInput& input, const CrossoverReport& report,
-                                   const TemperatureField& field, const Scene& scene) {
+                                   const TemperatureField& field, const Scene& scene,
+                                   bool from_file) {
     constexpr std::size_t few = 16;
     std::vector<std::string> notes;
     for (const auto& [region, pixels] : {std::pair{&input.first, report.first_pixels},
@@ -67,7 +68,7 @@ std::vector<std::string> own_notes(const CrossoverInput& input, const CrossoverR
     }
     const double usual = seconds_between(field.instant.front(), field.instant.back()) /
                          std::max(1.0, double(field.instant.size()) - 1.0);
-    if (usual > 1.5 * scene.time.step) {
+    if (from_file && usual > 1.5 * scene.time.step) {
         notes.push_back(
             fmt::format("{}: temperatures are kept every {:.0f} s and straight between "
                         "them; without --temperatures every {:g} s",
@@ -88,14 +89,14 @@ void crossover_verb(const SceneArguments& a, const std::filesystem::path& temper
     std::vector<std::string> names;
     for (const CrossoverInput& input : scene.crossovers) names.push_back(input.name);
     check_study_files(out, names, scene.files);
-    check_crossovers(study);
+    const SceneWith scene_with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> settings = a.settings;
+        settings.insert(settings.end(), more.begin(), more.end());
+        return read_scene(a.scene, settings);
+    };
+    check_crossovers(study, scene_with);
     const TemperatureField field = study.heat(temperatures);
-    const CrossoverAnswer answer =
-        crossovers_of(study, field, [&](const std::vector<std::string>& more) {
-            std::vector<std::string> settings = a.settings;
-            settings.insert(settings.end(), more.begin(), more.end());
-            return read_scene(a.scene, settings);
-        });
+    const CrossoverAnswer answer = crossovers_of(study, field, scene_with);
     study.progress().finish();
     const double offset = scene.time.utc_offset;
     std::vector<std::string> notes = study.notes();
@@ -104,10 +105,8 @@ void crossover_verb(const SceneArguments& a, const std::filesystem::path& temper
         const CrossoverInput& input = scene.crossovers[i];
         const CrossoverReport& report = answer.report[i];
         std::vector<std::string> own = notes;
-        for (std::string& note : own_notes(input, report, field, scene)) {
-            if (!temperatures.empty() || note.find("kept every") == std::string::npos) {
-                own.push_back(note);
-            }
+        for (std::string& note : own_notes(input, report, field, scene, !temperatures.empty())) {
+            own.push_back(std::move(note));
         }
         write_study_files(out, input.name,
                           {.csv = crossover_csv(input, report, offset),

@@ -164,6 +164,10 @@ struct OtherScene {
     }
 };
 
+std::string setting(const std::string& key, double value) {
+    return fmt::format("{}={}", key, value);
+}
+
 Scene every_step(Scene scene) {
     scene.time.every_step = true;
     return scene;
@@ -171,7 +175,7 @@ Scene every_step(Scene scene) {
 
 }  // namespace
 
-void check_crossovers(const Study& study) {
+void check_crossovers(const Study& study, const SceneWith& scene_with) {
     const Scene& scene = study.scene();
     const Prepared& prepared = study.stages().scene();
     for (const CrossoverInput& input : scene.crossovers) {
@@ -181,6 +185,15 @@ void check_crossovers(const Study& study) {
                                          "observer that stands; found {}",
                                          prepared.movement.none() ? "one that goes or turns"
                                                                   : "objects that go"));
+        }
+        for (const UncertainInput& one : input.uncertain) {
+            try {
+                scene_with({setting(one.key, one.one_sigma)});
+            } catch (const InputError& error) {
+                const Mistake& found = error.mistakes().front();
+                throw InputError(one.where, fmt::format("{}: {}", found.where, found.problem),
+                                 found.hint);
+            }
         }
     }
 }
@@ -244,7 +257,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
         const auto concerns = [&of = of](std::size_t i) {
             return std::find(of.begin(), of.end(), i) != of.end();
         };
-        in_other({fmt::format("{}={}", number.first, number.second)}, 1, concerns,
+        in_other({setting(number.first, number.second)}, 1, concerns,
                  [&, &number = number](TimedCrossing& crossing, std::size_t i,
                                        std::optional<double> shift) {
                      for (std::size_t u = 0; u < inputs[i].uncertain.size(); ++u) {

@@ -128,7 +128,7 @@ bands = ["8-12"]
 refined = false
 )");
     Study study(scene_of_text(folder, text), ProgressStyle::silent);
-    check_crossovers(study);
+    check_crossovers(study, [](const std::vector<std::string>&) -> Scene { throw "none"; });
     const TemperatureField field = two_days(study.stages().scene());
     const CrossoverAnswer answer = crossovers_of(
         study, field, [](const std::vector<std::string>&) -> Scene { throw "none is asked for"; });
@@ -195,6 +195,15 @@ TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossov
     CHECK(read_text(folder.path / "out.txt").find("no pixel of \"drone\" is filled by \"grass\"") !=
           std::string::npos);
     CHECK(!std::filesystem::exists(folder.path / "out"));
+    write_text(folder.path / "scene.toml",
+               black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
+                           "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
+    CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
+    const std::string told = read_text(folder.path / "out.txt");
+    INFO(told);
+    CHECK(told.find("scene.toml:") != std::string::npos);
+    CHECK(told.find("wind_factor") != std::string::npos);
+    CHECK(told.find("heat balance") == std::string::npos);
     write_text(folder.path / "scene.toml", black_plain(""));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
 }

@@ -30,7 +30,7 @@ name = "plates"
 latitude_deg = 36.32
 longitude_deg = -84.203333
 [terrain]
-elevation = ")" DIURNA_SOURCE_DIR R"(/scenes/crossover/level.asc"
+elevation = "level.asc"
 radius_m = 300.0
 material = "black"
 [[ground]]
@@ -80,6 +80,16 @@ bands = ["8-12"]
 )") + more;
 }
 
+/// The scene in a folder of its own, with the level ground that it names.
+void lay(const ScratchFolder& folder, const std::string& text) {
+    for (const char* name : {"level.asc", "level.prj"}) {
+        std::filesystem::copy_file(
+            std::filesystem::path(DIURNA_SOURCE_DIR "/scenes/crossover") / name, folder.path / name,
+            std::filesystem::copy_options::overwrite_existing);
+    }
+    write_text(folder.path / "scene.toml", text);
+}
+
 TemperatureField of_plates(const Prepared& prepared) {
     const FacetSet& surfaces = prepared.world.surfaces();
     TemperatureField field;
@@ -99,7 +109,7 @@ TemperatureField of_plates(const Prepared& prepared) {
 
 TEST_CASE("contrast of black plates is that of their temperatures", "[scenes][contrast]") {
     const ScratchFolder folder("contrast");
-    write_text(folder.path / "scene.toml", plates(R"(
+    lay(folder, plates(R"(
 [[contrast]]
 targets = ["warm plate", "cold plate"]
 observers = ["drone", "aside"]
@@ -177,7 +187,7 @@ bands = ["8-12"]
     text = with(text, "frame_every_s = 28800.0", "frames = [\"2026-07-15T04:00:00-04:00\"]");
     write_text(folder.path / "sheet.obj",
                "v -4 -3 0\nv 4 -3 0\nv 4 3 0\nv -4 3 0\nf 1 2 3\nf 1 3 4\n");
-    write_text(folder.path / "scene.toml", text);
+    lay(folder, text);
     const Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     const Stages stages(prepared);
     Progress silent(ProgressStyle::silent);
@@ -192,7 +202,7 @@ bands = ["8-12"]
 TEST_CASE("contrast tables are checked where they stand", "[scenes][contrast]") {
     const ScratchFolder folder("contrast_mistakes");
     const auto one = [&](const std::string& keys, const std::string& told) {
-        write_text(folder.path / "scene.toml", plates("\n[[contrast]]\n" + keys));
+        lay(folder, plates("\n[[contrast]]\n" + keys));
         try {
             read_scene(folder.path / "scene.toml");
             FAIL("accepted: " << keys);

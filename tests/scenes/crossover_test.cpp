@@ -35,7 +35,7 @@ name = "plain"
 latitude_deg = 36.32
 longitude_deg = -84.203333
 [terrain]
-elevation = ")" DIURNA_SOURCE_DIR R"(/scenes/crossover/level.asc"
+elevation = "level.asc"
 radius_m = 300.0
 material = "black"
 [[ground]]
@@ -88,9 +88,19 @@ TemperatureField two_days(const Prepared& prepared) {
     return field;
 }
 
+/// The scene in a folder of its own, with the level ground that it names.
+void lay(const ScratchFolder& folder, const std::string& text) {
+    for (const char* name : {"level.asc", "level.prj"}) {
+        std::filesystem::copy_file(
+            std::filesystem::path(DIURNA_SOURCE_DIR "/scenes/crossover") / name, folder.path / name,
+            std::filesystem::copy_options::overwrite_existing);
+    }
+    write_text(folder.path / "scene.toml", text);
+}
+
 Scene scene_of_text(const ScratchFolder& folder, const std::string& text,
                     const std::vector<std::string>& settings = {}) {
-    write_text(folder.path / "scene.toml", text);
+    lay(folder, text);
     return read_scene(folder.path / "scene.toml", settings);
 }
 
@@ -189,22 +199,20 @@ TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossov
         "light or heat");
     // A region that no pixel is filled by, found before anything is solved.
     const ScratchFolder folder("crossover_unseen");
-    write_text(folder.path / "scene.toml",
-               black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"grass\"\n"));
+    lay(folder, black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"grass\"\n"));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
     CHECK(read_text(folder.path / "out.txt").find("no pixel of \"drone\" is filled by \"grass\"") !=
           std::string::npos);
     CHECK(!std::filesystem::exists(folder.path / "out"));
-    write_text(folder.path / "scene.toml",
-               black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
-                           "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
+    lay(folder, black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
+                            "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
     const std::string told = read_text(folder.path / "out.txt");
     INFO(told);
     CHECK(told.find("scene.toml:") != std::string::npos);
     CHECK(told.find("wind_factor") != std::string::npos);
     CHECK(told.find("heat balance") == std::string::npos);
-    write_text(folder.path / "scene.toml", black_plain(""));
+    lay(folder, black_plain(""));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
 }
 
@@ -245,7 +253,7 @@ uncertain = [{ key = "material.black.internal_heat_W_m2", one_sigma = 320.0 }]
                 "bottom = { kind = \"flux\", value_W_m2 = 0.0 }\n"
                 "layers = [{ thickness_m = 0.001, conductivity_W_mK = 1.0, density_kg_m3 = 10.0, "
                 "heat_capacity_J_kgK = 1000.0 }]");
-    write_text(folder.path / "scene.toml", text);
+    lay(folder, text);
     const int code = crossover(folder.path / "scene.toml", folder.path / "out");
     INFO(read_text(folder.path / "out.txt"));
     REQUIRE(code == 0);

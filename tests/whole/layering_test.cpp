@@ -93,12 +93,12 @@ const std::map<std::string, std::set<std::string>> homes = {
      {"scenes/commands/main.cpp", "scenes/commands/column_command.cpp",
       "scenes/commands/doctor_command.cpp", "scenes/commands/keys_command.cpp",
       "scenes/commands/materials_command.cpp", "scenes/commands/model_command.cpp",
-      "scenes/commands/movie_command.cpp", "scenes/commands/path_command.cpp",
-      "scenes/commands/raster_commands.cpp", "scenes/commands/scene_arguments.cpp",
-      "scenes/commands/scene_commands.cpp", "scenes/commands/contrast_command.cpp",
-      "scenes/commands/crossover_command.cpp", "scenes/commands/detection_command.cpp",
-      "scenes/commands/signature_command.cpp", "scenes/commands/sun_command.cpp",
-      "scenes/commands/verify_command.cpp"}},
+      "scenes/commands/movie_command.cpp", "scenes/commands/new_command.cpp",
+      "scenes/commands/path_command.cpp", "scenes/commands/raster_commands.cpp",
+      "scenes/commands/scene_arguments.cpp", "scenes/commands/scene_commands.cpp",
+      "scenes/commands/contrast_command.cpp", "scenes/commands/crossover_command.cpp",
+      "scenes/commands/detection_command.cpp", "scenes/commands/signature_command.cpp",
+      "scenes/commands/sun_command.cpp", "scenes/commands/verify_command.cpp"}},
 };
 
 struct Include {

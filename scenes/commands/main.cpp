@@ -7,11 +7,13 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/plain_text.hpp"
 #include "materials/base/unfinished.hpp"
 #include "scenes/commands/column_command.hpp"
 #include "scenes/commands/contrast_command.hpp"
@@ -95,7 +97,10 @@ int main(int argc, char** argv) {
         for (const Mistake& mistake : error.mistakes()) fmt::print(stderr, "{}\n", mistake.line());
         return bad_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "diurna: {}\n", error.what());
+        std::istringstream lines(error.what());
+        for (std::string line; std::getline(lines, line);) {
+            fmt::print(stderr, "diurna: {}\n", plain(line));
+        }
         return failed;
     }
 }

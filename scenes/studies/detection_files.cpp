@@ -170,7 +170,7 @@ std::string detection_json(const DetectionInput& input, const std::string& instr
              {"johnson_range_m", ranges_of(input, curve.johnson_range)},
              {"ttp_range_m", ranges_of(input, curve.metric_range)}});
     }
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string detection_svg(const DetectionInput& input, const std::vector<DetectionCurve>& curves,

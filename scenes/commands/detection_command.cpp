@@ -12,6 +12,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/studies/detection_files.hpp"
 #include "scenes/studies/study_files.hpp"
@@ -92,7 +93,7 @@ void detection_verb(const SceneArguments& a, const std::filesystem::path& temper
                            .svg = detection_svg(input, all[i], offset)});
         print_ranges(input, all[i], offset);
         fmt::print("{}.csv, .json, .svg\n", base.string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

@@ -12,6 +12,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/studies/signature_files.hpp"
 #include "scenes/studies/study_files.hpp"
@@ -66,7 +67,7 @@ void signature_verb(const SceneArguments& a, const std::filesystem::path& temper
                            .svg = signature_svg(input, report, offset)});
         fmt::print("{}: {} rows: {}.csv, .json, .svg\n", input.name, report.rows.size(),
                    base.string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

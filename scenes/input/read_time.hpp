@@ -29,9 +29,7 @@ struct TimeInput {
     Instant end() const { return later(start, duration); }
 };
 
-/// folder  where relative names of files start
-/// site    for pictures that the sun's place says when to take
-TimeInput read_time(const Section& section, const std::filesystem::path& folder = {},
-                    const std::optional<Site>& site = {});
+/// site  for pictures that the sun's place says when to take
+TimeInput read_time(const Section& section, const std::optional<Site>& site = {});
 
 }  // namespace diurna

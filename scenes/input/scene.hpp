@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "materials/base/files_read.hpp"
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
@@ -42,6 +43,7 @@ struct WeatherInput {
 
 struct Scene {
     std::filesystem::path file;
+    Confines confines;  // of what it names, and of what that names
     std::string name;
     std::string title;
     std::optional<Site> site;  // none: the middle of the raster; height NaN: the ground there

@@ -158,7 +158,7 @@ TEST_CASE("no key of a scene waits for a pipe, opens a device or a folder", "[co
     CHECK_THAT(ran.out, Catch::Contains("is no regular file"));
 }
 
-TEST_CASE("--allow-outside reads what lies elsewhere, and links that stay inside are followed",
+TEST_CASE("links that stay inside are followed, and with --allow-outside those that do not",
           "[confinement]") {
     const Place place;
     fs::rename(place.yard / "weather.csv", place.outside / "weather.csv");

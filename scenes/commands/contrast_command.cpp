@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/studies/contrast_files.hpp"
 #include "scenes/studies/signature_scene.hpp"
@@ -77,7 +78,7 @@ void contrast_verb(const SceneArguments& a, const std::filesystem::path& tempera
         reports.push_back(contrast_of(study.stages(), input, field, study.progress()));
     }
     study.progress().finish();
-    for (const std::string& note : study.notes()) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : study.notes()) fmt::print(stderr, "note: {}\n", plain(note));
     for (std::size_t i = 0; i < reports.size(); ++i) {
         const ContrastInput& input = scene.contrasts[i];
         const std::vector<std::string> own = own_notes(input, reports[i]);
@@ -89,7 +90,7 @@ void contrast_verb(const SceneArguments& a, const std::filesystem::path& tempera
                            .svg = contrast_svg(input, reports[i], scene)});
         print_worst(input, reports[i], scene);
         fmt::print("{}.csv, .json, .svg\n", (out / input.name).string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

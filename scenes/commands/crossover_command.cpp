@@ -13,6 +13,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/studies/crossover_files.hpp"
@@ -92,7 +93,7 @@ void crossover_verb(const SceneArguments& a, const std::filesystem::path& temper
     const SceneWith scene_with = [&](const std::vector<std::string>& more) {
         std::vector<std::string> settings = a.settings;
         settings.insert(settings.end(), more.begin(), more.end());
-        return read_scene(a.scene, settings);
+        return read_scene(a.scene, settings, a.allow_outside);
     };
     check_crossovers(study, scene_with);
     const TemperatureField field = study.heat(temperatures);
@@ -117,7 +118,7 @@ void crossover_verb(const SceneArguments& a, const std::filesystem::path& temper
         print_report(input, report, offset);
         fmt::print("{}.csv, .json, .svg, _curves.csv\n", (out / input.name).string());
         for (std::size_t n = i == 0 ? 0 : notes.size(); n < own.size(); ++n) {
-            fmt::print(stderr, "note: {}\n", own[n]);
+            fmt::print(stderr, "note: {}\n", plain(own[n]));
         }
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());

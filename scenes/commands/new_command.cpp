@@ -14,6 +14,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "materials/base/units.hpp"
 #include "scenes/commands/first_scene.hpp"
 #include "scenes/input/scene_file.hpp"
@@ -150,7 +151,8 @@ void new_verb(const NewArguments& a) {
                    format_local(scene.start, scene.utc_offset), scene.duration_h,
                    scene.weather_made_up ? "; its weather is made up" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
-        for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : prepared.notes)
+            fmt::print(stderr, "note: {}\n", plain(note));
     } catch (...) {
         fs::remove_all(a.folder, none);
         throw;

@@ -32,7 +32,9 @@ void write_study_files(const fs::path& out, const std::string& name, const Study
     write_whole_file(out / (name + ".svg"), texts.svg);
 }
 
-std::string csv_cell(const std::string& text) {
+std::string csv_cell(const std::string& name) {
+    const bool formula = !name.empty() && std::string("=+-@").find(name[0]) != std::string::npos;
+    const std::string text = (formula ? "'" : "") + name;
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string out = "\"";
     for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);

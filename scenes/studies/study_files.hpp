@@ -23,8 +23,9 @@ void check_study_files(const std::filesystem::path& out, const std::vector<std::
 void write_study_files(const std::filesystem::path& out, const std::string& name,
                        const StudyTexts& texts);
 
-/// A text as a cell of CSV: in quotes where it needs them (RFC 4180).
-std::string csv_cell(const std::string& text);
+/// A name as a cell of CSV: in quotes where it needs them (RFC 4180), behind an apostrophe where a
+/// table would take it for a formula.
+std::string csv_cell(const std::string& name);
 
 /// Charts below one another as a file of their own.
 std::string stacked_svg(const std::vector<Chart>& charts);

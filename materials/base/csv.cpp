@@ -17,6 +17,25 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+constexpr std::size_t most_columns = 4096, most_line = 1 << 20;
+
+/// Throws InputError for more columns than any table has, or two of a name.
+void check_header(const std::vector<std::string>& header, const std::string& where) {
+    if (header.size() > most_columns) {
+        throw InputError(where, "found " + std::to_string(header.size()) +
+                                    " columns, expected at most " + std::to_string(most_columns));
+    }
+    std::vector<std::string> sorted = header;
+    std::sort(sorted.begin(), sorted.end());
+    const auto again = std::adjacent_find(
+        sorted.begin(), sorted.end(),
+        [](const std::string& a, const std::string& b) { return a == b && !a.empty(); });
+    if (again != sorted.end()) {
+        throw InputError(where, "has column '" + again->substr(0, 40) + "' twice",
+                         "which of them is meant?");
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> csv_cells(std::string_view line) {
@@ -80,15 +99,23 @@ CsvTable read_csv(const std::filesystem::path& path, int skip) {
         begin = end + 1;
         if (++line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         if (line_number <= skip || line.empty() || line.front() == '#') continue;
+        const std::string where = path.string() + ":" + std::to_string(line_number);
+        if (line.size() > most_line) {
+            throw InputError(where, "a line of " + std::to_string(line.size()) +
+                                        " bytes, expected at most " + std::to_string(most_line));
+        }
+        if (line.find('\0') != std::string_view::npos) {
+            throw InputError(where, "a byte of value 0: this is no text");
+        }
         std::vector<std::string> row = csv_cells(line);
         if (table.header.empty()) {
             table.header = std::move(row);
+            check_header(table.header, where);
             continue;
         }
         if (row.size() != table.header.size()) {
-            throw InputError(path.string() + ":" + std::to_string(line_number),
-                             "found " + std::to_string(row.size()) + " cells, expected " +
-                                 std::to_string(table.header.size()) + " as in the header");
+            throw InputError(where, "found " + std::to_string(row.size()) + " cells, expected " +
+                                        std::to_string(table.header.size()) + " as in the header");
         }
         table.rows.push_back(std::move(row));
         table.line.push_back(line_number);

@@ -27,8 +27,10 @@ void note_unasked(DocumentState& state, const toml::table& table, const std::str
         const std::string name(key.str());
         const std::string inner = joined_path(path, name);
         if (!asked.contains(name)) {
-            std::string hint = did_you_mean(name, known);
-            if (hint.empty()) hint = fmt::format("known here: {}", fmt::join(known, ", "));
+            // Looking for the nearest of many takes long; nobody is told more than the first ones.
+            const bool told = state.mistakes.size() < 10 * most_mistakes_told;
+            std::string hint = told ? did_you_mean(name, known) : "";
+            if (told && hint.empty()) hint = fmt::format("known here: {}", fmt::join(known, ", "));
             state.note(key.source(), inner, "unknown key", hint);
         } else if (const toml::table* one = node.as_table()) {
             note_unasked(state, *one, inner);
@@ -104,6 +106,51 @@ std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::s
     return {table, words.back()};
 }
 
+/// Throws InputError for more keys or values than memory is for, and for a key of more than a
+/// hundred words: each is a table in the one before, and who reads or frees them calls itself. What
+/// looks like one in a text of several lines is none, but no sentence has so many dots.
+void check_limits(const std::string& text, const std::string& file) {
+    constexpr std::size_t most_words = 100, most_bytes = 4096;
+    constexpr std::ptrdiff_t most_keys = 200'000, most_values = 4'000'000;
+    for (const auto& [mark, most, what] :
+         {std::tuple{'=', most_keys, "keys"}, {',', most_values, "values"}}) {
+        const auto found = std::count(text.begin(), text.end(), mark);
+        if (found <= most) continue;
+        throw InputError(
+            file, fmt::format("has {} '{}', expected at most {} {}", found, mark, most, what));
+    }
+    std::size_t line = 1;
+    for (std::size_t begin = 0; begin < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        std::string_view key = std::string_view(text).substr(begin, end - begin);
+        begin = end + 1;
+        // Keys go on to the sign of equality or the bracket; inline tables' stand within braces.
+        std::size_t dots = 0, bytes = 0;
+        bool quoted = false;
+        char mark = '"';
+        for (std::size_t i = 0; i < key.size(); ++i) {
+            const char c = key[i];
+            if (quoted && c == '\\' && mark == '"') {
+                ++i;
+                continue;
+            }
+            if (c == '"' || c == '\'') {
+                if (!quoted) mark = c;
+                if (c == mark) quoted = !quoted;
+            }
+            if (quoted) continue;
+            if (c == '#') break;
+            const bool ends = c == '=' || c == ',' || c == '{' || c == '}' || c == ']' || c == '[';
+            dots = ends ? 0 : dots + (c == '.');
+            bytes = ends ? 0 : bytes + 1;
+            if (dots < most_words && bytes <= most_bytes) continue;
+            throw InputError(
+                fmt::format("{}:{}:{}", file, line, i + 1),
+                fmt::format("a key of more than {} words or {} bytes", most_words, most_bytes));
+        }
+    }
+}
+
 std::function<void(std::span<const Key>)>& watcher() {
     static std::function<void(std::span<const Key>)> none;
     return none;
@@ -123,6 +170,7 @@ Document Document::from_text(const std::string& text, const std::string& file,
     auto state = std::make_shared<DocumentState>();
     state->file = file;
     state->confines = confines ? *confines : confines_of(file);
+    check_limits(text, file);
     try {
         state->root = toml::parse(text, file);
     } catch (const toml::parse_error& error) {

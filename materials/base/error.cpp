@@ -21,6 +21,19 @@ std::string joined(const std::vector<Mistake>& mistakes) {
     return text;
 }
 
+/// At most 1000 bytes, no character of UTF-8 cut: a key or a path may be of any length.
+std::string shortened(const std::string& text) {
+    constexpr std::size_t most = 1000;
+    if (text.size() <= most) return text;
+    const auto goes_on = [&](std::size_t i) {
+        return (static_cast<unsigned char>(text[i]) & 0xc0u) == 0x80u;
+    };
+    std::size_t head = most / 2, tail = text.size() - most / 2;
+    while (head > 0 && goes_on(head)) --head;
+    while (tail < text.size() && goes_on(tail)) ++tail;
+    return text.substr(0, head) + " ... " + text.substr(tail);
+}
+
 /// Levenshtein's distance: insertions, deletions and substitutions.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
@@ -39,7 +52,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string Mistake::line() const {
-    return plain(where + ": " + problem + (hint.empty() ? "" : " (" + hint + ")"));
+    const std::string more = hint.empty() ? "" : " (" + shortened(hint) + ")";
+    return plain(shortened(where) + ": " + shortened(problem) + more);
 }
 
 InputError::InputError(std::string where, std::string problem, std::string hint)
@@ -47,6 +61,12 @@ InputError::InputError(std::string where, std::string problem, std::string hint)
 
 InputError::InputError(std::vector<Mistake> mistakes)
     : std::runtime_error(joined(mistakes)), mistakes_(std::move(mistakes)) {}
+
+void InputError::print(std::FILE* to) const {
+    const std::size_t shown = std::min(mistakes_.size(), most_mistakes_told);
+    for (std::size_t i = 0; i < shown; ++i) fmt::print(to, "{}\n", mistakes_[i].line());
+    if (shown < mistakes_.size()) fmt::print(to, "and {} more\n", mistakes_.size() - shown);
+}
 
 void check_within(const std::string& where, double value, double least, double most) {
     if (value >= least && value <= most) return;

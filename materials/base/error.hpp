@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdio>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +20,8 @@ struct Mistake {
     std::string line() const;
 };
 
+inline constexpr std::size_t most_mistakes_told = 20;
+
 /// An input cannot be used. Thrown where text becomes a value; `main` prints every mistake on its
 /// own line and leaves with code 2, before anything has been written.
 class InputError : public std::runtime_error {
@@ -26,6 +30,8 @@ class InputError : public std::runtime_error {
     explicit InputError(std::vector<Mistake> mistakes);
 
     const std::vector<Mistake>& mistakes() const { return mistakes_; }
+    /// A line for each of the first 20, then "and 4980 more".
+    void print(std::FILE* to) const;
 
  private:
     std::vector<Mistake> mistakes_;

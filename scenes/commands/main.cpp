@@ -94,7 +94,7 @@ int main(int argc, char** argv) {
         }
         return done;
     } catch (const InputError& error) {
-        for (const Mistake& mistake : error.mistakes()) fmt::print(stderr, "{}\n", mistake.line());
+        error.print(stderr);
         return bad_input;
     } catch (const std::exception& error) {
         std::istringstream lines(error.what());

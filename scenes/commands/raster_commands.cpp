@@ -98,8 +98,7 @@ void visibility_verb(const VisibilityArguments& arguments) {
     const FilesRead opened;
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::leave});
     if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
-    for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}
-", plain(note));
+    for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", plain(note));
     const Geodetic centre = dem_centre(dem);
     const HeightField field =
         height_field(dem, {centre.latitude_deg, centre.longitude_deg, centre.height});
@@ -108,26 +107,26 @@ void visibility_verb(const VisibilityArguments& arguments) {
     sky_view(field, arguments.azimuths, seen);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     if (arguments.sun_azimuth_deg) {
-            lit.resize(field.size());
-            sun_fraction(field, direction(*arguments.sun_azimuth_deg, *arguments.sun_elevation_deg),
-                         lit);
+        lit.resize(field.size());
+        sun_fraction(field, direction(*arguments.sun_azimuth_deg, *arguments.sun_elevation_deg),
+                     lit);
     }
     double sky = 0.0, sun = 0.0, least = 1.0;
     for (std::size_t i = 0; i < seen.size(); ++i) {
-            if (std::isnan(dem.height[i])) {
-                seen[i] = std::nanf("");
-                if (!lit.empty()) lit[i] = std::nanf("");
-                continue;
-            }
-            sky += seen[i];
-            least = std::min(least, double{seen[i]});
-            if (!lit.empty()) sun += lit[i];
+        if (std::isnan(dem.height[i])) {
+            seen[i] = std::nanf("");
+            if (!lit.empty()) lit[i] = std::nanf("");
+            continue;
+        }
+        sky += seen[i];
+        least = std::min(least, double{seen[i]});
+        if (!lit.empty()) sun += lit[i];
     }
     const auto posts = static_cast<double>(seen.size() - dem.voids);
     if (!arguments.out.empty()) {
-            std::vector<RasterBand> bands{{"sky view", seen}};
-            if (!lit.empty()) bands.push_back({"sun fraction", lit});
-            write_geotiff(arguments.out, dem, bands);
+        std::vector<RasterBand> bands{{"sky view", seen}};
+        if (!lit.empty()) bands.push_back({"sun fraction", lit});
+        write_geotiff(arguments.out, dem, bands);
     }
     fmt::print(
         "columns,rows,voids,azimuths,mean_sky_view,least_sky_view,lit_share,sky_view_s\n"

@@ -140,6 +140,13 @@ void read_pointing(const Section& section, const ObserverReading& reading,
             "file says",
             3);
         observer.mount = {angles[0], angles[1], angles[2]};
+        for (const double angle : angles) {
+            if (std::abs(angle) > 360.0) {
+                section.mistake("mount_deg",
+                                fmt::format("found {:g}, expected -360 to 360", angle));
+                break;
+            }
+        }
         if (!observer.goes() && observer.on.empty()) {
             section.mistake("mount_deg", "is for observers on a trajectory or an object");
         }
@@ -261,6 +268,16 @@ void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& 
         }
     }
     observer.cubes = section.texts_or("cubes", "names of [[cubes]]", {});
+    if (observer.bands.empty() && observer.cubes.empty() && section.has("bands")) {
+        section.mistake("bands", "is empty, expected a band or cubes beside it");
+    }
+    for (const std::string& cube : observer.cubes) {
+        if (std::find(observer.bands.begin(), observer.bands.end(), cube) != observer.bands.end()) {
+            section.mistake("cubes", fmt::format("\"{}\" is a band of it, too: their files would "
+                                                 "have one name",
+                                                 cube));
+        }
+    }
     std::vector<std::string> known;
     for (const CubeInput& cube : cubes) known.push_back(cube.name);
     for (const std::string& cube : observer.cubes) {

@@ -24,6 +24,52 @@ std::vector<Eigen::Vector2d> rectangle(const std::vector<double>& spec) {
             centre + along - right};
 }
 
+constexpr double furthest = 1e6;  // [m] from the site
+
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// What a ring cannot be: too large, without area, crossing itself.
+void check_ring(const Section& section, const std::string& key,
+                const std::vector<Eigen::Vector2d>& ring) {
+    constexpr std::size_t most_corners =
+        10000;  // of a ring: every side is held against every other
+    const std::size_t n = ring.size();
+    if (n < 3 || n > most_corners) {
+        if (n > 3) {
+            section.mistake(key,
+                            fmt::format("found {} corners, expected at most {}", n, most_corners));
+        }
+        return;
+    }
+    double area = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+        if (!(ring[i].cwiseAbs().maxCoeff() <= furthest)) {
+            section.mistake(key, fmt::format("found a corner at [{:g}, {:g}], expected {:g} m from "
+                                             "the site at most",
+                                             ring[i].x(), ring[i].y(), furthest));
+            return;
+        }
+        if (i > 1) area += 0.5 * turn(ring[0], ring[i - 1], ring[i]);
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % n];
+        for (std::size_t k = i + 2; k < n && (i > 0 || k + 1 < n); ++k) {
+            const Eigen::Vector2d &c = ring[k], &d = ring[(k + 1) % n];
+            if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0) {
+                section.mistake(key,
+                                fmt::format("its side from corner {} crosses that from corner "
+                                            "{}",
+                                            i + 1, k + 1),
+                                "corners one after the other, as one walks round it");
+                return;
+            }
+        }
+    }
+    if (!(std::abs(area) > 1e-4)) section.mistake(key, "has no area");
+}
+
 GroundPolygon read_polygon(const Section& section, Reading& reading) {
     GroundPolygon polygon;
     polygon.name = reading.object(section, "of the object that this ground is");
@@ -40,9 +86,10 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
                             "[east, north, length, width, heading_deg]: middle, sides, the way its "
                             "length points; or ring_m",
                             5);
-        if (!(spec[2] > 0.0 && spec[3] > 0.0)) {
+        if (!(spec[2] > 0.0 && spec[3] > 0.0 && std::abs(spec[4]) <= 360.0)) {
             section.mistake("rectangle_m",
-                            "expected [east, north, length > 0, width > 0, heading_deg]");
+                            "expected [east, north, length > 0, width > 0, heading_deg of -360 to "
+                            "360]");
         }
         polygon.ring = rectangle(spec);
     } else {
@@ -50,7 +97,9 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
             "ring_m", "[[east, north], ...]: its corners in turn, the first not repeated", 2, 3);
         for (const auto& corner : corners) polygon.ring.emplace_back(corner[0], corner[1]);
     }
-    polygon.where = section.where(section.has("rectangle_m") ? "rectangle_m" : "ring_m");
+    const std::string key = section.has("rectangle_m") ? "rectangle_m" : "ring_m";
+    polygon.where = section.where(key);
+    check_ring(section, key, polygon.ring);
     return polygon;
 }
 
@@ -77,11 +126,11 @@ GroundRule read_rule(const Section& rule, const Reading& reading) {
                                        std::vector{0.0, 90.0}, 2);
     const auto height = rule.numbers_or("height_m", "[least, most] above the sea it holds for",
                                         std::vector{-1e4, 1e4}, 2);
-    if (!(slope[0] < slope[1])) {
-        rule.mistake("slope_deg", "expected [least, most] in ascending order");
+    if (!(slope[0] < slope[1] && slope[0] >= -90.0 && slope[1] <= 90.0)) {
+        rule.mistake("slope_deg", "expected [least, most] in ascending order, at most 90");
     }
-    if (!(height[0] < height[1])) {
-        rule.mistake("height_m", "expected [least, most] in ascending order");
+    if (!(height[0] < height[1] && height[0] >= -1e5 && height[1] <= 1e5)) {
+        rule.mistake("height_m", "expected [least, most] in ascending order, within 100000 m");
     }
     return {.material = rule.name("material", "of such ground", reading.materials),
             .least_slope_deg = slope[0],

@@ -60,7 +60,13 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
             material.back() = of_part(object, material.size() - 1, material.back(), materials);
         }
     }
-    return placed_mesh(*object.mesh, placing, material);
+    try {
+        return placed_mesh(*object.mesh, placing, material);
+    } catch (const InputError& error) {
+        const Mistake& mistake = error.mistakes().front();
+        throw InputError(object.where, fmt::format("\"{}\" {}", object.name, mistake.problem),
+                         mistake.hint);
+    }
 }
 
 double object_height(const ObjectInput& object) { return size_of(object).z(); }

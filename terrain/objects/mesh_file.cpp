@@ -15,6 +15,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
 #include "materials/base/plain_text.hpp"
+#include "terrain/objects/mesh_gate.hpp"
 
 namespace diurna {
 
@@ -66,6 +67,9 @@ class Collector {
 
  private:
     void add(const aiMesh& mesh, const aiNode& node, const aiMatrix4x4& transform) {
+        if (mesh_.triangle.size() + mesh.mNumFaces > most_triangles) {
+            throw InputError(name_, fmt::format("holds more than {} triangles", most_triangles));
+        }
         aiString material;
         scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
         const auto part = static_cast<std::uint16_t>(mesh_.part.size());
@@ -76,9 +80,10 @@ class Collector {
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
             const aiVector3D at = transform * mesh.mVertices[v];
             const Corner corner{at.x, at.y, at.z};
-            if (!Eigen::Vector3d(at.x, at.y, at.z).allFinite()) {
-                throw InputError(
-                    name_, fmt::format("vertex {} of part \"{}\" is not finite", v, group.C_Str()));
+            if (!(Eigen::Array3d(at.x, at.y, at.z).abs() <= most_coordinate).all()) {
+                throw InputError(name_, fmt::format("vertex {} of part \"{}\" is not finite, or "
+                                                    "beyond {:g}",
+                                                    v, group.C_Str(), most_coordinate));
             }
             const auto [known, fresh] =
                 number_.try_emplace(corner, static_cast<std::uint32_t>(mesh_.vertex.size()));
@@ -88,6 +93,12 @@ class Collector {
         for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
             const aiFace& face = mesh.mFaces[f];
             if (face.mNumIndices != 3) continue;  // points and lines
+            if (std::any_of(face.mIndices, face.mIndices + 3,
+                            [&](unsigned i) { return i >= mesh.mNumVertices; })) {
+                throw InputError(name_, fmt::format("face {} of part \"{}\" has a corner that is "
+                                                    "not there",
+                                                    f, group.C_Str()));
+            }
             const auto a = number[face.mIndices[0]], b = number[face.mIndices[1]],
                        c = number[face.mIndices[2]];
             if (a == b || b == c || c == a) continue;
@@ -116,6 +127,7 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::optional<C
     }
     const Confines confines = given ? *given : confines_of(file);
     std::optional<Mistake> refused;
+    check_mesh_bytes(file, kind);
     Assimp::Importer importer;
     importer.SetIOHandler(new GuardedFiles(confines, refused));  // the importer's from here on
     // Only places and faces are wanted: normals and texture places would keep equal corners apart.

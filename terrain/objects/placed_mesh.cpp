@@ -1,10 +1,13 @@
 #include "terrain/objects/placed_mesh.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
+#include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/objects/mesh_check.hpp"
 
@@ -88,6 +91,38 @@ Eigen::Vector3d upright(const Eigen::Vector3d& v, UpAxis up) {
     return up == UpAxis::z ? v : Eigen::Vector3d(-v.x(), v.z(), v.y());
 }
 
+/// Throws InputError for what is smaller than anything that a picture shows: of another unit.
+void check_size(const std::vector<Eigen::Vector3d>& vertex) {
+    constexpr double least = 1e-3;  // [m]
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : vertex) box.extend(v);
+    const double size = vertex.empty() ? 0.0 : box.sizes().maxCoeff();
+    if (size >= least) return;
+    throw InputError("object",
+                     fmt::format("measures {:.2g} m, expected {:g} at least", size, least),
+                     "unit and scale are those of the file");
+}
+
+/// Throws InputError where cutting would make more triangles than a mesh's file may have: the
+/// smallest number is that of equilateral ones, and of a thin one that of its edge's parts.
+void check_pieces(const std::vector<Eigen::Vector3d>& vertex, const MeshFile& mesh,
+                  double longest) {
+    constexpr double most = 5e6;
+    double pieces = 0.0;
+    for (const auto& [a, b, c] : mesh.triangle) {
+        const Eigen::Vector3d ab = vertex[b] - vertex[a], ac = vertex[c] - vertex[a];
+        const double area = 0.5 * ab.cross(ac).norm() / (0.433 * longest * longest);
+        const double edge = std::max({ab.norm(), ac.norm(), (ac - ab).norm()}) / longest;
+        pieces += std::max({1.0, area, edge});
+    }
+    if (pieces <= most) return;
+    throw InputError("object",
+                     fmt::format("becomes {:.2g} triangles with edges of {:g} m, expected {:g} at "
+                                 "most",
+                                 pieces, longest, most),
+                     "a larger largest_edge_m, or another unit or scale");
+}
+
 double enclosed_volume(const ObjectMesh& mesh) {
     double volume = 0.0;
     const Eigen::Vector3d origin = mesh.vertex.front().cast<double>();
@@ -126,6 +161,8 @@ ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
     const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
     for (Eigen::Vector3d& v : vertex) v = placing.base + turn * v;
 
+    check_size(vertex);
+    check_pieces(vertex, mesh, placing.largest_edge);
     std::vector<Piece> pieces;
     for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)
         pieces.push_back({mesh.triangle[t], t});

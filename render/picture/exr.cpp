@@ -23,8 +23,6 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_values = std::size_t{1} << 28;
-
 /// OpenEXR does not report every failure to write the last bytes of a file; memory does not fail.
 class MemoryOut : public OPENEXR_IMF_NAMESPACE::OStream {
  public:
@@ -184,7 +182,7 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
         Imf::InputFile file(memory, 0);
         const Imf::Header& header = file.header();
         Frame frame;
-        if (values_of(header, frame.width, frame.height) > most_values) {
+        if (values_of(header, frame.width, frame.height) > most_exr_values) {
             throw std::runtime_error("is larger than 2^28 values");
         }
         if (!file.isComplete()) throw std::runtime_error("is incomplete");

@@ -25,6 +25,9 @@ void write_exr(const std::filesystem::path& path, const Frame& frame,
                ExrCompression compression = ExrCompression::none,
                const CameraTags* camera = nullptr);
 
+/// Of all planes of a file together.
+inline constexpr std::size_t most_exr_values = std::size_t{1} << 28;
+
 /// Reads such a file back; planes in alphabetical order, as OpenEXR keeps them. Throws InputError
 /// for a file that is missing, damaged, truncated, or of more than 2^28 values.
 Frame read_exr(const std::filesystem::path& path);

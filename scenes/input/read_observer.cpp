@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "materials/base/units.hpp"
+#include "render/picture/exr.hpp"
 #include "scenes/input/checked_names.hpp"
 #include "scenes/input/object_names.hpp"
 #include "scenes/input/read_frames.hpp"
@@ -22,6 +23,17 @@ bool sees_motion(const ObserverInput& observer, const TerrainInput& terrain) {
     return observer.goes() ||
            std::any_of(terrain.objects.begin(), terrain.objects.end(),
                        [](const ObjectInput& object) { return !object.trajectory.empty(); });
+}
+
+/// A picture that nobody could read back; those with planes for terms or surfaces end sooner.
+void check_picture_size(const Section& section, const ObserverInput& observer) {
+    constexpr double least_planes = 10.0;
+    const double values = least_planes * observer.width * observer.height;
+    if (values <= double(most_exr_values)) return;
+    section.mistake("width",
+                    fmt::format("{} x {} pixels of {:.0f} planes are more than the {} values "
+                                "that a picture may have",
+                                observer.width, observer.height, least_planes, most_exr_values));
 }
 
 /// A camera that flies: rows read one after the other, each blurred by its exposure.
@@ -259,6 +271,11 @@ void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& 
     observer.bands = section.texts_or(
         "bands", "FROM-TO in µm, visible, nir, swir, mwir, lwir, or names of [[bands]]",
         std::vector<std::string>{"3-5", "8-12"});
+    for (auto band = observer.bands.begin(); band != observer.bands.end(); ++band) {
+        if (std::find(observer.bands.begin(), band, *band) == band) continue;
+        section.mistake("bands", fmt::format("has \"{}\" twice", *band));
+        break;
+    }
     for (const std::string& band : observer.bands) {
         try {
             named_band(bands, band);
@@ -303,6 +320,7 @@ ObserverInput read_observer(const Section& section, const ObserverReading& readi
         section.number_or("roll_deg", "about its line of sight, clockwise", 0.0, {-180.0, 180.0});
     observer.width = section.integer_or("width", "pixels", 640, {1, 16384});
     observer.height = section.integer_or("height", "pixels", 512, {1, 16384});
+    check_picture_size(section, observer);
     const PictureAngles angles = read_projection(section, observer.width, observer.height);
     observer.projection = angles.projection;
     observer.horizontal_fov_deg = angles.horizontal_fov_deg;

@@ -171,8 +171,8 @@ Scene read_scene(const Document& document) {
                                        scene.observers, scene.time, scene.site);
     scene.crossovers =
         read_crossovers(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
-    scene.contrasts = read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands,
-                                     scene.observers);
+    scene.contrasts =
+        read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
     scene.sweep = read_sweep(
         root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
     scene.texture_uses = std::move(reading.texture_uses);

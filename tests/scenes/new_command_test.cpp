@@ -39,8 +39,8 @@ TEST_CASE("a first scene of an elevation file alone is one that solves", "[scene
     CHECK(read.observers.size() == 1);
     CHECK(verb("check '" + (scene / "scene.toml").string() + "'", told) == 0);
     CHECK(verb("solve '" + (scene / "scene.toml").string() + "' --set time.duration_h=2 " +
-                     "--set terrain.radius_m=200 --out '" + (folder.path / "t.nc").string() + "'",
-                 told) == 0);
+                   "--set terrain.radius_m=200 --out '" + (folder.path / "t.nc").string() + "'",
+               told) == 0);
 }
 
 TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][new]") {

@@ -9,6 +9,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "materials/base/hdf5_file.hpp"
 #include "thermal/netcdf_output.hpp"
 #include "thermal/temperature_field.hpp"
 #include "thermal/temperature_names.hpp"
@@ -80,6 +81,7 @@ TemperatureField load_temperature_field(const fs::path& path) {
     if (!fs::is_regular_file(path)) throw fail("no such file");
     int id = -1;
     note_file_read(path);
+    check_values_are_its_own(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
         throw fail(fmt::format("is no netCDF file ({})", nc_strerror(status)));
     }

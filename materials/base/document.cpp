@@ -160,13 +160,16 @@ std::function<void(std::span<const Key>)>& watcher() {
 
 Document::Document(std::shared_ptr<DocumentState> state) : state_(std::move(state)) {}
 
-Document Document::from_file(const std::filesystem::path& file) {
-    return from_text(read_text(file, 16u << 20), file.string());
+Document Document::from_file(const std::filesystem::path& file,
+                             const std::optional<Confines>& confines) {
+    return from_text(read_text(file, 16u << 20), file.string(), confines);
 }
 
-Document Document::from_text(const std::string& text, const std::string& file) {
+Document Document::from_text(const std::string& text, const std::string& file,
+                             const std::optional<Confines>& confines) {
     auto state = std::make_shared<DocumentState>();
     state->file = file;
+    state->confines = confines ? *confines : confines_of(file);
     check_limits(text, file);
     try {
         state->root = toml::parse(text, file);
@@ -225,6 +228,8 @@ void Document::finish() const {
 }
 
 const std::string& Document::file() const { return state_->file; }
+
+const Confines& Document::confines() const { return state_->confines; }
 
 std::span<const Key> Document::keys() const { return state_->keys; }
 

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "materials/base/confines.hpp"
 #include "materials/base/key.hpp"
 #include "materials/base/section.hpp"
 
@@ -19,9 +21,12 @@ namespace diurna {
 /// there is any mistake. Nothing read may be used before `finish()` has returned.
 class Document {
  public:
-    /// Throws InputError at the first error of syntax.
-    static Document from_file(const std::filesystem::path& file);
-    static Document from_text(const std::string& text, const std::string& file);
+    /// What it names may be read within `confines`, by themselves those of its own folder. Throws
+    /// InputError at the first error of syntax.
+    static Document from_file(const std::filesystem::path& file,
+                              const std::optional<Confines>& confines = {});
+    static Document from_text(const std::string& text, const std::string& file,
+                              const std::optional<Confines>& confines = {});
 
     /// Puts a value in place of what the file says, or adds it: "time.step_s=300". What is no TOML
     /// value counts as a text. Of several tables [[observer]] one is called by its name or its
@@ -40,6 +45,7 @@ class Document {
     void finish() const;
 
     const std::string& file() const;
+    const Confines& confines() const;
     /// What was asked for so far, in that order.
     std::span<const Key> keys() const;
 

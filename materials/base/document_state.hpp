@@ -4,12 +4,14 @@
 
 #include <toml++/toml.h>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/key.hpp"
 
@@ -33,6 +35,7 @@ struct DocumentState {
     };
 
     std::string file;
+    Confines confines;
     toml::table root;
     std::vector<Placed> mistakes;
     std::map<std::string, Table> table;  // by its path: "terrain.rule[0]"

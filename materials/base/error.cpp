@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "materials/base/plain_text.hpp"
+
 namespace diurna {
 
 namespace {
@@ -17,20 +19,6 @@ std::string joined(const std::vector<Mistake>& mistakes) {
         text += mistake.line();
     }
     return text;
-}
-
-/// How many bytes at the beginning are one character that steers a terminal: a control character,
-/// one of Unicode's (U+0080 to U+009F), or one that turns the direction of what follows (U+202A to
-/// U+202E, U+2066 to U+2069).
-std::size_t steering_bytes(std::string_view text) {
-    const auto at = [&](std::size_t i) {
-        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-    };
-    if (at(0) < 0x20 || at(0) == 0x7f) return 1;
-    if (at(0) == 0xc2 && at(1) >= 0x80 && at(1) <= 0x9f) return 2;
-    const bool turns = (at(1) == 0x80 && at(2) >= 0xaa && at(2) <= 0xae) ||
-                       (at(1) == 0x81 && at(2) >= 0xa6 && at(2) <= 0xa9);
-    return at(0) == 0xe2 && turns ? 3 : 0;
 }
 
 /// At most 1000 bytes, no character of UTF-8 cut: a key or a path may be of any length.
@@ -64,14 +52,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string Mistake::line() const {
-    std::string text = shortened(where) + ": " + shortened(problem) +
-                       (hint.empty() ? "" : " (" + shortened(hint) + ")");
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        for (std::size_t bytes = steering_bytes(std::string_view(text).substr(i)); bytes > 0;) {
-            text[i + --bytes] = '?';
-        }
-    }
-    return text;
+    const std::string more = hint.empty() ? "" : " (" + shortened(hint) + ")";
+    return plain(shortened(where) + ": " + shortened(problem) + more);
 }
 
 InputError::InputError(std::string where, std::string problem, std::string hint)

@@ -1,18 +1,11 @@
 #include "materials/base/files.hpp"
 
-#include <fcntl.h>
-#include <sys/random.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "materials/base/error.hpp"
+#include "materials/base/unfinished.hpp"
 
 namespace diurna {
 
@@ -38,36 +31,9 @@ std::string read_text(const fs::path& path, std::size_t limit) {
 
 void write_whole_file(const fs::path& path, std::span<const std::byte> bytes) {
     check_output_file(path);
-    const fs::path temporary = temporary_beside(path);
-    const auto fail = [&](const char* what) {
-        const std::string reason = std::strerror(errno);
-        ::unlink(temporary.c_str());
-        throw std::runtime_error(path.string() + ": " + what + ": " + reason);
-    };
-    const int file =
-        ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
-    if (file < 0) {
-        throw std::runtime_error(path.string() + ": cannot create: " + std::strerror(errno));
-    }
-    for (std::size_t done = 0; done < bytes.size();) {
-        const ssize_t written = ::write(file, bytes.data() + done, bytes.size() - done);
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) {
-            const int reason = errno;
-            ::close(file);
-            errno = reason;
-            fail("cannot write");
-        }
-        done += static_cast<std::size_t>(written);
-    }
-    if (::fsync(file) != 0) {
-        const int reason = errno;
-        ::close(file);
-        errno = reason;
-        fail("cannot flush");
-    }
-    if (::close(file) != 0) fail("cannot close");
-    if (::rename(temporary.c_str(), path.c_str()) != 0) fail("cannot rename into place");
+    UnfinishedFile file(path);
+    file.write(bytes);
+    file.finish();
 }
 
 void write_whole_file(const fs::path& path, std::string_view text) {
@@ -93,21 +59,6 @@ void check_output_file(const fs::path& path, const std::vector<FileRead>& inputs
                          "is what the results are made of: they would take its place",
                          "choose another name");
     }
-}
-
-fs::path temporary_beside(const fs::path& path) {
-    std::uint64_t random = 0;
-    if (::getrandom(&random, sizeof random, 0) != sizeof random) {
-        throw std::runtime_error(path.string() + ": no random name for it");
-    }
-    char tail[48];
-    std::snprintf(tail, sizeof tail, ".%ld.%016llx.part", long(::getpid()),
-                  static_cast<unsigned long long>(random));
-    return path.parent_path() / fs::path(".").concat(path.filename().string()).concat(tail);
-}
-
-bool is_temporary_name(const std::string& name) {
-    return name.starts_with(".") && name.ends_with(".part");
 }
 
 fs::path data_folder() {

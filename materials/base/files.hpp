@@ -24,12 +24,6 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text);
 /// pipe, a folder, one of the `inputs` they are made of; or where its folder is none.
 void check_output_file(const std::filesystem::path& path, const std::vector<FileRead>& inputs = {});
 
-/// A name beside a file that nobody can guess, for it while it is unfinished.
-std::filesystem::path temporary_beside(const std::filesystem::path& path);
-
-/// Whether a file's name is one that unfinished files have: ".NAME.PROCESS.RANDOM.part".
-bool is_temporary_name(const std::string& name);
-
 /// Where the project's own data lie (`materials/` with its tables and spectra): the environment's
 /// DIURNA_DATA if set, else the source tree this program was built from.
 std::filesystem::path data_folder();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "materials/base/document_nodes.hpp"
+#include "materials/base/plain_text.hpp"
 
 namespace diurna {
 
@@ -66,7 +67,11 @@ std::vector<std::string> Section::free_keys() const {
     std::sort(keys.begin(), keys.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     std::vector<std::string> names;
-    for (auto& [position, name] : keys) names.push_back(std::move(name));
+    for (auto& [position, name] : keys) {
+        if (!is_plain(name))
+            mistake(name, "expected a name of one line without control characters");
+        names.push_back(std::move(name));
+    }
     return names;
 }
 
@@ -164,8 +169,14 @@ int Section::integer_or(const std::string& key, const char* says, Or<int> fallba
 std::string Section::checked_text(const std::string& key, const std::string& fallback) const {
     const toml::node* node = node_of(table_, key);
     if (node == nullptr) return fallback;
-    if (node->is_string()) return node->as_string()->get();
-    mistake(key, fmt::format("found {}, expected a text in quotes", shown(*node)));
+    if (!node->is_string()) {
+        mistake(key, fmt::format("found {}, expected a text in quotes", shown(*node)));
+        return fallback;
+    }
+    const std::string text = node->as_string()->get();
+    if (is_plain(text)) return text;
+    mistake(key,
+            fmt::format("found {}, expected one line without control characters", shown(*node)));
     return fallback;
 }
 

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/key.hpp"
 
@@ -79,6 +81,12 @@ class Section {
     int integer_or(const std::string& key, const char* says, Or<int> fallback, Range range) const;
     std::string text(const std::string& key, const char* says) const;
     std::string text_or(const std::string& key, const char* says, Or<std::string> fallback) const;
+    /// The file that a text names, from the document's folder on. "" after a mistake: there is
+    /// none, or it lies beyond the document's confines (materials/base/confines.hpp).
+    std::filesystem::path file(const std::string& key, const char* says) const;
+    /// The same of a name that a key's value has.
+    std::filesystem::path file_named(const std::string& key, const std::string& name) const;
+    const Confines& confines() const;
     /// One of the names that are known; anything else is a mistake with the nearest name.
     std::string name(const std::string& key, const char* says, const Names& names) const;
     std::string name_or(const std::string& key, const char* says, Or<std::string> fallback,

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "materials/base/document_nodes.hpp"
+#include "materials/base/plain_text.hpp"
 #include "materials/base/section.hpp"
 
 namespace diurna {
@@ -68,7 +69,13 @@ std::vector<std::string> Section::texts_or(const std::string& key, const char* s
         return fallback.value;
     }
     std::vector<std::string> values;
-    for (const toml::node& element : *array) values.push_back(element.as_string()->get());
+    for (const toml::node& element : *array) {
+        values.push_back(element.as_string()->get());
+        if (is_plain(values.back())) continue;
+        mistake(key,
+                fmt::format("found {}, expected lines without control characters", shown(element)));
+        return fallback.value;
+    }
     return values;
 }
 

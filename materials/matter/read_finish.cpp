@@ -56,12 +56,15 @@ void read_index(const std::filesystem::path& path, Glossy& finish) {
 }
 
 /// n and k of a gloss: of a file, or one number.
-void read_refraction(const Section& section, const std::filesystem::path& folder, Glossy& finish) {
+void read_refraction(const Section& section, Glossy& finish) {
     double index = 1.5;
     if (section.has("index_file")) {
+        const std::filesystem::path file = section.file("index_file", index_file_says);
         try {
-            read_index(folder / section.text("index_file", index_file_says), finish);
-            return;
+            if (!file.empty()) {
+                read_index(file, finish);
+                return;
+            }
         } catch (const InputError& error) {
             section.mistake("index_file", error.what());
         }
@@ -95,16 +98,17 @@ Finish read_by_angle(const Section& section) {
 }
 
 /// A measured BRDF of a file.
-Finish read_measured(const Section& section, const std::filesystem::path& folder) {
+Finish read_measured(const Section& section) {
+    const std::filesystem::path file =
+        section.file("file",
+                     "a measured BRDF: .binary of the MERL database, or .csv of light_deg, "
+                     "eye_deg, azimuth_deg and brdf_sr");
     try {
-        return finish_of(read_brdf(
-            folder / section.text("file",
-                                  "a measured BRDF: .binary of the MERL database, or .csv "
-                                  "of light_deg, eye_deg, azimuth_deg and brdf_sr")));
+        if (!file.empty()) return finish_of(read_brdf(file));
     } catch (const InputError& error) {
         section.mistake("file", error.what());
-        return Lambert{};
     }
+    return Lambert{};
 }
 
 /// Smooth matter of which only the reflectance is known, beyond 4 µm: the n that sends it back
@@ -143,23 +147,21 @@ bool wants_effective_index(const Section& section) {
 }
 
 /// n and k of a gloss or of a metal that has them.
-void read_indices(const Section& section, const std::filesystem::path& folder,
-                  const Spectrum& reflectance, Glossy& finish) {
-    if (!finish.metal || section.has("index_file")) read_refraction(section, folder, finish);
+void read_indices(const Section& section, const Spectrum& reflectance, Glossy& finish) {
+    if (!finish.metal || section.has("index_file")) read_refraction(section, finish);
     if (!finish.waves && !finish.pane && wants_effective_index(section)) {
         take_effective_index(reflectance, finish);
     }
 }
 
-Finish read_law(const Section& section, const std::filesystem::path& folder,
-                const Spectrum& reflectance) {
+Finish read_law(const Section& section, const Spectrum& reflectance) {
     const std::string kind = section.kind_or(
         "lambert: the same at every angle; gloss: a clear coat over it, as paint, varnish; metal: "
         "a bare one; waves: water, as rough as the wind makes it; pane: a sheet with two smooth "
         "faces, of the transmittance that is given upright; by_angle: a table; measured: a BRDF",
         "lambert", {"lambert", "gloss", "metal", "waves", "pane", "by_angle", "measured"});
     if (kind == "by_angle") return read_by_angle(section);
-    if (kind == "measured") return read_measured(section, folder);
+    if (kind == "measured") return read_measured(section);
     if (kind == "lambert") return Lambert{};
     Glossy finish;
     finish.metal = kind == "metal";
@@ -173,7 +175,7 @@ Finish read_law(const Section& section, const std::filesystem::path& folder,
         finish.roughness =
             section.number("roughness", "of its microfacets: 0 a mirror", {0.0, 1.0});
     }
-    read_indices(section, folder, reflectance, finish);
+    read_indices(section, reflectance, finish);
     return finish;
 }
 
@@ -196,25 +198,24 @@ void average_over_hemisphere(const Section& section, Material& material) {
 
 }  // namespace
 
-void read_finish(const Section& section, const std::filesystem::path& folder, bool anew,
-                 Material& material) {
+void read_finish(const Section& section, bool anew, Material& material) {
     if (section.has("finish")) {
-        material.finish =
-            read_law(section.section("finish", finish_says), folder, material.reflectance);
+        material.finish = read_law(section.section("finish", finish_says), material.reflectance);
     }
     if (anew) average_over_hemisphere(section, material);
 }
 
-std::optional<IndexReach> index_reach(const Section& section, const std::filesystem::path& folder,
-                                      const Glossy& finish) {
+std::optional<IndexReach> index_reach(const Section& section, const Glossy& finish) {
     if (!section.has("finish")) return {};
     const Section law = section.section("finish", finish_says);
     if (!law.has("index_file")) return {};
     const bool plain = !finish.waves && !finish.pane;
     const bool effective = plain && wants_effective_index(law);
     if (finish.metal && effective) return {};
+    const std::filesystem::path file = law.file("index_file", index_file_says);
+    if (file.empty()) return {};
     try {
-        const CsvTable table = read_csv(folder / law.text("index_file", index_file_says));
+        const CsvTable table = read_csv(file);
         const std::size_t column = table.column("wavelength_um");
         if (table.rows.empty()) return {};
         return IndexReach{.from_um = table.number(0, column),

@@ -25,8 +25,7 @@ namespace diurna {
 ///
 /// anew  whether those means are of spectra or of a finish that are new; else they are what the
 ///       hemisphere's were
-void read_finish(const Section& section, const std::filesystem::path& folder, bool anew,
-                 Material& material);
+void read_finish(const Section& section, bool anew, Material& material);
 
 /// What a material's `finish` says.
 inline constexpr const char* finish_says = "how light is sent back over the angle";
@@ -39,7 +38,6 @@ struct IndexReach {
 };
 /// Of a material that was read before as `finish`; none without such a file, or where its index
 /// serves nowhere.
-std::optional<IndexReach> index_reach(const Section& section, const std::filesystem::path& folder,
-                                      const Glossy& finish);
+std::optional<IndexReach> index_reach(const Section& section, const Glossy& finish);
 
 }  // namespace diurna

@@ -10,12 +10,11 @@
 namespace diurna {
 
 MaterialLibrary read_material_library(const Document& document) {
-    const std::filesystem::path folder = std::filesystem::path(document.file()).parent_path();
     const Section root = document.root();
     MaterialLibrary library;
     for (const std::string& name : root.free_keys()) {
         const Section section = root.section(name, "a material by this name");
-        library.add(read_material(section, library, folder, name));
+        library.add(read_material(section, library, name));
     }
     document.finish();
     return library;

@@ -46,15 +46,14 @@ void read_openings(const Section& section, double cover, Material& material) {
 
 }  // namespace
 
-void read_light(const Section& section, const std::filesystem::path& folder, bool fresh,
-                Material& material) {
+void read_light(const Section& section, bool fresh, Material& material) {
     const bool anew = fresh || has_any(section, {"reflectance", "transmittance", "finish"});
     const bool means = has_any(section, {"albedo", "emissivity"});
     const bool strips = anew || means || section.has("cover");
     const double cover = strips ? material.cover : 1.0;
     if (strips) take_strips(material);
-    if (anew || means) read_optics(section, folder, fresh, material);
-    read_finish(section, folder, anew, material);
+    if (anew || means) read_optics(section, fresh, material);
+    read_finish(section, anew, material);
     read_openings(section, cover, material);
 }
 

@@ -17,7 +17,6 @@ namespace diurna {
 /// keys are those of its strips.
 ///
 /// fresh  the material starts from no other
-void read_light(const Section& section, const std::filesystem::path& folder, bool fresh,
-                Material& material);
+void read_light(const Section& section, bool fresh, Material& material);
 
 }  // namespace diurna

@@ -253,11 +253,11 @@ void close_bottom(const Section& section, ThermalSurface& thermal) {
 }  // namespace
 
 Material read_material(const Section& section, const MaterialLibrary& base,
-                       const std::filesystem::path& folder, const std::string& name) {
+                       const std::string& name) {
     Start start = read_start(section, base, name);
     Material& material = start.material;
     if (start.lost) return material;
-    read_light(section, folder, start.fresh, material);
+    read_light(section, start.fresh, material);
     ThermalSurface& thermal = material.thermal;
     if (start.fresh || section.has("roughness_length_m")) {
         thermal.roughness_length = section.number(

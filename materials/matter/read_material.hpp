@@ -15,12 +15,10 @@ namespace diurna {
 ///           there starts from that one, so `name = "asphalt"` alone is the library's asphalt and
 ///           `name = "asphalt", albedo = 0.08` is that asphalt made darker
 ///
-/// folder    where relative names of spectrum files start
-///
 /// name      the material's name where the table has no `name` of its own
 ///
 /// Mistakes are noted in the section's document, which throws them all in finish().
 Material read_material(const Section& section, const MaterialLibrary& base,
-                       const std::filesystem::path& folder, const std::string& name = "");
+                       const std::string& name = "");
 
 }  // namespace diurna

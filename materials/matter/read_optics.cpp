@@ -63,17 +63,18 @@ Spectrum absorptance(const Spectrum& reflectance, const Spectrum& transmittance)
 }
 
 /// A spectrum of a file, as far as it goes.
-Spectrum read_file(const Section& section, const char* key, const char* says,
-                   const std::filesystem::path& folder) {
-    const std::string name = section.text(key, says);
+Spectrum read_file(const Section& section, const char* key, const char* says) {
+    const std::filesystem::path file = section.file(key, says);
     try {
-        const Spectrum s = read_spectrum(folder / name, 0.0, 1.0);
-        check_micrometres(s, folder / name);
-        return s;
+        if (!file.empty()) {
+            const Spectrum s = read_spectrum(file, 0.0, 1.0);
+            check_micrometres(s, file);
+            return s;
+        }
     } catch (const InputError& error) {
         section.mistake(key, error.what());
-        return two_step_reflectance(0.0, 1.0);
     }
+    return two_step_reflectance(0.0, 1.0);
 }
 
 /// The means that a table gives of its own.
@@ -162,8 +163,7 @@ void check_micrometres(const Spectrum& s, const std::filesystem::path& file) {
                      "divide them by 1000");
 }
 
-void read_optics(const Section& section, const std::filesystem::path& folder, bool fresh,
-                 Material& material) {
+void read_optics(const Section& section, bool fresh, Material& material) {
     ThermalSurface& thermal = material.thermal;
     const double albedo_before = thermal.albedo, emissivity_before = thermal.emissivity;
     // Without a file a material of its own needs both numbers; otherwise each may change a mean.
@@ -172,9 +172,8 @@ void read_optics(const Section& section, const std::filesystem::path& folder, bo
                       section.has("finish");
     const Means means = read_means(section, needed);
     if (section.has("reflectance")) {
-        const Spectrum given =
-            read_file(section, "reflectance",
-                      "CSV of wavelength_um and value: hemispherical, 0 to 1", folder);
+        const Spectrum given = read_file(section, "reflectance",
+                                         "CSV of wavelength_um and value: hemispherical, 0 to 1");
         material.given_from_um = Material{}.given_from_um;
         material.given_to_um = Material{}.given_to_um;
         note_range(given, material);
@@ -183,9 +182,8 @@ void read_optics(const Section& section, const std::filesystem::path& folder, bo
         material.reflectance = two_step_reflectance(*means.albedo, *means.emissivity);
     }
     if (section.has("transmittance")) {
-        const Spectrum given =
-            read_file(section, "transmittance",
-                      "CSV of wavelength_um and value, 0 to 1; else opaque", folder);
+        const Spectrum given = read_file(section, "transmittance",
+                                         "CSV of wavelength_um and value, 0 to 1; else opaque");
         note_range(given, material);
         material.transmittance = extended(given);
     }

@@ -22,9 +22,7 @@ void check_micrometres(const Spectrum& s, const std::filesystem::path& file);
 /// The means are those near the normal, unless given; without reflectance, transmittance or finish
 /// in the section they stay what they were.
 ///
-/// folder  where relative names of spectrum files start
 /// fresh   the material starts from no other: it needs a file or both numbers
-void read_optics(const Section& section, const std::filesystem::path& folder, bool fresh,
-                 Material& material);
+void read_optics(const Section& section, bool fresh, Material& material);
 
 }  // namespace diurna

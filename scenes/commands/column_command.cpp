@@ -10,6 +10,7 @@
 #include <string>
 
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "thermal/point/point_csv.hpp"
 #include "thermal/point/point_job.hpp"
 #include "thermal/point/point_job_file.hpp"
@@ -23,11 +24,12 @@ namespace {
 struct ColumnArguments {
     std::filesystem::path file;
     std::filesystem::path out;  // empty: to stdout
+    bool allow_outside = false;
 };
 
 void column_verb(const ColumnArguments& a) {
     const FilesRead opened;
-    const PointJob job = read_column_job(a.file);
+    const PointJob job = read_column_job(a.file, a.allow_outside);
     if (!a.out.empty()) check_output_file(a.out, opened.files());
     const PointResult result = run_column(job);
     const std::string text = column_csv(result);
@@ -38,7 +40,7 @@ void column_verb(const ColumnArguments& a) {
         fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
                    result.row.size(), result.passes, result.periodic_residual,
                    result.worst_energy_closure);
-        if (!result.note.empty()) fmt::print(stderr, "note: {}\n", result.note);
+        if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     }
     if (result.converged) return;
     throw std::runtime_error(
@@ -55,6 +57,8 @@ void add_column_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("column", "one facet driven by a weather file");
     verb->add_option("COLUMN", a->file, "column file (TOML)")->required();
     verb->add_option("--out", a->out, "CSV file; without it the result goes to stdout");
+    verb->add_flag("--allow-outside", a->allow_outside,
+                   "read files beyond the column's folder and the program's data");
     verb->callback([a] { column_verb(*a); });
 }
 

@@ -12,8 +12,10 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/studies/detection_files.hpp"
+#include "scenes/studies/study_files.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -62,7 +64,12 @@ void detection_verb(const SceneArguments& a, const std::filesystem::path& temper
         throw InputError(scene.file.string(), "no table [[detection]], expected one at least");
     }
     std::vector<StudiedObject> studied;
-    for (const DetectionInput& input : scene.detections) studied.push_back(input.studied);
+    std::vector<std::string> names;
+    for (const DetectionInput& input : scene.detections) {
+        studied.push_back(input.studied);
+        names.push_back(input.name);
+    }
+    check_study_files(out, names, scene.files);
     const TemperatureField field = study.heat(temperatures, studied);
     const double offset = scene.time.utc_offset;
     std::vector<std::vector<DetectionCurve>> all;
@@ -70,7 +77,6 @@ void detection_verb(const SceneArguments& a, const std::filesystem::path& temper
         all.push_back(detection_of(study.stages(), input, field, study.progress()));
     }
     study.progress().finish();
-    std::filesystem::create_directories(out);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const DetectionInput& input = scene.detections[i];
         std::vector<std::string> own = study.notes();
@@ -81,13 +87,13 @@ void detection_verb(const SceneArguments& a, const std::filesystem::path& temper
         }
         const std::string instrument = scene.instruments[input.instrument].instrument.name;
         const std::filesystem::path base = out / input.name;
-        write_whole_file(base.string() + ".csv", detection_csv(all[i], offset));
-        write_whole_file(base.string() + ".json",
-                         detection_json(input, instrument, all[i], own, offset));
-        write_whole_file(base.string() + ".svg", detection_svg(input, all[i], offset));
+        write_study_files(out, input.name,
+                          {.csv = detection_csv(all[i], offset),
+                           .json = detection_json(input, instrument, all[i], own, offset),
+                           .svg = detection_svg(input, all[i], offset)});
         print_ranges(input, all[i], offset);
         fmt::print("{}.csv, .json, .svg\n", base.string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

@@ -7,18 +7,24 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/plain_text.hpp"
+#include "materials/base/unfinished.hpp"
 #include "scenes/commands/column_command.hpp"
+#include "scenes/commands/contrast_command.hpp"
+#include "scenes/commands/crossover_command.hpp"
 #include "scenes/commands/detection_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
 #include "scenes/commands/keys_command.hpp"
 #include "scenes/commands/materials_command.hpp"
 #include "scenes/commands/model_command.hpp"
 #include "scenes/commands/movie_command.hpp"
+#include "scenes/commands/new_command.hpp"
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
 #include "scenes/commands/scene_commands.hpp"
@@ -38,7 +44,8 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_render_verb,    add_column_verb,     add_path_verb,      add_sun_verb,
     add_mesh_verb,      add_visibility_verb, add_materials_verb, add_model_verb,
     add_movie_verb,     add_verify_verb,     add_keys_verb,      add_doctor_verb,
-    add_signature_verb, add_detection_verb,
+    add_signature_verb, add_detection_verb,  add_crossover_verb, add_contrast_verb,
+    add_new_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.
@@ -79,6 +86,7 @@ int main(int argc, char** argv) {
     }
     try {
         std::signal(SIGXFSZ, SIG_IGN);  // too large a file is an error of write(), not an end
+        remove_unfinished_at_signals();
         run_program(argc, argv);
         if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
             throw std::runtime_error(std::string("stdout: cannot be written: ") +
@@ -89,7 +97,10 @@ int main(int argc, char** argv) {
         error.print(stderr);
         return bad_input;
     } catch (const std::exception& error) {
-        fmt::print(stderr, "diurna: {}\n", error.what());
+        std::istringstream lines(error.what());
+        for (std::string line; std::getline(lines, line);) {
+            fmt::print(stderr, "diurna: {}\n", plain(line));
+        }
         return failed;
     }
 }

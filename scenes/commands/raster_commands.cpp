@@ -14,6 +14,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
+#include "materials/base/plain_text.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
 #include "terrain/ground/affordable_tin.hpp"
@@ -94,8 +95,10 @@ void visibility_verb(const VisibilityArguments& arguments) {
         throw InputError("visibility",
                          "a sun needs both --sun-azimuth-deg and --sun-elevation-deg");
     }
+    const FilesRead opened;
     const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::leave});
-    for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", note);
+    if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
+    for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", plain(note));
     const Geodetic centre = dem_centre(dem);
     const HeightField field =
         height_field(dem, {centre.latitude_deg, centre.longitude_deg, centre.height});

@@ -9,7 +9,7 @@ namespace diurna {
 
 Scene SceneArguments::read() const {
     set_thread_count(threads);
-    return read_scene(scene, settings);
+    return read_scene(scene, settings, allow_outside);
 }
 
 ProgressStyle SceneArguments::style() const {
@@ -26,6 +26,8 @@ std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
         ->check(CLI::Range(0, 1024));
     verb.add_option("--progress", a->progress, "json, none or auto")
         ->check(CLI::IsMember({"json", "none", "auto"}));
+    verb.add_flag("--allow-outside", a->allow_outside,
+                  "read files beyond the scene's folder and the program's data");
     return a;
 }
 

@@ -19,6 +19,7 @@ struct SceneArguments {
     std::filesystem::path scene;
     std::vector<std::string> settings;
     std::string progress;
+    bool allow_outside = false;
     int threads = 0;
 
     /// Sets the number of threads. Throws InputError.

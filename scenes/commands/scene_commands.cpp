@@ -14,6 +14,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
@@ -58,7 +59,7 @@ void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle s
     const SweepReport report = run_sweep(sweep, options);
     fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
                report.rendered, report.kept, report.solved, options.out.string());
-    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", plain(note));
     if (report.missing > 0) {
         fmt::print(stderr,
                    "note: {} variants are not there yet: whichever shard ends last writes "
@@ -93,7 +94,7 @@ std::vector<NetworkObject> checked(const Prepared& prepared) {
 void check_verb(const SceneArguments& a) {
     Scene scene = a.read();
     if (!scene.sweep.axes.empty()) {
-        const Sweep sweep = read_sweep_variants(a.scene, a.settings);
+        const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
         for_each_value(sweep, [](Scene variant) { checked(prepare(std::move(variant))); });
         fmt::print("{}: {}\n", a.scene.string(), count_told(sweep));
     }
@@ -101,9 +102,9 @@ void check_verb(const SceneArguments& a) {
     const std::vector<NetworkObject> networks = checked(prepared);
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.surfaces().size(), prepared.sequences.size());
-    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
+    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
     for (const NetworkObject& network : networks) {
-        for (const std::string& note : network.notes) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : network.notes) fmt::print(stderr, "note: {}\n", plain(note));
     }
 }
 
@@ -117,7 +118,7 @@ void run_verb(const SceneArguments& a, RunArguments run) {
             if (!text.empty()) throw InputError(option, "the scene has no [sweep]");
         }
     } else if (run.only != "base") {
-        const Sweep sweep = read_sweep_variants(a.scene, a.settings);
+        const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
         if (run.only.empty()) {
             run_sweep_verb(sweep, run, a.style());
             return;
@@ -130,9 +131,9 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
-    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", note);
-    for (const std::string& line : report.remade) fmt::print(stderr, "note: {}\n", line);
-    if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", report.start);
+    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    for (const std::string& line : report.remade) fmt::print(stderr, "note: {}\n", plain(line));
+    if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", plain(report.start));
     check_converged(report.not_converged);
 }
 
@@ -154,9 +155,9 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const SpanResult result = solve_scene(stages, progress);
     progress.finish();
     write_heat(prepared, result, out);
-    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
-    for (const std::string& note : result.notes) fmt::print(stderr, "note: {}\n", note);
-    fmt::print(stderr, "note: start: {}\n", result.start);
+    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    for (const std::string& note : result.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    fmt::print(stderr, "note: start: {}\n", plain(result.start));
     check_converged(not_converged(result.report));
 }
 
@@ -202,7 +203,7 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     check_solved(stages, field, temperatures);
     const FramesReport report = render_frames(stages, field, out, progress);
     for (const auto& notes : {report.notes, report.warnings}) {
-        for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", plain(note));
     }
 }
 
@@ -218,10 +219,12 @@ void add_plan_verb(CLI::App& app) {
     verb->callback([a = scene_arguments(*verb)] {
         const Prepared prepared = prepare(a->read());
         if (!prepared.scene.sweep.axes.empty()) {
-            fmt::print("{}", describe(read_sweep_variants(a->scene, a->settings), prepared.plan));
+            fmt::print("{}", describe(read_sweep_variants(a->scene, a->settings, a->allow_outside),
+                                      prepared.plan));
         }
         fmt::print("{}", describe(prepared.plan));
-        for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : prepared.notes)
+            fmt::print(stderr, "note: {}\n", plain(note));
     });
 }
 

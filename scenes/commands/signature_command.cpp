@@ -12,8 +12,10 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/studies/signature_files.hpp"
+#include "scenes/studies/study_files.hpp"
 
 namespace diurna {
 
@@ -27,7 +29,12 @@ void signature_verb(const SceneArguments& a, const std::filesystem::path& temper
         throw InputError(scene.file.string(), "no table [[signature]], expected one at least");
     }
     std::vector<StudiedObject> studied;
-    for (const SignatureInput& input : scene.signatures) studied.push_back(input.studied);
+    std::vector<std::string> names;
+    for (const SignatureInput& input : scene.signatures) {
+        studied.push_back(input.studied);
+        names.push_back(input.name);
+    }
+    check_study_files(out, names, scene.files);
     const TemperatureField field = study.heat(temperatures, studied);
     const double offset = scene.time.utc_offset;
     std::vector<SignatureReport> reports;
@@ -35,7 +42,6 @@ void signature_verb(const SceneArguments& a, const std::filesystem::path& temper
         reports.push_back(signature_of(study.stages(), input, field, study.progress()));
     }
     study.progress().finish();
-    std::filesystem::create_directories(out);
     for (std::size_t i = 0; i < reports.size(); ++i) {
         const SignatureInput& input = scene.signatures[i];
         const SignatureReport& report = reports[i];
@@ -55,12 +61,13 @@ void signature_verb(const SceneArguments& a, const std::filesystem::path& temper
                                       report.alone));
         }
         const std::filesystem::path base = out / input.name;
-        write_whole_file(base.string() + ".csv", signature_csv(report, offset));
-        write_whole_file(base.string() + ".json", signature_json(input, report, own, offset));
-        write_whole_file(base.string() + ".svg", signature_svg(input, report, offset));
+        write_study_files(out, input.name,
+                          {.csv = signature_csv(report, offset),
+                           .json = signature_json(input, report, own, offset),
+                           .svg = signature_svg(input, report, offset)});
         fmt::print("{}: {} rows: {}.csv, .json, .svg\n", input.name, report.rows.size(),
                    base.string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", note);
+        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

@@ -52,7 +52,7 @@ std::array<double, 2> read_range(const Section& section, const char* says) {
 
 }  // namespace
 
-std::vector<BandInput> read_bands(const Section& root, const std::filesystem::path& folder) {
+std::vector<BandInput> read_bands(const Section& root) {
     constexpr const char* flat = "[from, to] of a flat band; or response";
     std::vector<BandInput> bands;
     std::set<std::string> taken;
@@ -66,13 +66,12 @@ std::vector<BandInput> read_bands(const Section& root, const std::filesystem::pa
             if (section.has("range_um")) section.numbers("range_um", flat, 2);
         }
         if (section.has("response")) {
-            band.file =
-                folder / section.text("response", "CSV of wavelength_um and response, 0 to 1");
+            band.file = section.file("response", "CSV of wavelength_um and response, 0 to 1");
+            band.response = flat_spectrum(1.0, 8.0, 12.0);
             try {
-                band.response = read_response(band.file);
+                if (!band.file.empty()) band.response = read_response(band.file);
             } catch (const InputError& error) {
                 section.mistake("response", error.what());
-                band.response = flat_spectrum(1.0, 8.0, 12.0);
             }
         } else if (section.has("range_um")) {
             const auto [from, to] = read_range(section, flat);

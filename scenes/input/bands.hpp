@@ -25,7 +25,7 @@ struct CubeInput {
 
 /// Reads every table of [[bands]] and [[cubes]]. A name may be used once, and not look like a
 /// range.
-std::vector<BandInput> read_bands(const Section& root, const std::filesystem::path& folder);
+std::vector<BandInput> read_bands(const Section& root);
 std::vector<CubeInput> read_cubes(const Section& root);
 
 /// The band an observer names: one of the scene's own, a range such as "3-5", or a word: "visible"

@@ -6,15 +6,6 @@ namespace diurna {
 
 namespace fs = std::filesystem;
 
-fs::path Reading::file(const Section& section, const std::string& key, const char* says) const {
-    const std::string name = section.text(key, says);
-    const fs::path path = folder / name;
-    if (!name.empty() && !fs::is_regular_file(path)) {
-        section.mistake(key, fmt::format("no such file: {}", path.string()));
-    }
-    return path;
-}
-
 std::string Reading::object(const Section& section, const char* says) {
     const std::string name = section.text("name", says);
     if (!name.empty() && !object_names.insert(name).second) {

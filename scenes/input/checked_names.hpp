@@ -18,16 +18,12 @@ struct TextureUses {
 
 /// What the parts of a scene file need to know of the rest of it.
 struct Reading {
-    std::filesystem::path folder;  // relative names of files start here
     Names materials{.what = "material", .known = {}};
     Names textures{.what = "texture", .known = {}, .where = " in [[texture]]"};
     Names trajectories{.what = "trajectory", .known = {}, .where = " in [[trajectory]]"};
     TextureUses texture_uses{};
     std::set<std::string> object_names{"ground"};
 
-    /// The file a key names; a mistake if there is none.
-    std::filesystem::path file(const Section& section, const std::string& key,
-                               const char* says) const;
     /// The key `name` of an object; a mistake if another has it.
     std::string object(const Section& section, const char* says);
     /// The key `texture`, which lays one on what is called `on` among `uses`.

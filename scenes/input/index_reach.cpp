@@ -10,11 +10,11 @@
 
 namespace diurna {
 
-void check_index_reach(const Section& section, const std::filesystem::path& folder,
-                       const Material& material, std::span<const SeenRange> ranges) {
+void check_index_reach(const Section& section, const Material& material,
+                       std::span<const SeenRange> ranges) {
     const auto* glossy = std::get_if<Glossy>(&material.finish);
     if (glossy == nullptr) return;
-    const std::optional<IndexReach> reach = index_reach(section, folder, *glossy);
+    const std::optional<IndexReach> reach = index_reach(section, *glossy);
     if (!reach) return;
     const SeenRange* worst = nullptr;
     double furthest = 1e-6;  // [µm]

@@ -15,7 +15,7 @@ namespace diurna {
 /// another beyond; not of a metal with it.
 ///
 /// - section: a table of [material], read before as `material`
-void check_index_reach(const Section& section, const std::filesystem::path& folder,
-                       const Material& material, std::span<const SeenRange> ranges);
+void check_index_reach(const Section& section, const Material& material,
+                       std::span<const SeenRange> ranges);
 
 }  // namespace diurna

@@ -13,9 +13,9 @@ namespace diurna {
 namespace {
 
 /// The table of paths, its own mistakes told where the scene names it.
-void read_table(const Section& section, const Reading& reading, AirInput& air) {
+void read_table(const Section& section, AirInput& air) {
     air.table_file =
-        reading.file(section, "table",
+        section.file("table",
                      "a MODTRAN 4/5 tape7 in place of the embedded air: IEMSCT 1 or 2, one run a "
                      "path, from every H1 to every H2 and to space; bands from 3 µm on, no "
                      "scattered sun, the same at every instant");
@@ -34,9 +34,9 @@ void read_table(const Section& section, const Reading& reading, AirInput& air) {
     }
 }
 
-void read_sounding(const Section& section, const Reading& reading, AirInput& air) {
-    air.sounding_file = reading.file(
-        section, "sounding",
+void read_sounding(const Section& section, AirInput& air) {
+    air.sounding_file = section.file(
+        "sounding",
         "a radiosonde's levels in place of the profile, which goes on above them: the list of the "
         "University of Wyoming, or CSV with height, pressure, temperature and humidity as in "
         "materials/air/radiosonde.hpp; the same at every instant but for what the weather "
@@ -53,7 +53,7 @@ void read_sounding(const Section& section, const Reading& reading, AirInput& air
 
 }  // namespace
 
-AirInput read_air(const Section& section, const Reading& reading) {
+AirInput read_air(const Section& section) {
     std::vector<std::string> profiles = afgl_profile_names();
     profiles.push_back("vacuum");
     AirInput air;
@@ -71,7 +71,7 @@ AirInput read_air(const Section& section, const Reading& reading) {
     air.cloud_base_km =
         section.number_or("cloud_base_km", "above the ground, of the weather's cloud",
                           air.cloud_base_km, {0.05, 15.0});
-    if (section.has("sounding")) read_sounding(section, reading, air);
+    if (section.has("sounding")) read_sounding(section, air);
     air.drives_heat = section.flag_or("drives_heat",
                                       "sun and sky of the heat balance that nobody measured come "
                                       "from this air, not from the broadband formulas; by itself "
@@ -81,7 +81,7 @@ AirInput read_air(const Section& section, const Reading& reading) {
         section.mistake("drives_heat",
                         "a vacuum has neither sky nor air to drive the heat balance");
     }
-    if (section.has("table")) read_table(section, reading, air);
+    if (section.has("table")) read_table(section, air);
     if (section.has("table") && section.has("sounding")) {
         section.mistake("sounding", "a table of paths is air of its own");
     }

@@ -7,7 +7,7 @@
 
 #include "materials/air/profile.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
-#include "scenes/input/checked_names.hpp"
+#include "materials/base/section.hpp"
 
 namespace diurna {
 
@@ -28,7 +28,7 @@ struct AirInput {
 };
 
 /// The section [atmosphere].
-AirInput read_air(const Section& section, const Reading& reading);
+AirInput read_air(const Section& section);
 
 /// A band or a cube's range that somebody is to look through the air in.
 struct SeenRange {

@@ -79,8 +79,7 @@ std::vector<Stand> stands_of_file(const std::filesystem::path& file) {
     return stands;
 }
 
-std::vector<Stand> read_stands(const Section& section, const Reading& reading,
-                               ObjectInput& object) {
+std::vector<Stand> read_stands(const Section& section, ObjectInput& object) {
     std::vector<Stand> stands;
     if (section.has("copies")) {
         for (const std::vector<double>& row :
@@ -97,12 +96,8 @@ std::vector<Stand> read_stands(const Section& section, const Reading& reading,
     try {
         for (const Stand& stand : stands) check_heading(stand);
         if (section.has("copies_file")) {
-            object.copies_file = reading.folder / file;
-            if (!std::filesystem::is_regular_file(object.copies_file)) {
-                section.mistake("copies_file",
-                                fmt::format("no such file: {}", object.copies_file.string()));
-                return {};
-            }
+            object.copies_file = section.file_named("copies_file", file);
+            if (object.copies_file.empty()) return {};
             stands = stands_of_file(object.copies_file);
         }
         check_places(stands);
@@ -142,7 +137,7 @@ void check_keys(const Section& section, const ObjectInput& object, const char* k
 
 std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object, Reading& reading) {
     const bool listed = section.has("copies"), filed = section.has("copies_file");
-    std::vector<Stand> stands = read_stands(section, reading, object);
+    std::vector<Stand> stands = read_stands(section, object);
     const double within = section.number_or(
         "copies_alike_K",
         "of copies: those whose light, sky and wind differ by no more than is worth this, in the "

@@ -96,7 +96,7 @@ std::vector<DetectionInput> read_detections(const Section& root, const TerrainIn
                        "detection")) {
         DetectionInput input;
         input.studied = read_studied(section, terrain, time, site);
-        input.name = study_name(section, input.studied, names);
+        input.name = study_name(section, {input.studied.object, "its object"}, names);
         const std::vector<double> range =
             section.numbers_or("range_m", "[least, greatest] that is asked of",
                                {std::vector<double>{input.range[0], input.range[1]}}, 2);

@@ -44,7 +44,7 @@ void read_ground_shapes(const Section& section, const Reading& reading, ShapesIn
 
 LandCoverInput read_land_cover(const Section& section, const Reading& reading) {
     LandCoverInput input;
-    input.file = reading.file(section, "file", "a raster of classes, any that GDAL reads");
+    input.file = section.file("file", "a raster of classes, any that GDAL reads");
     const Section table = section.required_section(
         "material", "a material for some of the classes, by their numbers");
     for (const std::string& key : table.free_keys()) {
@@ -61,7 +61,8 @@ LandCoverInput read_land_cover(const Section& section, const Reading& reading) {
 
 ShapesInput read_shapes_input(const Section& section, const Reading& reading) {
     ShapesInput input;
-    input.file = reading.file(section, "file", "GeoJSON, Shapefile or GeoPackage");
+    input.file = section.file("file", "GeoJSON, Shapefile or GeoPackage");
+    input.confines = section.confines();
     input.name = section.text_or("name", "of the object that its buildings are",
                                  {input.file.stem().string(), "the file's name"});
     input.largest_edge =

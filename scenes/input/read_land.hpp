@@ -20,6 +20,7 @@ struct LandCoverInput {
 /// Polygons and lines of a vector file: ground of a material, or buildings.
 struct ShapesInput {
     std::filesystem::path file;
+    Confines confines{};                          // of the files beside it
     std::string name;                             // of the object that its buildings are
     std::string kind_field;                       // what tells the kind of a shape
     std::map<std::string, std::string> material;  // of a kind

@@ -30,14 +30,10 @@ MeshFile read_mesh(const Section& section, const fs::path& file) {
     if (!section.has("mesh")) {
         section.mistake("mesh",
                         "missing, expected a file: .obj, .ply, .stl, .gltf or .glb; or `model`");
-        return {};
     }
-    if (!fs::is_regular_file(file)) {
-        section.mistake("mesh", fmt::format("no such file: {}", file.string()));
-        return {};
-    }
+    if (file.empty()) return {};
     try {
-        return read_mesh_file(file);
+        return read_mesh_file(file, section.confines());
     } catch (const InputError& error) {
         section.mistake("mesh",
                         error.mistakes().front().where + ": " + error.mistakes().front().problem);
@@ -142,24 +138,22 @@ std::vector<std::string> part_materials(const Section& section, const ObjectInpu
 }
 
 /// The file that tells of an object's parts: the one named, or the one beside its mesh; "": none.
-fs::path part_file(const Section& section, const ObjectInput& object, const std::string& model,
-                   const Reading& reading) {
-    fs::path beside = object.file;
-    beside.replace_extension(".parts.toml");
-    const bool there = model.empty() && !object.mesh->part.empty() && fs::is_regular_file(beside);
+fs::path part_file(const Section& section, const ObjectInput& object, const std::string& model) {
     const std::string named = section.text_or(
         "part_file",
         "tables part, enclosure, lump, link, stream in a file of their own, which goes with the "
         "mesh",
-        {there ? beside.string() : std::string(),
-         "NAME.parts.toml beside the mesh NAME.obj; of a model its own"});
-    if (named.empty()) return model.empty() ? fs::path() : model_part_file(model);
-    const fs::path file = reading.folder / named;
-    if (!fs::is_regular_file(file)) {
-        section.mistake("part_file", fmt::format("no such file: {}", file.string()));
+        {"", "NAME.parts.toml beside the mesh NAME.obj; of a model its own"});
+    if (!named.empty()) return section.file_named("part_file", named);
+    if (!model.empty()) return model_part_file(model);
+    fs::path beside = object.file;
+    beside.replace_extension(".parts.toml");
+    if (object.mesh->part.empty() || !fs::exists(beside)) return {};
+    if (const std::string why = why_not(section.confines(), beside); !why.empty()) {
+        section.mistake("part_file", beside.string() + " " + why, allow_outside_hint);
         return {};
     }
-    return file;
+    return beside;
 }
 
 /// Takes out of an object's mesh what lies there twice or has no area, and tells.
@@ -238,7 +232,7 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
         section.text_or("mesh", "needed, or model: an OBJ, PLY, STL or glTF 2 file", "");
     *object.mesh = read_model(section, model);
     if (!section.has("model")) {
-        object.file = reading.folder / mesh;
+        if (section.has("mesh")) object.file = section.file_named("mesh", mesh);
         *object.mesh = read_mesh(section, object.file);
         if (section.has("detail")) section.mistake("detail", "of models alone");
     }
@@ -273,8 +267,8 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
     if (object.airspeed > 0.0 && section.has("texture")) {
         section.mistake("airspeed_m_s", "not on an object with a texture");
     }
-    object.target = read_target(section, part_file(section, object, model, reading), *object.mesh,
-                                reading.materials);
+    object.target =
+        read_target(section, part_file(section, object, model), *object.mesh, reading.materials);
     if (!object.trajectory.empty() && !object.target.contact.empty()) {
         section.mistake("trajectory", "not of an object in contact with the ground or with itself");
     }

@@ -6,7 +6,7 @@ namespace diurna {
 
 namespace {
 
-PlumeInput read_plume(const Section& section, const Reading& reading) {
+PlumeInput read_plume(const Section& section) {
     PlumeInput plume;
     plume.name = section.text("name", "of the plume");
     plume.place = place(section, "place_m", "[east, north] of the middle of its foot");
@@ -28,10 +28,9 @@ PlumeInput read_plume(const Section& section, const Reading& reading) {
             "Beer's coefficient at all wavelengths, unless `absorption` is given", {0.0, 1e4}));
         return plume;
     }
-    plume.file = reading.folder /
-                 section.text("absorption", "CSV of Beer's coefficient over wavelength_um, per m");
+    plume.file = section.file("absorption", "CSV of Beer's coefficient over wavelength_um, per m");
     try {
-        plume.absorption = read_spectrum(plume.file, 0.0, 1e4);
+        if (!plume.file.empty()) plume.absorption = read_spectrum(plume.file, 0.0, 1e4);
     } catch (const InputError& error) {
         section.mistake("absorption", error.what());
     }
@@ -40,11 +39,11 @@ PlumeInput read_plume(const Section& section, const Reading& reading) {
 
 }  // namespace
 
-std::vector<PlumeInput> read_plumes(const Section& root, const Reading& reading) {
+std::vector<PlumeInput> read_plumes(const Section& root) {
     std::vector<PlumeInput> plumes;
     for (const Section& section : root.sections(
              "plume", "gas or smoke: a leaning frustum that absorbs by Beer's law and emits")) {
-        plumes.push_back(read_plume(section, reading));
+        plumes.push_back(read_plume(section));
     }
     return plumes;
 }

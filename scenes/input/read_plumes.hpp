@@ -24,6 +24,6 @@ struct PlumeInput {
 };
 
 /// Reads every table of [[plume]]; mistakes are noted.
-std::vector<PlumeInput> read_plumes(const Section& root, const Reading& reading);
+std::vector<PlumeInput> read_plumes(const Section& root);
 
 }  // namespace diurna

@@ -31,10 +31,9 @@ StudiedObject read_studied(const Section& section, const TerrainInput& terrain,
     return studied;
 }
 
-std::string study_name(const Section& section, const StudiedObject& studied,
+std::string study_name(const Section& section, const Or<std::string>& usual,
                        std::vector<std::string>& names) {
-    const std::string name =
-        section.text_or("name", "of the study and its files", {studied.object, "its object"});
+    const std::string name = section.text_or("name", "of the study and its files", usual);
     const bool fits = std::all_of(name.begin(), name.end(), [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-' || c == '.';
     });
@@ -57,7 +56,7 @@ std::vector<SignatureInput> read_signatures(const Section& root, const TerrainIn
              "signature", "how strongly an object shines in every direction: diurna signature")) {
         SignatureInput input;
         input.studied = read_studied(section, terrain, time, site);
-        input.name = study_name(section, input.studied, names);
+        input.name = study_name(section, {input.studied.object, "its object"}, names);
         input.bands =
             section.texts_or("bands", "ranges in µm, words or names of [[bands]]; one at least",
                              {std::vector<std::string>{}, "none"});

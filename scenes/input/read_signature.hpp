@@ -22,8 +22,9 @@ struct StudiedObject {
 StudiedObject read_studied(const Section& section, const TerrainInput& terrain,
                            const TimeInput& time, const std::optional<Site>& site);
 
-/// The key `name`, fit for a file's, each once among `names`, to which it is added.
-std::string study_name(const Section& section, const StudiedObject& studied,
+/// The key `name`, by default `usual`, fit for a file's, each once among `names`, to which it is
+/// added.
+std::string study_name(const Section& section, const Or<std::string>& usual,
                        std::vector<std::string>& names);
 
 /// [[signature]]: how strongly an object shines in every direction.

@@ -194,7 +194,7 @@ TargetInput read_target(const Section& object, const std::filesystem::path& file
                                                file.string()));
         }
         try {
-            const Document document = Document::from_file(file);
+            const Document document = Document::from_file(file, object.confines());
             read_tables(document.root(), materials, target);
             document.finish();
         } catch (const InputError& error) {

@@ -88,7 +88,8 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
                             5);
         if (!(spec[2] > 0.0 && spec[3] > 0.0 && std::abs(spec[4]) <= 360.0)) {
             section.mistake("rectangle_m",
-                            "expected [east, north, length > 0, width > 0, -360 to 360 degrees]");
+                            "expected [east, north, length > 0, width > 0, heading_deg of -360 to "
+                            "360]");
         }
         polygon.ring = rectangle(spec);
     } else {
@@ -140,7 +141,7 @@ GroundRule read_rule(const Section& rule, const Reading& reading) {
 
 /// How the raster is to be taken.
 DemOptions read_dem_options(const Section& section, const std::optional<Site>& site) {
-    DemOptions options;
+    DemOptions options{.confines = section.confines()};
     options.voids =
         section.choice_or("voids", "posts without elevation in the file", VoidPolicy::refuse,
                           {{"refuse", VoidPolicy::refuse}, {"fill", VoidPolicy::fill}});
@@ -171,16 +172,12 @@ DemOptions read_dem_options(const Section& section, const std::optional<Site>& s
 /// The elevation, its mesh and what covers it where nothing else does.
 void read_ground(const Section& section, Reading& reading, TerrainInput& terrain) {
     using Mesh = TerrainInput::Mesh;
-    terrain.elevation =
-        reading.file(section, "elevation",
-                     "a raster that GDAL reads: GeoTIFF, DTED, SRTM, USGS DEM, ENVI, netCDF, ...");
+    terrain.elevation = section.file(
+        "elevation", "a raster that GDAL reads: GeoTIFF, DTED, SRTM, USGS DEM, ENVI, netCDF, ...");
     const std::vector<std::string> tiles =
         section.texts_or("more_tiles", "rasters of the same lattice that go on beside it", {});
     for (const std::string& tile : tiles) {
-        terrain.tiles.push_back(reading.folder / tile);
-        if (!fs::is_regular_file(terrain.tiles.back())) {
-            section.mistake("more_tiles", fmt::format("no such file: {}", tile));
-        }
+        terrain.tiles.push_back(section.file_named("more_tiles", tile));
     }
     terrain.tolerance = section.number_or(
         "tolerance_m", "no post lies further from the mesh, vertically", 1.0, {0.0, 1000.0});

@@ -79,10 +79,10 @@ void read_placing(const Section& section, TextureInput& texture) {
     }
 }
 
-void read_image(const Section& section, const Reading& reading, TextureInput& texture) {
-    const std::string name =
-        section.text("file", "a picture whose texels say the value: GeoTIFF, PNG, JPEG, ENVI, ...");
-    texture.file = reading.folder / name;
+void read_image(const Section& section, TextureInput& texture) {
+    texture.file =
+        section.file("file", "a picture whose texels say the value: GeoTIFF, PNG, JPEG, ENVI, ...");
+    const std::string name = texture.file.filename().string();
     const int channel = section.integer_or("channel", "of the picture", 1, {1, 1000});
     const double scale = section.number_or("scale", "value = scale * texel + offset", 1.0);
     const double offset = section.number_or("offset", "value = scale * texel + offset", 0.0);
@@ -92,9 +92,9 @@ void read_image(const Section& section, const Reading& reading, TextureInput& te
     texture.repeat = section.flag_or(
         "repeat", "the picture again and again; else the material's own around it", false);
     read_placing(section, texture);
-    if (name.empty()) return;
+    if (texture.file.empty()) return;
     try {
-        texture.image = read_texture_image(texture.file, channel);
+        texture.image = read_texture_image(texture.file, channel, section.confines());
     } catch (const InputError& error) {
         section.mistake("file", error.mistakes().front().line());
         return;
@@ -146,7 +146,7 @@ TextureInput read_texture(const Section& section, const Reading& reading) {
                         {section.has("file") ? "raster" : "clutter", "raster where file is given"},
                         {"raster", "clutter"});
     if (kind == "raster") {
-        read_image(section, reading, texture);
+        read_image(section, texture);
     } else {
         read_clutter(section, texture);
     }

@@ -39,7 +39,7 @@ double offset_of(const std::string& instant) {
     return (end[0] == '-' ? -1.0 : 1.0) * (3600.0 * hours + 60.0 * minutes);
 }
 
-void read_spin_up(const Section& section, const std::filesystem::path& folder, TimeInput& time) {
+void read_spin_up(const Section& section, TimeInput& time) {
     time.spin_up = section.choice_or(
         "spin_up",
         "what went before: the weather of the days before (default where the file has them), the "
@@ -63,17 +63,13 @@ void read_spin_up(const Section& section, const std::filesystem::path& folder, T
         section.mistake("state", "stands beside a spin_up that does not go on from it");
     }
     time.spin_up = SpanStart::state;
-    time.state = folder / state;
+    time.state = section.file_named("state", state);
     time.state_where = section.where("state");
-    if (!std::filesystem::is_regular_file(time.state)) {
-        section.mistake("state", fmt::format("no such file: {}", time.state.string()));
-    }
 }
 
 }  // namespace
 
-TimeInput read_time(const Section& section, const std::filesystem::path& folder,
-                    const std::optional<Site>& site) {
+TimeInput read_time(const Section& section, const std::optional<Site>& site) {
     TimeInput time;
     const std::string said = section.moment("start", "of the span, with its offset from UTC");
     const auto start = instant_of(section, "start", said);
@@ -99,7 +95,7 @@ TimeInput read_time(const Section& section, const std::filesystem::path& folder,
     }
     time.step = section.number_or(
         "step_s", "of the heat balance, rounded so that steps fill each day", 600.0, {1.0, 3600.0});
-    read_spin_up(section, folder, time);
+    read_spin_up(section, time);
     time.days_before = section.integer_or(
         "spin_up_days", "days of weather before the start, at most; the first of them repeated", 3,
         {1, 366});

@@ -24,13 +24,12 @@ struct TimeInput {
     std::string state_where;      // in the scene file
     std::vector<Instant> frames;  // ascending, within the span
     std::string frames_note{};    // days that have none
+    bool every_step = false;      // temperatures are kept at each, for studies of all the time
 
     Instant end() const { return later(start, duration); }
 };
 
-/// folder  where relative names of files start
-/// site    for pictures that the sun's place says when to take
-TimeInput read_time(const Section& section, const std::filesystem::path& folder = {},
-                    const std::optional<Site>& site = {});
+/// site  for pictures that the sun's place says when to take
+TimeInput read_time(const Section& section, const std::optional<Site>& site = {});
 
 }  // namespace diurna

@@ -21,8 +21,8 @@ constexpr const char* file_says =
     "longitude_deg; height_m; and, unless it faces its way, heading_deg, pitch_deg, roll_deg or "
     "qw, qx, qy, qz (of its right, forward, up to east, north, up)";
 
-void read_file(const Section& section, const Reading& reading, TrajectoryInput& input) {
-    input.file = reading.file(section, "file", file_says);
+void read_file(const Section& section, TrajectoryInput& input) {
+    input.file = section.file("file", file_says);
     if (!std::filesystem::is_regular_file(input.file)) return;
     try {
         WayLog log = read_way_log(input.file);
@@ -104,8 +104,7 @@ void check_way(const Section& section, TrajectoryInput& input) {
     }
 }
 
-TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
-                                const TimeInput& time) {
+TrajectoryInput read_trajectory(const Section& section, const TimeInput& time) {
     TrajectoryInput input;
     input.where = section.where();
     input.name = section.text("name", "by which observers and objects name it");
@@ -120,7 +119,7 @@ TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
         }
     }
     if (section.has("file")) {
-        read_file(section, reading, input);
+        read_file(section, input);
         for (const char* key : {"waypoints_m", "times_s", "speed_m_s"}) {
             if (section.has(key)) section.mistake(key, "stands beside file, which says it");
         }
@@ -152,12 +151,11 @@ TrajectoryInput read_trajectory(const Section& section, const Reading& reading,
 
 }  // namespace
 
-std::vector<TrajectoryInput> read_trajectories(const Section& root, const Reading& reading,
-                                               const TimeInput& time) {
+std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time) {
     std::vector<TrajectoryInput> ways;
     for (const Section& section :
          root.sections("trajectory", "a way that observers and objects go")) {
-        TrajectoryInput way = read_trajectory(section, reading, time);
+        TrajectoryInput way = read_trajectory(section, time);
         if (find_trajectory(ways, way.name) != nullptr) {
             section.mistake("name", fmt::format("another trajectory is named \"{}\"", way.name));
         }

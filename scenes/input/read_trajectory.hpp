@@ -31,8 +31,7 @@ struct TrajectoryInput {
 };
 
 /// The tables [[trajectory]]; by default a way starts as the scene's span does.
-std::vector<TrajectoryInput> read_trajectories(const Section& root, const Reading& reading,
-                                               const TimeInput& time);
+std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time);
 
 /// That of a name; null where there is none.
 const TrajectoryInput* find_trajectory(const std::vector<TrajectoryInput>& ways,

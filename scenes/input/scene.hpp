@@ -6,10 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "materials/base/files_read.hpp"
 #include "materials/matter/library.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_air.hpp"
+#include "scenes/input/read_contrast.hpp"
+#include "scenes/input/read_crossover.hpp"
 #include "scenes/input/read_detection.hpp"
 #include "scenes/input/read_instrument.hpp"
 #include "scenes/input/read_labels.hpp"
@@ -40,6 +43,7 @@ struct WeatherInput {
 
 struct Scene {
     std::filesystem::path file;
+    Confines confines;  // of what it names, and of what that names
     std::string name;
     std::string title;
     std::optional<Site> site;  // none: the middle of the raster; height NaN: the ground there
@@ -61,6 +65,8 @@ struct Scene {
     std::vector<InstrumentInput> instruments;
     std::vector<SignatureInput> signatures;
     std::vector<DetectionInput> detections;
+    std::vector<CrossoverInput> crossovers;
+    std::vector<ContrastInput> contrasts;
     SweepInput sweep;
     double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground

@@ -35,7 +35,7 @@ std::optional<Site> read_site(const Section& section) {
 }
 
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
-    return {.file = reading.file(section, "file", weather_file_says),
+    return {.file = section.file("file", weather_file_says),
             .options = read_weather_options(section, 0.5),
             .measured_over = read_measured_over(section, reading.materials.known)};
 }
@@ -67,8 +67,8 @@ void read_about(const Section& about, Scene& scene) {
 void read_materials(const Section& materials, Scene& scene, Reading& reading) {
     scene.materials = default_material_library();
     for (const std::string& name : materials.free_keys()) {
-        scene.materials.add(read_material(materials.section(name, material_says), scene.materials,
-                                          reading.folder, name));
+        scene.materials.add(
+            read_material(materials.section(name, material_says), scene.materials, name));
     }
     reading.materials.known = scene.materials.names();
 }
@@ -100,7 +100,8 @@ Scene read_scene(const Document& document) {
     scene.file = document.file();
     note_file_read(scene.file);
     const Section root = document.root();
-    Reading reading{.folder = scene.file.parent_path()};
+    scene.confines = document.confines();
+    Reading reading;
     read_about(root.section("scene", "names, and how finely the scene is sampled"), scene);
     scene.tolerance = root.number_or(
         "tolerance_K",
@@ -120,9 +121,9 @@ Scene read_scene(const Document& document) {
         reading.texture(materials.section(name, material_says), reading.texture_uses.of_material,
                         name);
     }
-    scene.time = read_time(root.required_section("time", "the span, its steps and pictures"),
-                           reading.folder, scene.site);
-    scene.trajectories = read_trajectories(root, reading, scene.time);
+    scene.time =
+        read_time(root.required_section("time", "the span, its steps and pictures"), scene.site);
+    scene.trajectories = read_trajectories(root, scene.time);
     for (const TrajectoryInput& way : scene.trajectories) {
         reading.trajectories.known.push_back(way.name);
     }
@@ -132,15 +133,15 @@ Scene read_scene(const Document& document) {
     scene.weather = read_weather_input(weather, reading);
     scene.sky = read_sky(root.section("sky", sky_says));
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
-    scene.air = read_air(atmosphere, reading);
+    scene.air = read_air(atmosphere);
     read_heights(weather, scene.air, scene.weather);
     scene.output =
         read_output(root.section("output", "what a run writes beside temperatures and pictures"));
     scene.labels = read_labels(
         root.section("labels", "pictures and labels for programs that learn from them"));
-    scene.bands = read_bands(root, reading.folder);
+    scene.bands = read_bands(root);
     scene.cubes = read_cubes(root);
-    scene.plumes = read_plumes(root, reading);
+    scene.plumes = read_plumes(root);
     reading.object_names.erase("ground");  // it has no middle to look at
     ObserverReading seen_by{
         .bands = scene.bands,
@@ -168,13 +169,17 @@ Scene read_scene(const Document& document) {
     scene.signatures = read_signatures(root, scene.terrain, scene.bands, scene.time, scene.site);
     scene.detections = read_detections(root, scene.terrain, scene.instruments, scene.bands,
                                        scene.observers, scene.time, scene.site);
+    scene.crossovers =
+        read_crossovers(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
+    scene.contrasts =
+        read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
     scene.sweep = read_sweep(
         root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
     scene.texture_uses = std::move(reading.texture_uses);
     const std::vector<SeenRange> seen = seen_ranges(scene);
     check_table_bands(atmosphere, scene.air, seen);
     for (const std::string& name : materials.free_keys()) {
-        check_index_reach(materials.section(name, material_says), reading.folder,
+        check_index_reach(materials.section(name, material_says),
                           scene.materials[scene.materials.find(name)], seen);
     }
     document.finish();
@@ -182,8 +187,9 @@ Scene read_scene(const Document& document) {
     return scene;
 }
 
-Scene read_scene(const fs::path& file, const std::vector<std::string>& settings) {
-    Document document = Document::from_file(file);
+Scene read_scene(const fs::path& file, const std::vector<std::string>& settings,
+                 bool allow_outside) {
+    Document document = Document::from_file(file, confines_of(file, allow_outside));
     for (const std::string& setting : settings) document.set(setting);
     return read_scene(document);
 }

@@ -149,6 +149,13 @@ frame_every_s = 3600.0
 frames_at_sun = { azimuth_deg = 180.0 }
 [[detection]]
 frames_at_sun = { elevation_deg = 30.0 }
+[[crossover]]
+uncertain = [{ key = "weather.changed.wind_factor", one_sigma = 1.1 }]
+[[crossover]]
+first_pixels = [0, 0, 1, 1]
+second_pixels = [1, 0, 1, 1]
+bands = ["8-12"]
+[[contrast]]
 [sweep]
 draw = 1
 [[sweep.axis]]

@@ -87,7 +87,7 @@ std::string coco_json(const LabelBook& book, const std::vector<const LabelledPic
             coco["annotations"].push_back(std::move(entry));
         }
     }
-    return coco.dump() + "\n";
+    return coco.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace diurna

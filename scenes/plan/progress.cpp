@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "materials/base/plain_text.hpp"
 
 namespace diurna {
 
@@ -60,11 +63,11 @@ void Progress::show(double share, bool ended) {
         case ProgressStyle::silent:
             return;
         case ProgressStyle::lines:
-            if (ended) fmt::print(stderr, "{:<28} {:7.2f} s\n", name_, spent);
+            if (ended) fmt::print(stderr, "{:<28} {:7.2f} s\n", plain(name_), spent);
             break;
         case ProgressStyle::json:
-            fmt::print(stderr, "{{\"stage\":\"{}\",\"share\":{:.4f},\"seconds\":{:.3f}}}\n", name_,
-                       share, spent);
+            fmt::print(stderr, "{{\"stage\":{},\"share\":{:.4f},\"seconds\":{:.3f}}}\n",
+                       nlohmann::json(plain(name_)).dump(), share, spent);
             break;
         case ProgressStyle::bar: {
             constexpr int width = 30;
@@ -72,8 +75,8 @@ void Progress::show(double share, bool ended) {
             const std::string eta =
                 !ended && share > 0.02 ? fmt::format("  {:.0f} s left", spent * (1.0 / share - 1.0))
                                        : "";
-            fmt::print(stderr, "\r\033[K{:<28} {:█>{}}{:░>{}} {:7.2f} s{}{}", name_, "", full, "",
-                       width - full, spent, eta, ended ? "\n" : "");
+            fmt::print(stderr, "\r\033[K{:<28} {:█>{}}{:░>{}} {:7.2f} s{}{}", plain(name_), "",
+                       full, "", width - full, spent, eta, ended ? "\n" : "");
             break;
         }
     }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "scenes/report/html.hpp"
+
 namespace diurna {
 
 namespace {
@@ -62,7 +64,7 @@ std::string svg(const Chart& chart) {
     std::string out = fmt::format(
         "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
         "xmlns=\"http://www.w3.org/2000/svg\">\n<text x=\"{2}\" y=\"20\" class=\"t\">{3}</text>\n",
-        chart.width, chart.height, left, chart.title);
+        chart.width, chart.height, left, escaped(chart.title));
     for (double y = lowest; y <= highest + 1e-9 * step; y += step) {
         out += fmt::format(
             "<path class=\"g\" d=\"M{:.1f} {:.1f}h{:.1f}\"/><text class=\"e\" x=\"{:.1f}\" "
@@ -76,10 +78,10 @@ std::string svg(const Chart& chart) {
             px(x), top, h, top + h + 17, x);
     }
     out += fmt::format("<text class=\"m\" x=\"{:.1f}\" y=\"{}\">{}</text>\n", left + w / 2,
-                       chart.height - 8, chart.x_title);
+                       chart.height - 8, escaped(chart.x_title));
     out +=
         fmt::format("<text class=\"m\" transform=\"translate(16 {:.1f}) rotate(-90)\">{}</text>\n",
-                    top + h / 2, chart.y_title);
+                    top + h / 2, escaped(chart.y_title));
 
     std::vector<double> label;
     for (const ChartLine& line : chart.lines) label.push_back(py(line.y.back()) + 4);
@@ -92,7 +94,7 @@ std::string svg(const Chart& chart) {
             out += fmt::format("{}{:.1f} {:.1f}", k == 0 ? 'M' : 'L', px(line.x[k]), py(line.y[k]));
         }
         out += fmt::format("\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n",
-                           left + w + 8, label[i], line.colour, line.name);
+                           left + w + 8, label[i], line.colour, escaped(line.name));
     }
     return out + "</svg>\n";
 }

@@ -14,25 +14,15 @@
 #include <system_error>
 #include <vector>
 
+#include "materials/base/files.hpp"
+
 extern char** environ;
 
 namespace diurna {
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
-void note_interrupt(int) { interrupted = 1; }
-
-/// Interrupts are noted, and a pipe that nobody reads is an error of write().
-void take_signals() {
-    struct sigaction action {};
-    action.sa_handler = note_interrupt;  // without SA_RESTART: write() comes back
-    for (const int signal : {SIGINT, SIGTERM}) ::sigaction(signal, &action, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);
-}
-
-/// Reads what comes through `input`; in a process group of its own, so that an interrupt is ours.
+/// Reads what comes through `input`; in a process group of its own, which ends with the program.
 pid_t start(std::vector<std::string> words, int input) {
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -59,8 +49,8 @@ pid_t start(std::vector<std::string> words, int input) {
 }  // namespace
 
 FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, double pictures_per_second)
-    : file_(file), part_(file.string() + ".part") {
-    take_signals();
+    : part_((check_output_file(file), file)) {
+    std::signal(SIGPIPE, SIG_IGN);  // a pipe that nobody reads is an error of write()
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
     pipe_ = ends[1];
@@ -90,7 +80,7 @@ FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, double pictures_per_
                         "+faststart",
                         "-f",
                         "mp4",
-                        std::filesystem::absolute(part_).string()},
+                        std::filesystem::absolute(part_.path()).string()},
                        ends[0]);
     } catch (...) {
         ::close(ends[0]);
@@ -98,6 +88,7 @@ FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, double pictures_per_
         throw;
     }
     ::close(ends[0]);
+    set_child_group(child_);
 }
 
 FfmpegMovie::~FfmpegMovie() {
@@ -108,13 +99,11 @@ FfmpegMovie::~FfmpegMovie() {
         while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
         }
     }
-    std::error_code none;
-    std::filesystem::remove(part_, none);
+    set_child_group(0);
 }
 
 void FfmpegMovie::add(std::span<const std::byte> png) {
     while (!png.empty()) {
-        if (interrupted) throw std::runtime_error("interrupted: no movie was written");
         const ssize_t written = ::write(pipe_, png.data(), png.size());
         if (written >= 0) {
             png = png.subspan(static_cast<std::size_t>(written));
@@ -128,14 +117,14 @@ void FfmpegMovie::finish() {
     ::close(pipe_);
     pipe_ = -1;
     int status = 0;
-    while (::waitpid(child_, &status, 0) < 0) {
-        if (interrupted) throw std::runtime_error("interrupted: no movie was written");
+    while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
     }
     child_ = -1;
+    set_child_group(0);
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         throw std::runtime_error("ffmpeg has failed: no movie was written");
     }
-    std::filesystem::rename(part_, file_);
+    part_.finish();
 }
 
 }  // namespace diurna

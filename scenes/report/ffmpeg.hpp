@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <span>
 
+#include "materials/base/unfinished.hpp"
+
 namespace diurna {
 
 /// An MP4 that ffmpeg makes of pictures as they come. It stands under its name once finish() has
@@ -20,12 +22,12 @@ class FfmpegMovie {
     FfmpegMovie& operator=(const FfmpegMovie&) = delete;
 
     /// One picture as PNG, all of the same size. Throws std::runtime_error where ffmpeg takes no
-    /// more, or where the user interrupts (SIGINT, SIGTERM).
+    /// more.
     void add(std::span<const std::byte> png);
     void finish();
 
  private:
-    std::filesystem::path file_, part_;
+    UnfinishedFile part_;
     pid_t child_ = -1;
     int pipe_ = -1;
 };

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 
+#include "materials/base/plain_text.hpp"
+
 namespace diurna {
 
 std::string escaped(const std::string& text) {
     std::string out;
-    for (const char c : text) {
+    for (const char c : plain(text)) {
         if (c == '<')
             out += "&lt;";
         else if (c == '>')
@@ -15,6 +17,8 @@ std::string escaped(const std::string& text) {
             out += "&amp;";
         else if (c == '"')
             out += "&quot;";
+        else if (c == '\'')
+            out += "&#39;";
         else
             out += c;
     }

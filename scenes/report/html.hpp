@@ -6,7 +6,7 @@
 
 namespace diurna {
 
-/// A text as HTML shows it: <, >, & and " spelt out.
+/// A text as HTML and SVG show it: <, >, &, " and ' spelt out, what steers a reader as '?'.
 std::string escaped(const std::string& text);
 
 /// Bytes in the 64 digits of RFC 4648, for pictures within a page.

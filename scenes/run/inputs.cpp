@@ -73,7 +73,9 @@ std::set<fs::path> listed(const Scene& scene) {
     for (const TextureInput& texture : scene.textures) read_with_sidecars.push_back(texture.file);
     for (const fs::path& file : read_with_sidecars) {
         if (file.empty()) continue;
-        for (const fs::path& beside : files_beside(file)) add(beside);
+        for (const fs::path& beside : files_beside(file)) {
+            if (why_not(scene.confines, beside).empty()) add(beside);  // else no reader may have it
+        }
     }
     for (const auto& entry : fs::recursive_directory_iterator(data_folder())) {
         const std::string extension = entry.path().extension();

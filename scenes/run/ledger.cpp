@@ -125,7 +125,7 @@ void Ledger::write(const std::vector<std::string>& expected) const {
     const std::lock_guard lock(adding_);
     Json first{{"program", "diurna " DIURNA_VERSION}, {"key", key_}};
     if (!expected.empty()) first["expected"] = expected;
-    std::string text = first.dump() + "\n";
+    std::string text = first.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     for (const auto& [name, entry] : entry_) text += line(entry);
     write_whole_file(folder_ / ledger_file, text);
 }
@@ -133,7 +133,7 @@ void Ledger::write(const std::vector<std::string>& expected) const {
 std::string Ledger::line(const Entry& entry) const {
     Json json{{"files", entry.digest}};
     for (const auto& [name, text] : entry.told) json["told"].push_back({name, text});
-    return json.dump() + "\n";
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> ledger_names(const fs::path& folder) {

@@ -83,7 +83,8 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     }
     for (const Progress::Stage& stage : manifest.stages)
         json["seconds"][stage.name] = stage.seconds;
-    write_whole_file(folder / "manifest.json", json.dump(2) + "\n");
+    write_whole_file(folder / "manifest.json",
+                     json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace diurna

@@ -12,6 +12,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/unfinished.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/listed_outputs.hpp"
 

@@ -32,7 +32,7 @@ double wind_at(const Prepared& prepared, Instant instant) {
 
 Series cast_series(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
                    std::span<const Instant> frames, const FacetViews& views,
-                   const TemperatureField& field) {
+                   const TemperatureField& field, std::span<const std::uint8_t> asked) {
     const Scene& scene = prepared.scene;
     const FacetSet& surfaces = prepared.world.surfaces();
     Series s{.input = input,
@@ -40,7 +40,8 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
              .bands = {},
              .sampling = {.samples = input.samples,
                           .seed = scene.seed,
-                          .texture_levels = &prepared.world.texture_levels},
+                          .texture_levels = &prepared.world.texture_levels,
+                          .asked = asked},
              .view = {},
              .hops = {},
              .lit = {},

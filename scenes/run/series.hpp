@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,9 +40,10 @@ struct Series {
 ///
 /// - pose: the observer, where it is
 /// - frames: of the pictures that the series is for
+/// - asked: (pixel) those that are not zero are seen; empty: all (render/view/view.hpp)
 Series cast_series(const Prepared& prepared, const ObserverInput& input, const Observer& pose,
                    std::span<const Instant> frames, const FacetViews& views,
-                   const TemperatureField& field);
+                   const TemperatureField& field, std::span<const std::uint8_t> asked = {});
 
 /// Wind over water at an instant [m s-1].
 double wind_at(const Prepared& prepared, Instant instant);

@@ -8,10 +8,10 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
-#include "materials/radiation/planck.hpp"
 #include "render/detection/ranges.hpp"
 #include "render/detection/resolvable.hpp"
 #include "render/detection/task_metric.hpp"
+#include "scenes/studies/air_on_line.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/heights.hpp"
 #include "terrain/place/local_time.hpp"
@@ -22,47 +22,7 @@ namespace {
 
 constexpr double wider = 1.5;  // the picture's half-width over the radius of the target's sphere
 constexpr int close_pixels = 192, close_samples = 16;
-constexpr int steps = 60;             // of ranges, evenly by ratio
-constexpr double black_body = 300.0;  // [K]
-
-/// The air's transmittance in a band along a line through the target, over range.
-class AirOnLine {
- public:
-    AirOnLine(const Atmosphere& air, const Band& band, double target_height, double elevation_deg,
-              std::array<double, 2> range) {
-        std::vector<double> weight(band.node_um.size());
-        double all = 0.0;
-        for (std::size_t i = 0; i < weight.size(); ++i) {
-            weight[i] = band.weight[i] * planck_derivative(band.node_um[i], black_body);
-            all += weight[i];
-        }
-        root_step_ = (std::cbrt(range[1])) / knots;
-        logs_.push_back(0.0);
-        for (int k = 1; k <= knots; ++k) {
-            const double r = std::pow(k * root_step_, 3.0);
-            const double rise = r * std::sin(radians(elevation_deg));
-            const SightLine line =
-                chord((target_height + rise) / 1000.0, target_height / 1000.0, r / 1000.0);
-            const PathSpectrum path = path_at_nodes(air, line, band.node_um);
-            double sum = 0.0;
-            for (std::size_t i = 0; i < weight.size(); ++i) {
-                sum += weight[i] * path.transmittance[i];
-            }
-            logs_.push_back(std::log(std::max(1e-300, sum / all)));
-        }
-    }
-    /// Its logarithm is straight over the cube root of range between 96 knots.
-    double operator()(double range) const {
-        const double place = std::min(std::cbrt(range) / root_step_, double(knots) - 1e-9);
-        const auto cell = static_cast<std::size_t>(place);
-        return std::exp(std::lerp(logs_[cell], logs_[cell + 1], place - double(cell)));
-    }
-
- private:
-    static constexpr int knots = 96;
-    double root_step_ = 1.0;
-    std::vector<double> logs_;
-};
+constexpr int steps = 60;  // of ranges, evenly by ratio
 
 /// The instrument's observer, turned to the target and near enough to fill the picture with it.
 Observer close_eye(const Observer& pose, const StudiedTarget& target) {
@@ -142,9 +102,8 @@ std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionIn
                                    scene.time.utc_offset);
         const Atmosphere air = atmosphere_at(scene, prepared.world, prepared.weather, when);
         const double height = height_above_sea(prepared.world, target.box.middle);
-        const std::array<double, 2> reach{input.range[0],
-                                          std::max(input.range[1], curve.target.range)};
-        const AirOnLine on_line(air, band, height, curve.target.elevation_deg, reach);
+        const AirOnLine on_line(air, band, height, curve.target.elevation_deg,
+                                std::max(input.range[1], curve.target.range));
         curve.target.transmittance = on_line(curve.target.range);
         const auto contrast = [&](double range) {
             return curve.target.contrast * on_line(range) / curve.target.transmittance;

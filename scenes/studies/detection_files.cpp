@@ -7,7 +7,7 @@
 
 #include "render/detection/resolvable.hpp"
 #include "render/detection/task_metric.hpp"
-#include "scenes/report/chart.hpp"
+#include "scenes/studies/study_files.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -170,7 +170,7 @@ std::string detection_json(const DetectionInput& input, const std::string& instr
              {"johnson_range_m", ranges_of(input, curve.johnson_range)},
              {"ttp_range_m", ranges_of(input, curve.metric_range)}});
     }
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string detection_svg(const DetectionInput& input, const std::vector<DetectionCurve>& curves,
@@ -182,20 +182,7 @@ std::string detection_svg(const DetectionInput& input, const std::vector<Detecti
     if (curves.size() > 1 && !input.probabilities.empty()) {
         charts.push_back(by_hour(input, curves, utc_offset));
     }
-    int width = 0, height = 0;
-    std::string inner;
-    for (const Chart& chart : charts) {
-        inner += fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n", height, svg(chart));
-        width = std::max(width, chart.width);
-        height += chart.height + 12;
-    }
-    return fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-        "height=\"{1}\">\n<style>text{{font:12px "
-        "sans-serif}}.t{{font-size:15px}}.g{{stroke:#ddd;fill:none}}"
-        ".e{{text-anchor:end}}.m{{text-anchor:middle}}</style>\n<rect width=\"100%\" "
-        "height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
-        width, height, inner);
+    return stacked_svg(charts);
 }
 
 }  // namespace diurna

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "materials/base/units.hpp"
+#include "scenes/report/html.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -100,14 +101,6 @@ std::string range_told(Rows rows, double SignatureRow::*what) {
                        ends["greatest"].get<double>());
 }
 
-std::string escaped(const std::string& text) {
-    std::string safe;
-    for (const char c : text) {
-        safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-    }
-    return safe;
-}
-
 }  // namespace
 
 std::string signature_csv(const SignatureReport& report, double utc_offset) {
@@ -146,7 +139,7 @@ std::string signature_json(const SignatureInput& input, const SignatureReport& r
              {"radiant_intensity_W_sr", extremes(rows, &SignatureRow::intensity)},
              {"contrast_intensity_W_sr", extremes(rows, &SignatureRow::contrast)}});
     }
-    return json.dump(1) + "\n";
+    return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::string signature_svg(const SignatureInput& input, const SignatureReport& report,

@@ -14,6 +14,7 @@
 #include "scenes/run/heat.hpp"
 #include "scenes/run/picture.hpp"
 #include "scenes/run/series.hpp"
+#include "scenes/studies/seen_regions.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -58,6 +59,18 @@ TemperatureField Study::heat(const std::filesystem::path& file,
             wanted.insert(when);
         }
     }
+    TemperatureField field = heat(file);
+    for (const Instant when : wanted) {
+        if (std::binary_search(field.instant.begin(), field.instant.end(), when)) continue;
+        const bool within = when > field.instant.front() && when < field.instant.back();
+        notes_.push_back(fmt::format(
+            "temperatures at {} are not kept: {}", format_local(when, scene().time.utc_offset),
+            within ? "straight between the nearest that are" : "the nearest that are stand in"));
+    }
+    return field;
+}
+
+TemperatureField Study::heat(const std::filesystem::path& file) {
     TemperatureField field;
     if (file.empty()) {
         SpanResult result = solve_scene(stages_, progress_);
@@ -66,13 +79,6 @@ TemperatureField Study::heat(const std::filesystem::path& file,
         field = std::move(result.temperature);
     } else {
         field = whole_field(file, prepared_.world.surfaces().size());
-    }
-    for (const Instant when : wanted) {
-        if (std::binary_search(field.instant.begin(), field.instant.end(), when)) continue;
-        const bool within = when > field.instant.front() && when < field.instant.back();
-        notes_.push_back(fmt::format(
-            "temperatures at {} are not kept: {}", format_local(when, scene().time.utc_offset),
-            within ? "straight between the nearest that are" : "the nearest that are stand in"));
     }
     return field;
 }
@@ -149,21 +155,6 @@ ObjectFigures CloseUp::figures(const std::string& plane) const {
 
 namespace {
 
-/// (pixel) share that the object fills.
-std::vector<float> cover_of(const View& view, const FacetSet& surfaces, ObjectId id) {
-    std::vector<float> cover(view.pixels(), 0.0f);
-    for (std::size_t p = 0; p < cover.size(); ++p) {
-        for (std::uint32_t s = view.row[p]; s < view.row[p + 1]; ++s) {
-            const std::uint32_t target = view.sighting[s].target;
-            const std::uint32_t in = view.copy_of(target);
-            const ObjectId object =
-                in == no_copy ? surfaces.object[index(view.facet[target])] : view.copies[in].object;
-            if (object == id) cover[p] += view.sighting[s].weight;
-        }
-    }
-    return cover;
-}
-
 std::vector<std::uint8_t> around_of(const Frame& frame, const std::vector<float>& cover,
                                     const Observer& eye, double lowest) {
     const Eigen::Vector3d forward = attitude_of(eye) * Eigen::Vector3d::UnitY();
@@ -207,7 +198,10 @@ CloseUp close_up(const StudiedTarget& target, const Observer& eye,
     const Series series = cast_series(prepared, input, eye, {&when, 1}, target.stage.views, field);
     Picture picture = picture_at(prepared, series, target.stage.views, field, when);
     CloseUp found{.frame = std::move(picture.frame),
-                  .cover = cover_of(series.view, prepared.world.surfaces(), target.id),
+                  .cover = region_cover(
+                      first_seen(prepared, series), prepared,
+                      {.kind = RegionInput::Kind::object,
+                       .object = prepared.world.objects[static_cast<std::size_t>(target.id)]}),
                   .around = {}};
     found.around = around_of(found.frame, found.cover, eye, target.lowest);
     return found;

@@ -27,6 +27,8 @@ class Study {
     /// before anything is solved.
     TemperatureField heat(const std::filesystem::path& file,
                           const std::vector<StudiedObject>& studied);
+    /// The same of studies of the whole span.
+    TemperatureField heat(const std::filesystem::path& file);
     /// What is to be told of scene and temperatures.
     const std::vector<std::string>& notes() const { return notes_; }
     /// "" where the heat balance has converged.

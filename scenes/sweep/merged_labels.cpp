@@ -140,7 +140,8 @@ MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
             sets.coco[set]["categories"].push_back(
                 {{"id", c + 1}, {"name", classes[c]}, {"supercategory", "object"}});
         }
-        write(names[set], sets.coco[set].dump() + "\n");
+        write(names[set],
+              sets.coco[set].dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     }
     if (!alike) {
         merged.notes.emplace_back(

@@ -80,7 +80,8 @@ void write_heat_record(const fs::path& folder, const HeatRecord& record) {
                        {"start", record.start},
                        {"not_converged", record.not_converged},
                        {"notes", record.notes}};
-    write_whole_file(folder / "done.json", json.dump(2) + "\n");
+    write_whole_file(folder / "done.json",
+                     json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void write_variant_record(const fs::path& folder, const Sweep& sweep, const Variant& variant,
@@ -92,7 +93,8 @@ void write_variant_record(const fs::path& folder, const Sweep& sweep, const Vari
                        {"values", values_json(sweep.base.sweep, variant)},
                        {"notes", record.notes},
                        {"outputs", record.outputs}};
-    write_whole_file(folder / "variant.json", json.dump(2) + "\n");
+    write_whole_file(folder / "variant.json",
+                     json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
@@ -131,7 +133,8 @@ void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
                                     {"outputs", record.outputs}});
     }
     json["outputs"] = outputs;
-    write_whole_file(out / "manifest.json", json.dump(2) + "\n");
+    write_whole_file(out / "manifest.json",
+                     json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace diurna

@@ -26,7 +26,7 @@ void take(Document& document, const SweepAxis& axis, std::size_t number, std::si
 }
 
 Document document_of(const Sweep& sweep) {
-    Document document = Document::from_file(sweep.file);
+    Document document = Document::from_file(sweep.file, sweep.base.confines);
     for (const std::string& setting : sweep.settings) document.set(setting);
     return document;
 }
@@ -138,9 +138,11 @@ bool touches_heat(const Sweep& sweep, const SweepAxis& axis) {
 }
 
 Sweep read_sweep_variants(const std::filesystem::path& file,
-                          const std::vector<std::string>& settings) {
-    Sweep sweep{
-        .file = file, .settings = settings, .base = read_scene(file, settings), .variants = {}};
+                          const std::vector<std::string>& settings, bool allow_outside) {
+    Sweep sweep{.file = file,
+                .settings = settings,
+                .base = read_scene(file, settings, allow_outside),
+                .variants = {}};
     for_each_value(sweep, [](const Scene&) {});
     sweep.ground_by_observers = ground_by_observers(sweep.base);
     for (const std::uint64_t number : chosen_numbers(sweep.base.sweep, sweep.base.seed)) {

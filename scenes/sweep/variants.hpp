@@ -31,7 +31,7 @@ struct Sweep {
 /// Of a scene with axes. Every value of every axis is tried by itself in the scene; throws
 /// InputError with all mistakes, told where the values stand.
 Sweep read_sweep_variants(const std::filesystem::path& file,
-                          const std::vector<std::string>& settings);
+                          const std::vector<std::string>& settings, bool allow_outside = false);
 
 /// Hands over the scene with every value of every axis by itself. Throws InputError with all
 /// mistakes of reading and of `use`, told where the values stand, each once.

@@ -45,7 +45,7 @@ std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& de
         middle.push_back((mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0);
         height.push_back(mesh.height[a]);
     }
-    const ClassRaster raster = read_class_raster(scene.terrain.land_cover->file);
+    const ClassRaster raster = read_class_raster(scene.terrain.land_cover->file, scene.confines);
     const auto classes = classes_at(raster, geodetic_places(dem, middle, height));
     for (std::size_t t = 0; t < found.size(); ++t) {
         const auto entry = scene.terrain.land_cover->material.find(classes[t]);

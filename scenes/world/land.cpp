@@ -81,7 +81,8 @@ std::vector<GroundShape> ground_shapes(const std::vector<ShapesInput>& inputs, c
     };
     for (const ShapesInput& input : inputs) {
         if (input.buildings) continue;
-        for (const LandShape& shape : read_shapes(input.file, input.kind_field)) {
+        for (const LandShape& shape :
+             read_shapes(input.file, input.kind_field, "", input.confines)) {
             const auto kind = input.material.find(shape.kind);
             const std::string& material =
                 kind != input.material.end() ? kind->second : input.default_material;
@@ -105,7 +106,8 @@ ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem
         const ShapesInput& input = inputs[i];
         if (!input.buildings) continue;
         LeftOut flat, away;
-        for (const LandShape& shape : read_shapes(input.file, "", input.height_field)) {
+        for (const LandShape& shape :
+             read_shapes(input.file, "", input.height_field, input.confines)) {
             if (shape.line) continue;
             const double height = std::isnan(shape.height) ? input.default_height : shape.height;
             if (!(height > 0.0)) {

@@ -38,6 +38,10 @@ SpanOptions scene_span(const Scene& scene) {
         }
     }
     std::vector<Instant> steps;
+    if (time.every_step) {
+        steps = scene_steps(scene);
+        span.wanted.insert(span.wanted.end(), steps.begin(), steps.end());
+    }
     for (const ObserverInput& observer : scene.observers) {
         if (!observer.goes()) {
             span.wanted.insert(span.wanted.end(), observer.frames.begin(), observer.frames.end());

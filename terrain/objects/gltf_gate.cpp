@@ -219,9 +219,17 @@ double bytes_of(const Gltf& gltf, const Json& buffer, double own_piece,
         if (wrong) throw gltf.fault(where + ".uri", "is no base64");
         return 0.75 * double(text.size() - comma - 1);
     }
+    // Not there, with %20, or elsewhere (whose size nobody is told): left to who opens it.
+    namespace fs = std::filesystem;
     std::error_code problem;
-    const auto size = std::filesystem::file_size(folder / text, problem);
-    return problem ? -1.0 : double(size);  // not there, or with %20: the library tells
+    const fs::path here = fs::canonical(folder.empty() ? "." : folder, problem);
+    const fs::path real = fs::canonical(here / text, problem);
+    if (problem ||
+        std::mismatch(here.begin(), here.end(), real.begin(), real.end()).first != here.end()) {
+        return -1.0;
+    }
+    const auto size = fs::file_size(real, problem);
+    return problem ? -1.0 : double(size);
 }
 
 void check_buffers(const Gltf& gltf, double own_piece, const std::filesystem::path& folder) {

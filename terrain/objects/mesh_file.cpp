@@ -10,9 +10,11 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <map>
+#include <optional>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "materials/base/plain_text.hpp"
 #include "terrain/objects/mesh_gate.hpp"
 
 namespace diurna {
@@ -23,14 +25,30 @@ constexpr std::size_t most_triangles = 5'000'000;
 
 using Corner = std::array<double, 3>;
 
-/// Notes the files that a mesh names in turn: materials' libraries, buffers. Writes none.
-class WatchedFiles : public Assimp::DefaultIOSystem {
+/// Keeps what a mesh names in turn (materials' libraries, buffers) within its confines, and notes
+/// what is read of it. Writes none.
+class GuardedFiles : public Assimp::DefaultIOSystem {
  public:
+    GuardedFiles(const Confines& confines, std::optional<Mistake>& refused)
+        : confines_(confines), refused_(refused) {}
+
+    bool Exists(const char* file) const override {
+        return why_not(confines_, file).empty() && DefaultIOSystem::Exists(file);
+    }
     Assimp::IOStream* Open(const char* file, const char* mode) override {
         if (mode == nullptr || mode[0] != 'r') return nullptr;
+        const std::string why = why_not(confines_, file);
+        if (!why.empty()) {
+            if (!refused_) refused_ = Mistake{file, why, allow_outside_hint};
+            return nullptr;
+        }
         note_file_read(file);
         return DefaultIOSystem::Open(file, mode);
     }
+
+ private:
+    const Confines& confines_;
+    std::optional<Mistake>& refused_;  // the first
 };
 
 /// Puts the meshes of a tree of nodes together.
@@ -56,7 +74,7 @@ class Collector {
         scene_.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
         const auto part = static_cast<std::uint16_t>(mesh_.part.size());
         const aiString& group = mesh.mName.length > 0 ? mesh.mName : node.mName;
-        mesh_.part.push_back({group.C_Str(), material.C_Str()});
+        mesh_.part.push_back({plain(group.C_Str()), plain(material.C_Str())});
 
         std::vector<std::uint32_t> number(mesh.mNumVertices);
         for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -97,7 +115,7 @@ class Collector {
 
 }  // namespace
 
-MeshFile read_mesh_file(const std::filesystem::path& file) {
+MeshFile read_mesh_file(const std::filesystem::path& file, const std::optional<Confines>& given) {
     const std::string name = file.string();
     std::string kind = file.extension().string();
     std::transform(kind.begin(), kind.end(), kind.begin(),
@@ -107,9 +125,11 @@ MeshFile read_mesh_file(const std::filesystem::path& file) {
         throw InputError(name, fmt::format("found a file \"{}\", expected one of {}", kind,
                                            fmt::join(known, " ")));
     }
+    const Confines confines = given ? *given : confines_of(file);
+    std::optional<Mistake> refused;
     check_mesh_bytes(file, kind);
     Assimp::Importer importer;
-    importer.SetIOHandler(new WatchedFiles);  // the importer's from here on
+    importer.SetIOHandler(new GuardedFiles(confines, refused));  // the importer's from here on
     // Only places and faces are wanted: normals and texture places would keep equal corners apart.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,
                                 aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS |
@@ -119,6 +139,10 @@ MeshFile read_mesh_file(const std::filesystem::path& file) {
     const aiScene* scene =
         importer.ReadFile(name, aiProcess_RemoveComponent | aiProcess_Triangulate |
                                     aiProcess_SortByPType | aiProcess_ValidateDataStructure);
+    if (refused) {
+        throw InputError(name, fmt::format("names {}, which {}", refused->where, refused->problem),
+                         refused->hint);
+    }
     if (scene == nullptr || scene->mRootNode == nullptr) {
         throw InputError(name,
                          fmt::format("not readable as a mesh: {}", importer.GetErrorString()));

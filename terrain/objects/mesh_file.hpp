@@ -4,8 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "materials/base/confines.hpp"
 
 namespace diurna {
 
@@ -25,7 +28,10 @@ struct MeshFile {
 /// equal corners become one vertex, and nodes are placed as the file says.
 ///
 /// Throws InputError if the file is of another kind, cannot be read, holds no triangle, a vertex
-/// that is not finite, or more than 5 million triangles.
-MeshFile read_mesh_file(const std::filesystem::path& file);
+/// that is not finite, more than 5 million triangles, or a name of a file beyond the confines.
+///
+/// - confines: of what it names, such as buffers and libraries of materials; without, its folder's
+MeshFile read_mesh_file(const std::filesystem::path& file,
+                        const std::optional<Confines>& confines = {});
 
 }  // namespace diurna

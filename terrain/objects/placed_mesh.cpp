@@ -91,9 +91,20 @@ Eigen::Vector3d upright(const Eigen::Vector3d& v, UpAxis up) {
     return up == UpAxis::z ? v : Eigen::Vector3d(-v.x(), v.z(), v.y());
 }
 
-/// Throws InputError for an object too small to be seen, and where cutting would make more
-/// triangles than a mesh's file may have: the smallest number is that of equilateral ones, and of a
-/// thin one that of its edge's parts.
+/// Throws InputError for what is smaller than anything that a picture shows: of another unit.
+void check_size(const std::vector<Eigen::Vector3d>& vertex) {
+    constexpr double least = 1e-3;  // [m]
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& v : vertex) box.extend(v);
+    const double size = vertex.empty() ? 0.0 : box.sizes().maxCoeff();
+    if (size >= least) return;
+    throw InputError("object",
+                     fmt::format("measures {:.2g} m, expected {:g} at least", size, least),
+                     "unit and scale are those of the file");
+}
+
+/// Throws InputError where cutting would make more triangles than a mesh's file may have: the
+/// smallest number is that of equilateral ones, and of a thin one that of its edge's parts.
 void check_pieces(const std::vector<Eigen::Vector3d>& vertex, const MeshFile& mesh,
                   double longest) {
     constexpr double most = 5e6;
@@ -103,15 +114,6 @@ void check_pieces(const std::vector<Eigen::Vector3d>& vertex, const MeshFile& me
         const double area = 0.5 * ab.cross(ac).norm() / (0.433 * longest * longest);
         const double edge = std::max({ab.norm(), ac.norm(), (ac - ab).norm()}) / longest;
         pieces += std::max({1.0, area, edge});
-    }
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& v : vertex) box.extend(v);
-    constexpr double least_size = 1e-3;  // [m]
-    if (!(box.diagonal().norm() >= least_size)) {
-        throw InputError("object",
-                         fmt::format("is {:.2g} m large, expected {:g} m at least",
-                                     box.diagonal().norm(), least_size),
-                         "another unit or scale");
     }
     if (pieces <= most) return;
     throw InputError("object",
@@ -159,6 +161,7 @@ ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
     const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
     for (Eigen::Vector3d& v : vertex) v = placing.base + turn * v;
 
+    check_size(vertex);
     check_pieces(vertex, mesh, placing.largest_edge);
     std::vector<Piece> pieces;
     for (std::uint32_t t = 0; t < mesh.triangle.size(); ++t)

@@ -46,10 +46,13 @@ std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& 
 
 }  // namespace
 
-ClassRaster read_class_raster(const std::filesystem::path& file) {
+ClassRaster read_class_raster(const std::filesystem::path& file,
+                              const std::optional<Confines>& confines) {
     const QuietGdal gdal;
-    const auto data = open_gdal_file(file, GDAL_OF_RASTER, drivers,
-                                     "known formats: GeoTIFF, ESRI ASCII, ENVI, netCDF", gdal);
+    const GdalGate gate(confines ? *confines : confines_of(file));
+    const auto data =
+        open_gdal_file(file, GDAL_OF_RASTER, drivers,
+                       "known formats: GeoTIFF, ESRI ASCII, ENVI, netCDF", gdal, gate);
     ClassRaster raster;
     raster.source = file.string();
     raster.columns = data->GetRasterXSize();

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/raster/geotransform.hpp"
 
@@ -25,7 +27,10 @@ inline constexpr std::int32_t no_class = std::numeric_limits<std::int32_t>::min(
 
 /// Reads a class raster (GeoTIFF, ENVI, netCDF, ESRI ASCII). Throws InputError for one that is
 /// missing, damaged, without georeference or CRS, or of broken numbers.
-ClassRaster read_class_raster(const std::filesystem::path& file);
+///
+/// - confines: of its sidecars; without, those of its folder
+ClassRaster read_class_raster(const std::filesystem::path& file,
+                              const std::optional<Confines>& confines = {});
 
 /// The class at each place; no_class outside the raster.
 std::vector<std::int32_t> classes_at(const ClassRaster& raster, std::span<const Geodetic> places);

@@ -11,6 +11,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "materials/base/hdf5_file.hpp"
 #include "terrain/raster/ascii_grid.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/dem_notes.hpp"
@@ -61,7 +62,8 @@ GDALDatasetUniquePtr open_elevation_variable(GDALDataset& file, const std::strin
                      offered.empty() ? "" : "variables: " + offered);
 }
 
-GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietGdal& gdal) {
+GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietGdal& gdal,
+                                 const GdalGate& gate) {
     const std::string where = file.string();
     std::error_code problem;
     const auto status = std::filesystem::status(file, problem);
@@ -71,7 +73,9 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     }
     if (std::filesystem::file_size(file, problem) == 0) throw InputError(where, "is empty");
     note_file_read(file);
+    check_values_are_its_own(file);
     auto raster = open(gdal_name(file));
+    gate.check();
     if (!raster) {
         throw InputError(where, "cannot be read as elevation" + gdal.because(),
                          "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, ENVI, "
@@ -81,6 +85,7 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     if (!raster || raster->GetRasterCount() == 0) {
         throw InputError(where, "holds no raster band" + gdal.because());
     }
+    look_beside(*raster, gate);
     return raster;
 }
 
@@ -216,7 +221,8 @@ void put_north_first(Dem& dem) {
 
 Dem read_tile(const std::filesystem::path& file, const DemOptions& options, bool whole) {
     const QuietGdal gdal;
-    const auto raster = open_raster(file, gdal);
+    const GdalGate gate(options.confines ? *options.confines : confines_of(file));
+    const auto raster = open_raster(file, gdal, gate);
     check_size(*raster, file);
 
     Dem dem;

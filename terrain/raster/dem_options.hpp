@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "materials/base/confines.hpp"
 #include "terrain/place/site.hpp"
 
 namespace diurna {
@@ -20,6 +21,8 @@ struct DemOptions {
     std::optional<double> unit = std::nullopt;
     /// Adds EGM96's geoid, so that heights above the sea become heights above the ellipsoid.
     bool geoid = false;
+    /// Where what the raster leads to may lie, sidecars above all; none: those of its own folder.
+    std::optional<Confines> confines = std::nullopt;
 };
 
 }  // namespace diurna

@@ -4,27 +4,31 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "materials/base/hdf5_file.hpp"
 
 namespace diurna {
 
 GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
                                     const char* const* drivers, const char* formats,
-                                    const QuietGdal& gdal) {
+                                    const QuietGdal& gdal, const GdalGate& gate) {
     if (!std::filesystem::is_regular_file(file)) {
         throw InputError(file.string(), "there is no such file");
     }
     note_file_read(file);
+    check_values_are_its_own(file);
     const std::string name = std::filesystem::absolute(file).lexically_normal().string();
     GDALDatasetUniquePtr data(GDALDataset::Open(name.c_str(), kind | GDAL_OF_READONLY, drivers));
+    gate.check();
     if (!data) throw InputError(file.string(), "cannot be read" + gdal.because(), formats);
-    note_files_of(*data);
+    look_beside(*data, gate);
     return data;
 }
 
-void note_files_of(GDALDataset& data) {
+void look_beside(GDALDataset& data, const GdalGate& gate) {
     char** const list = data.GetFileList();
     for (char** file = list; file != nullptr && *file != nullptr; ++file) note_file_read(*file);
     CSLDestroy(list);
+    gate.check();
 }
 
 bool claims_too_much(double bytes, const std::filesystem::path& file) {

@@ -10,13 +10,14 @@ namespace diurna {
 
 /// Opens a file with the drivers named (null at the end), never one of GDAL's connection strings.
 /// `kind` is GDAL_OF_RASTER or GDAL_OF_VECTOR, `formats` the advice to whoever has another one.
-/// Throws InputError with GDAL's reason.
+/// Throws InputError with GDAL's reason, or of a sidecar beyond the gate.
 GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
                                     const char* const* drivers, const char* formats,
-                                    const QuietGdal& gdal);
+                                    const QuietGdal& gdal, const GdalGate& gate);
 
-/// Notes all files that a dataset is read of, its sidecars too (materials/base/files_read.hpp).
-void note_files_of(GDALDataset& data);
+/// Has GDAL look for a dataset's sidecars, which are noted (materials/base/files_read.hpp). Throws
+/// InputError of one beyond the gate.
+void look_beside(GDALDataset& data, const GdalGate& gate);
 
 /// True of more bytes than a file can hold however well they are compressed: DEFLATE cannot do
 /// better than 1032 : 1.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "materials/base/plain_text.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
@@ -94,10 +95,17 @@ int field_index(OGRLayer& layer, const std::string& field, const std::string& wh
 }  // namespace
 
 std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std::string& kind_field,
-                                   const std::string& height_field) {
+                                   const std::string& height_field,
+                                   const std::optional<Confines>& confines) {
     const QuietGdal gdal;
-    const auto data = open_gdal_file(file, GDAL_OF_VECTOR, drivers,
-                                     "known formats: GeoJSON, ESRI Shapefile, GeoPackage", gdal);
+    const GdalGate gate(confines ? *confines : confines_of(file));
+    const auto data =
+        open_gdal_file(file, GDAL_OF_VECTOR, drivers,
+                       "known formats: GeoJSON, ESRI Shapefile, GeoPackage", gdal, gate);
+    // A CRS that is to be fetched, or read of another file, would be WGS84 in place of it.
+    if (!gdal.because().empty()) {
+        throw InputError(file.string(), "cannot be read as it stands" + gdal.because());
+    }
     std::vector<LandShape> shapes;
     std::size_t corners = 0, features = 0;
     for (OGRLayer* layer : data->GetLayers()) {
@@ -116,7 +124,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
             if (feature->GetGeometryRef() == nullptr) continue;
             LandShape like;
             like.feature = features;
-            if (kind >= 0) like.kind = feature->GetFieldAsString(kind);
+            if (kind >= 0) like.kind = plain(feature->GetFieldAsString(kind));
             if (height >= 0 && feature->IsFieldSetAndNotNull(height)) {
                 like.height = feature->GetFieldAsDouble(height);
             }

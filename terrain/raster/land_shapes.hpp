@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "terrain/place/site.hpp"
 
 namespace diurna {
@@ -23,8 +25,11 @@ struct LandShape {
 /// Reads all polygons and lines of a GeoJSON, ESRI Shapefile or GeoPackage; parts of a multi-shape
 /// one by one. Throws InputError for a missing or damaged file, one without CRS, a field that no
 /// layer has, or more than a million corners.
+///
+/// - confines: of its sidecars; without, those of its folder
 std::vector<LandShape> read_shapes(const std::filesystem::path& file,
                                    const std::string& kind_field = "",
-                                   const std::string& height_field = "");
+                                   const std::string& height_field = "",
+                                   const std::optional<Confines>& confines = {});
 
 }  // namespace diurna

@@ -20,13 +20,15 @@ const char* const drivers[] = {"GTiff", "PNG", "JPEG", "ENVI", "netCDF", "AAIGri
 
 }  // namespace
 
-TextureImage read_texture_image(const std::filesystem::path& file, int channel) {
+TextureImage read_texture_image(const std::filesystem::path& file, int channel,
+                                const std::optional<Confines>& confines) {
     const QuietGdal gdal;
+    const GdalGate gate(confines ? *confines : confines_of(file));
     TextureImage image;
     image.source = file.string();
     const auto data =
         open_gdal_file(file, GDAL_OF_RASTER, drivers,
-                       "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII", gdal);
+                       "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII", gdal, gate);
     image.columns = data->GetRasterXSize();
     image.rows = data->GetRasterYSize();
     const double texels = double(image.columns) * image.rows;

@@ -3,10 +3,12 @@
 #include <Eigen/Core>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "materials/base/confines.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/raster/geotransform.hpp"
 #include "terrain/texture/texture.hpp"
@@ -25,7 +27,10 @@ struct TextureImage {
 
 /// Reads a channel, counted from 1, of a GeoTIFF, PNG, JPEG, ENVI, netCDF or ESRI ASCII file.
 /// Throws InputError for one that is missing, damaged, of no such channel or of over 1e8 texels.
-TextureImage read_texture_image(const std::filesystem::path& file, int channel = 1);
+///
+/// - confines: of its sidecars; without, those of its folder
+TextureImage read_texture_image(const std::filesystem::path& file, int channel = 1,
+                                const std::optional<Confines>& confines = {});
 
 /// Places in texels (0, 0 the first one's outer corner) of a georeferenced image, as the polynomial
 /// of RasterTexture::Layout over a square of half-width `reach` [m] around the site, in the site's

@@ -194,7 +194,7 @@ std::string base64(const std::string& text) {
     return out;
 }
 
-std::string triangle_buffer() {
+std::string triangle_bytes() {
     std::string buffer;
     for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f}) buffer += bytes(x);
     for (const std::uint16_t i : {0, 1, 2}) buffer += bytes(i);
@@ -204,6 +204,7 @@ std::string triangle_buffer() {
 /// A glTF of one triangle, its buffer within.
 std::string triangle(const std::string& nodes = R"([{"mesh":0}])",
                      const std::string& scene_nodes = "[0]") {
+    const std::string buffer = triangle_bytes();
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" + scene_nodes +
            R"(}],"nodes":)" + nodes +
            R"(,"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"accessors":[)"
@@ -211,21 +212,27 @@ std::string triangle(const std::string& nodes = R"([{"mesh":0}])",
            R"({"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}],"bufferViews":[)"
            R"({"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],)"
            R"("buffers":[{"byteLength":42,"uri":"data:application/octet-stream;base64,)" +
-           base64(triangle_buffer()) + R"("}]})";
+           base64(buffer) + R"("}]})";
 }
 
-/// The same in pieces: JSON, and its buffer as bytes.
-std::string glb(const std::string& json, std::uint32_t version = 2) {
-    const std::size_t uri = json.find(",\"uri\":"), end = json.find("\"}]}", uri);
+/// - binary: its second piece; "": none
+std::string glb(const std::string& json, std::uint32_t version = 2, std::string binary = "") {
     std::string padded = json;
-    padded.erase(uri, end + 1 - uri);
-    while (padded.size() % 4 != 0) padded += ' ';
-    std::string buffer = triangle_buffer();
-    while (buffer.size() % 4 != 0) buffer += '\0';
-    return std::string("glTF") + bytes(version) +
-           bytes(std::uint32_t(28 + padded.size() + buffer.size())) +
-           bytes(std::uint32_t(padded.size())) + "JSON" + padded +
-           bytes(std::uint32_t(buffer.size())) + std::string("BIN\0", 4) + buffer;
+    while (padded.size() % 4) padded += ' ';
+    while (binary.size() % 4) binary += '\0';
+    std::string pieces = bytes(std::uint32_t(padded.size())) + "JSON" + padded;
+    if (!binary.empty()) {
+        pieces += bytes(std::uint32_t(binary.size())) + std::string("BIN\0", 4) + binary;
+    }
+    return "glTF" + bytes(version) + bytes(std::uint32_t(12 + pieces.size())) + pieces;
+}
+
+/// The triangle with its buffer in the second piece, where GLB has it.
+std::string whole_glb() {
+    std::string json = triangle();
+    const std::size_t uri = json.find(",\"uri\"");
+    json.erase(uri, json.find('"', uri + 9) + 1 - uri);
+    return glb(json, 2, triangle_bytes());
 }
 
 /// Node k has node k + 1 as its child, so many times.
@@ -386,7 +393,7 @@ TEST_CASE("objects that cannot be are refused") { no_fault("objects", keys()); }
 TEST_CASE("malformed lists of copies are refused") { no_fault("copies", copies()); }
 TEST_CASE("the glTF that the corpus changes is fine") {
     const ScratchFolder scratch("gltf");
-    for (const auto& [name, text] : {std::pair{"m.gltf", triangle()}, {"m.glb", glb(triangle())}}) {
+    for (const auto& [name, text] : {std::pair{"m.gltf", triangle()}, {"m.glb", whole_glb()}}) {
         const Malformed given = mesh("fine", name, text);
         corpus::put_files(scratch.path / "yard", given.files);
         const corpus::Ended ended = corpus::run(scratch.path / "yard", given.words);

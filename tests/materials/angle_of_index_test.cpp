@@ -34,9 +34,9 @@ Material read(const std::string& finish, double emissivity) {
             "\nroughness_length_m = 0.01\nlayers = [{ thickness_m = 0.1, conductivity_W_mK = 1.0, "
             "density_kg_m3 = 2000.0, heat_capacity_J_kgK = 800.0 }]\nfinish = " +
             finish + "\n",
-        "column.toml");
-    const Material material = read_material(document.root().required_section("material", ""),
-                                            default_material_library(), data_folder(), "");
+        (data_folder() / "column.toml").string());
+    const Material material =
+        read_material(document.root().required_section("material", ""), default_material_library());
     document.finish();
     return material;
 }

@@ -30,10 +30,9 @@ double emissivity(const Material& m, double um) {
 
 /// The [material] table of a text, read against the default library.
 Material read(const std::string& text) {
-    const Document document = Document::from_text(text, "column.toml");
-    const Material found =
-        read_material(document.root().required_section("material", "of the column"), library(),
-                      data_folder(), "material");
+    const Document document = Document::from_text(text, (data_folder() / "column.toml").string());
+    const Material found = read_material(
+        document.root().required_section("material", "of the column"), library(), "material");
     document.finish();
     return found;
 }
@@ -325,14 +324,16 @@ TEST_CASE("what is missing from a material is named", "[materials][library]") {
     const auto unknown = mistakes("[material]\nname = \"asphlt\"\n");
     REQUIRE(unknown.size() == 1);
     CHECK(unknown.front().line() ==
-          "column.toml:2:8: material.name: no material 'asphlt' in the library (did you mean "
-          "'asphalt'?)");
+          (data_folder() / "column.toml").string() +
+              ":2:8: material.name: no material 'asphlt' in the library (did you mean "
+              "'asphalt'?)");
     CHECK(mistakes("[material]\nname = \"x\"\nlike = \"gras\"\n").front().hint ==
           "did you mean 'grass'?");
     const auto no_file = mistakes("[material]\nname = \"x\"\nreflectance = \"none.csv\"\n" + layer +
                                   "roughness_length_m = 0.01\n");
     REQUIRE(no_file.size() == 1);
-    CHECK_THAT(no_file.front().line(), Catch::Contains("none.csv: no such file"));
+    CHECK_THAT(no_file.front().line(),
+               Catch::Contains("no such file: ") && Catch::Contains("none.csv"));
 }
 
 TEST_CASE("a sheet with an open back has no room behind it", "[materials][library]") {

@@ -27,9 +27,9 @@ const MaterialLibrary& library() {
 /// A material "m" of these lines, in a library that may have more than the program's.
 Material read(const std::string& lines, const MaterialLibrary& base = library(),
               const std::filesystem::path& folder = data_folder()) {
-    const Document document = Document::from_text("[m]\n" + lines, "scene.toml");
-    Material found =
-        read_material(document.root().required_section("m", "a material"), base, folder, "m");
+    const Document document =
+        Document::from_text("[m]\n" + lines, (folder / "scene.toml").string());
+    Material found = read_material(document.root().required_section("m", "a material"), base, "m");
     document.finish();
     return found;
 }

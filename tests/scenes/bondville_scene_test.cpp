@@ -29,9 +29,10 @@ TEST_CASE("the scene of measured days runs, and its stubble is as warm as measur
     const std::string command = fmt::format("'{}' '{}' > '{}'", (here / "make_weather.sh").string(),
                                             file->string(), (here / "weather.csv").string());
     REQUIRE(std::system(command.c_str()) == 0);
-    const Prepared prepared =
-        prepare(read_scene(here / "scene.toml", {"time.frames=[\"00:00-24:00 every 30 min\"]",
-                                                 "output.fluxes=false", "output.state=false"}));
+    const Prepared prepared = prepare(read_scene(
+        here / "scene.toml",
+        {"time.frames=[\"00:00-24:00 every 30 min\"]", "output.fluxes=false", "output.state=false"},
+        true));  // its truck is of another folder
     CHECK(prepared.plan.frames.size() == 4 * 48 + 1);
     Progress progress(ProgressStyle::silent);
     const SpanResult result = solve_scene(Stages(prepared), progress);

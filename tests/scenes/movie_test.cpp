@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -69,7 +70,13 @@ struct RunFolder {
     }
     std::string argument() const { return fmt::format("'{}'", run.string()); }
     fs::path made() const { return run / "east_8-12.mp4"; }
-    bool nothing() const { return !fs::exists(made()) && !fs::exists(made().string() + ".part"); }
+    /// Neither the movie nor anything unfinished.
+    bool nothing() const {
+        for (const auto& entry : fs::directory_iterator(run)) {
+            if (entry.path() != run / "frames") return false;
+        }
+        return true;
+    }
 };
 
 }  // namespace
@@ -105,11 +112,17 @@ TEST_CASE("without ffmpeg, or where it fails, a movie is told of and not there",
     folder.ffmpeg("cat > \"$last\"; exit 3");
     CHECK(movie(folder.bin, false, folder.argument()).code == 1);
     CHECK(folder.nothing());
-    // Interrupted while it works.
-    folder.ffmpeg("cat > \"$last\"; sleep 20");
-    ran = movie(folder.bin, false, folder.argument(), "timeout -s INT 1");
-    CHECK(ran.out.find("interrupted: no movie was written") != std::string::npos);
-    CHECK(folder.nothing());
+    // Interrupted while it works, the other program does not work on.
+    folder.ffmpeg("cat > \"$last\"; sleep 3; echo on > '" + folder.folder.path.string() +
+                  "/worked_on'");
+    for (const auto& [signal, code] : {std::pair{"INT", 130}, {"TERM", 143}, {"HUP", 129}}) {
+        CHECK(movie(folder.bin, false, folder.argument(),
+                    fmt::format("timeout --preserve-status -s {} 1", signal))
+                  .code == code);
+        CHECK(folder.nothing());
+    }
+    ::sleep(3);
+    CHECK(!fs::exists(folder.folder.path / "worked_on"));
 }
 
 TEST_CASE("a movie of several observers asks which", "[scenes][movie]") {

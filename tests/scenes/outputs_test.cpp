@@ -12,6 +12,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/unfinished.hpp"
 #include "tests/support/small_scene.hpp"
 
 // Nothing goes out to a network, and what a user names by mistake as the place of results is as it

@@ -12,7 +12,7 @@ namespace {
 
 TimeInput time_of(const std::string& keys, const std::optional<Site>& site = {}) {
     Document document = Document::from_text("[time]\n" + keys, "scene.toml");
-    const TimeInput time = read_time(document.root().required_section("time", ""), {}, site);
+    const TimeInput time = read_time(document.root().required_section("time", ""), site);
     document.finish();
     return time;
 }

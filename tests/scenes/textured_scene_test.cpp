@@ -54,7 +54,7 @@ Pictures pictures_of(const std::string& text) {
     const ScratchFolder folder("textured");
     write_text(folder.path / "scene.toml", text);
     Pictures found;
-    found.report = run_job(read_scene(folder.path / "scene.toml"),
+    found.report = run_job(read_scene(folder.path / "scene.toml", {}, true),
                            {.out = folder.path / "out", .settings = {}});
     found.notes = found.report.notes;
     const auto frame = [&](const char* time) {
@@ -194,7 +194,7 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
     has(problem(textured("what = \"mixture\"\n" + good)), "expected the names of two materials");
     has(problem(textured("what = \"mixture\"\nbetween = [\"grass\", \"gras\"]\n" + good)),
         "no material \"gras\" (did you mean 'grass'?)");
-    has(problem(textured("file = \"none.png\"")), "there is no such file");
+    has(problem(textured("file = \"none.png\"")), "no such file: ");
     has(problem(textured("file = \"grid.asc\"\nmetres_per_texel = 1.0")),
         "makes values from 0 to 255, expected 0 to 1");
     has(problem(textured("file = \"grid.asc\"\nscale = 0.0039")),

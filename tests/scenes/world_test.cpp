@@ -28,7 +28,7 @@ struct Built {
 Built built(const std::string& text) {
     const ScratchFolder folder("world");
     write_text(folder.path / "scene.toml", text);
-    Scene scene = read_scene(folder.path / "scene.toml");
+    Scene scene = read_scene(folder.path / "scene.toml", {}, true);
     Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
     World world = build_world(scene, dem);
     return {std::move(scene), std::move(dem), std::move(world)};

@@ -134,7 +134,6 @@ void read_time(const Section& time, PointJob& job) {
 }  // namespace
 
 PointJob read_column_job(const Document& document) {
-    const std::filesystem::path folder = std::filesystem::path(document.file()).parent_path();
     const Section root = document.root();
     PointJob job;
     read_site(root.required_section("site", "where the facet lies"), job);
@@ -143,12 +142,12 @@ PointJob read_column_job(const Document& document) {
     read_facet(facet, job);
     const Section material =
         root.required_section("material", "of the facet, with the keys of the third chapter");
-    const Material read = read_material(material, default_material_library(), folder, "column");
+    const Material read = read_material(material, default_material_library(), "column");
     job.surface = read.thermal;
     read_wind(facet, job);
     job.clear_sky = read_sky(root.section("sky", sky_says));
     const Section weather = root.required_section("weather", "what drives the heat balance");
-    const std::string weather_file = weather.text("file", weather_file_says);
+    const std::filesystem::path weather_file = weather.file("file", weather_file_says);
     WeatherOptions options = read_weather_options(weather, 0.1);
     options.elevation = job.elevation;
     options.site = job.site;
@@ -158,7 +157,7 @@ PointJob read_column_job(const Document& document) {
     read_time(root.required_section("time", "the span, its start and its steps"), job);
     document.finish();
     options.asked = {job.start, job.end};
-    job.weather = read_weather(folder / weather_file, options);
+    job.weather = read_weather(weather_file, options);
     if (!measured_over.empty() && measured_over != read.name) {
         forget_albedo(measured_over, read.name, job.weather);
     }
@@ -169,8 +168,8 @@ PointJob read_column_job(const Document& document) {
     return job;
 }
 
-PointJob read_column_job(const std::filesystem::path& file) {
-    return read_column_job(Document::from_file(file));
+PointJob read_column_job(const std::filesystem::path& file, bool allow_outside) {
+    return read_column_job(Document::from_file(file, confines_of(file, allow_outside)));
 }
 
 }  // namespace diurna

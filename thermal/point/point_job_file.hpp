@@ -8,8 +8,9 @@
 namespace diurna {
 
 /// Reads a column file (TOML; scenes/KEYS.md lists its keys) and its weather. Throws InputError
-/// with every mistake: file:line:column, what was expected, the nearest key.
-PointJob read_column_job(const std::filesystem::path& file);
+/// with every mistake: file:line:column, what was expected, the nearest key. The files it names lie
+/// within its confines (materials/base/confines.hpp).
+PointJob read_column_job(const std::filesystem::path& file, bool allow_outside = false);
 /// The same of a document, which is finished.
 PointJob read_column_job(const Document& document);
 

@@ -6,6 +6,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "materials/base/hdf5_file.hpp"
 #include "thermal/netcdf_output.hpp"
 
 namespace diurna {
@@ -193,6 +194,7 @@ TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
     if (!fs::is_regular_file(path)) throw InputError(path.string(), "no such file");
     int id = -1;
     note_file_read(path);
+    check_values_are_its_own(path);
     if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
         throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
     }

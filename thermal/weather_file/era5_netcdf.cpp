@@ -8,6 +8,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
+#include "materials/base/hdf5_file.hpp"
 #include "thermal/weather_file/era5.hpp"
 #include "thermal/weather_file/stamps.hpp"
 
@@ -20,6 +21,7 @@ class NetcdfFile {
  public:
     explicit NetcdfFile(const std::filesystem::path& file) : path_(file.string()) {
         note_file_read(file);
+        check_values_are_its_own(file);
         check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "cannot be opened");
     }
     ~NetcdfFile() { nc_close(id_); }

@@ -222,6 +222,7 @@ Weather read_weather(const std::filesystem::path& file, const WeatherOptions& op
     check_pressure(table, height);
     Weather weather = weather_series(table, stamps, height);
     weather.height = height;
+    change_weather(weather, options.change, options.where_changed);
     return weather;
 }
 

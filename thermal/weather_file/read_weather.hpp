@@ -7,6 +7,7 @@
 
 #include "terrain/place/site.hpp"
 #include "thermal/weather/weather.hpp"
+#include "thermal/weather_file/changed_weather.hpp"
 #include "thermal/weather_file/gaps.hpp"
 #include "thermal/weather_file/own_csv.hpp"
 #include "thermal/weather_file/typical_year.hpp"
@@ -25,9 +26,11 @@ struct WeatherOptions {
     bool at_station = false;
     std::vector<DeclaredColumn> columns{};
     OnGap on_gap = OnGap::refuse;
+    WeatherChange change{};
     AskedSpan asked{};           // what must be covered; none: nothing in particular
     std::optional<Site> site{};  // tells night from day, and whether the station is far away
     std::string where = "weather.interval";  // of `interval`: "scene.toml:12:1: weather.interval"
+    std::string where_changed = "weather.changed";
 };
 
 enum class WeatherFormat { csv, epw, tmy3, surfrad, bsrn, era5_csv, era5_netcdf };

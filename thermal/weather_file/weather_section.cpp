@@ -60,6 +60,8 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
          {"clear_sky", OnGap::clear_sky}});
     options.columns =
         read_columns(section.section("columns", "of a CSV file with names and units of its own"));
+    options.change = read_weather_change(section);
+    if (section.has("changed")) options.where_changed = section.where("changed");
     if (!stated.empty()) options.where = section.where("interval");
     return options;
 }

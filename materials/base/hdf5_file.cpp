@@ -1,0 +1,55 @@
+#include "materials/base/hdf5_file.hpp"
+
+#include <hdf5.h>
+
+#include <string>
+
+#include "materials/base/error.hpp"
+#include "materials/base/plain_text.hpp"
+
+namespace diurna {
+
+namespace {
+
+// What stops a visit; less than 0 is a failure, which is told by who reads the values.
+constexpr herr_t go_on = 0, found = 1;
+
+herr_t look_at_link(hid_t, const char* name, const H5L_info_t* link, void* where) {
+    if (link->type == H5L_TYPE_HARD || link->type == H5L_TYPE_SOFT) return go_on;
+    *static_cast<std::string*>(where) = name;
+    return found;
+}
+
+herr_t look_at_object(hid_t group, const char* name, const H5O_info_t* object, void* where) {
+    if (object->type != H5O_TYPE_DATASET) return go_on;
+    const hid_t dataset = H5Dopen2(group, name, H5P_DEFAULT);
+    if (dataset < 0) return go_on;
+    const hid_t made = H5Dget_create_plist(dataset);
+    const bool elsewhere = H5Pget_external_count(made) > 0 || H5Pget_layout(made) == H5D_VIRTUAL;
+    H5Pclose(made);
+    H5Dclose(dataset);
+    if (!elsewhere) return go_on;
+    *static_cast<std::string*>(where) = name;
+    return found;
+}
+
+}  // namespace
+
+void check_values_are_its_own(const std::filesystem::path& file) {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // no messages of its own on the terminal
+    if (H5Fis_hdf5(file.c_str()) <= 0) return;
+    const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+    if (id < 0) return;
+    std::string name;
+    const bool link = H5Lvisit(id, H5_INDEX_NAME, H5_ITER_NATIVE, look_at_link, &name) == found;
+    const bool values = !link && H5Ovisit2(id, H5_INDEX_NAME, H5_ITER_NATIVE, look_at_object, &name,
+                                           H5O_INFO_BASIC) == found;
+    H5Fclose(id);
+    if (link || values) {
+        throw InputError(file.string(),
+                         "\"" + plain(name).substr(0, 60) + "\" has its values in another file",
+                         "copy them into it");
+    }
+}
+
+}  // namespace diurna

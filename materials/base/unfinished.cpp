@@ -1,0 +1,127 @@
+#include "materials/base/unfinished.hpp"
+
+#include <fcntl.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// What a handler of signals may read: it can neither lock nor allocate.
+struct Slot {
+    enum State { free, taken, named };
+    std::atomic<int> state{free};
+    std::array<char, PATH_MAX> path{};
+};
+std::array<Slot, 64> slots;
+std::atomic<pid_t> child_group{0};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
+
+/// −1 where all are taken, or the name is too long: then it only is not removed at a signal.
+int remember(const fs::path& path) {
+    const std::string name = fs::absolute(path).string();
+    if (name.size() >= slots[0].path.size()) return -1;
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        int state = Slot::free;
+        if (!slots[i].state.compare_exchange_strong(state, Slot::taken)) continue;
+        std::memcpy(slots[i].path.data(), name.c_str(), name.size() + 1);
+        slots[i].state = Slot::named;
+        return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void forget(int slot) {
+    if (slot >= 0) slots[static_cast<std::size_t>(slot)].state = Slot::free;
+}
+
+extern "C" void end_by_signal(int signal) {
+    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
+    for (const Slot& slot : slots) {
+        if (slot.state == Slot::named) ::unlink(slot.path.data());
+    }
+    std::signal(signal, SIG_DFL);
+    ::raise(signal);
+}
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile(const fs::path& target)
+    : target_(target), path_(temporary_beside(target)) {
+    slot_ = remember(path_);
+    file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+    if (file_ >= 0) return;
+    forget(slot_);
+    throw std::runtime_error(target.string() + ": cannot create: " + std::strerror(errno));
+}
+
+UnfinishedFile::~UnfinishedFile() {
+    if (file_ >= 0) ::close(file_);
+    if (!path_.empty()) ::unlink(path_.c_str());
+    forget(slot_);
+}
+
+void UnfinishedFile::fail(const char* what) const {
+    throw std::runtime_error(target_.string() + ": " + what + ": " + std::strerror(errno));
+}
+
+void UnfinishedFile::write(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file_, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) fail("cannot write");
+        bytes = bytes.subspan(static_cast<std::size_t>(written));
+    }
+}
+
+void UnfinishedFile::finish() {
+    if (::fsync(file_) != 0) fail("cannot flush");
+    if (::close(std::exchange(file_, -1)) != 0) fail("cannot close");
+    if (::rename(path_.c_str(), target_.c_str()) != 0) fail("cannot rename into place");
+    path_.clear();
+    const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+    const int entry = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (entry < 0) return;  // a folder that may be written into but not read
+    ::fsync(entry);         // not every file system has it; the file itself is there and whole
+    ::close(entry);
+}
+
+fs::path temporary_beside(const fs::path& path) {
+    std::uint64_t random = 0;
+    if (::getrandom(&random, sizeof random, 0) != sizeof random) {
+        throw std::runtime_error(path.string() + ": no random name for it");
+    }
+    char tail[48];
+    std::snprintf(tail, sizeof tail, ".%ld.%016llx.part", long(::getpid()),
+                  static_cast<unsigned long long>(random));
+    return path.parent_path() / fs::path(".").concat(path.filename().string()).concat(tail);
+}
+
+bool is_temporary_name(const std::string& name) {
+    return name.starts_with(".") && name.ends_with(".part");
+}
+
+void remove_unfinished_at_signals() {
+    struct sigaction action {};
+    action.sa_handler = end_by_signal;
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
+}
+
+void set_child_group(pid_t group) { child_group = group; }
+
+}  // namespace diurna

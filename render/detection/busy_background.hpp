@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace diurna {
+
+/// A plane of a picture, row by row from its top left.
+struct PlaneView {
+    std::span<const float> value;
+    int width = 0, height = 0;
+};
+
+/// How busy a background is, cell by cell. Cells tile the picture from its top left; those with a
+/// pixel that is left out, or a value that is not finite, do not count, nor what is over at the
+/// right and below.
+struct CellClutter {
+    double level = 0.0;     // in the plane's unit, or 0 to 1; NaN where no cell counts
+    std::size_t cells = 0;  // that count
+};
+
+/// Root mean square over cells of the standard deviation in each (Schmieder and Weathersby 1983,
+/// IEEE Trans. Aerosp. Electron. Syst. 19, 622): cells of twice the target's size.
+///
+/// - left_out: (pixel) not zero: the target's
+/// - side: [pixels] of a cell, at least 1
+CellClutter cell_clutter(const PlaneView& plane, std::span<const std::uint8_t> left_out, int side);
+
+/// Root mean square over cells as large as the target's box of how like it each is, by the
+/// structural similarity of Wang and others 2004 (IEEE Trans. Image Process. 13, 600; c1 = (0.01
+/// R)², c2 = (0.03 R)², R the plane's span of values): 0 unlike, 1 the same. As a measure of what a
+/// target is mistaken for after Chang and Zhang 2006 (IEEE Trans. Aerosp. Electron. Syst. 42, 361).
+///
+/// - left, top, width, height: [pixels] of the target's box
+CellClutter similar_clutter(const PlaneView& plane, std::span<const std::uint8_t> left_out,
+                            int left, int top, int width, int height);
+
+/// Shannon's entropy [bits] of values that are not left out, counted in bins of `step` from zero
+/// on.
+double entropy_bits(std::span<const float> value, std::span<const std::uint8_t> counted,
+                    double step);
+
+/// Magnitude of the gradient [unit/pixel] by Sobel's operator (its weights over 8), mean over
+/// pixels within the picture's rim that count; NaN where none does.
+double mean_gradient(const PlaneView& plane, std::span<const std::uint8_t> counted);
+
+}  // namespace diurna

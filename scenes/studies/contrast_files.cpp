@@ -1,0 +1,157 @@
+#include "scenes/studies/contrast_files.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenes/studies/study_files.hpp"
+#include "terrain/place/local_time.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 8> colours{"#2166ac", "#b2182b", "#1b7837", "#762a83",
+                                             "#e08214", "#01665e", "#8c510a", "#555555"};
+
+struct Column {
+    const char* name;
+    double ContrastRow::*value;
+    const char* says;
+};
+constexpr std::array<Column, 14> columns{
+    {{"range_m", &ContrastRow::range, "to its nearest surface in a pixel that it fills"},
+     {"pixels", &ContrastRow::pixels, "that it covers, those at its edge by their share"},
+     {"difference_K", &ContrastRow::difference,
+      "mean apparent temperature less the background's; edge pixels by the share covered"},
+     {"spread_K", &ContrastRow::spread, "standard deviation over pixels that it fills"},
+     {"rss_K", &ContrastRow::rss, "root of difference squared and spread squared"},
+     {"clutter_K", &ContrastRow::clutter,
+      "root mean square of standard deviations in cells of twice its size (Schmieder and "
+      "Weathersby 1983)"},
+     {"signal_to_clutter", &ContrastRow::signal_to_clutter, "difference over clutter"},
+     {"edge_K_per_pixel", &ContrastRow::edge, "mean gradient along its border (Sobel)"},
+     {"background_edge_K_per_pixel", &ContrastRow::background_edge,
+      "mean gradient in its background"},
+     {"similarity", &ContrastRow::similarity,
+      "root mean square structural similarity (Wang and others 2004) of cells as large as it, "
+      "after Chang and Zhang 2006"},
+     {"entropy_bits", &ContrastRow::entropy, "of its pixels, in steps of 0.1 K"},
+     {"background_entropy_bits", &ContrastRow::background_entropy, "of its background's"},
+     {"radiance_W_m2_sr", &ContrastRow::radiance, "mean radiance less the background's"},
+     {"weber", &ContrastRow::weber, "that over the background's"}}};
+
+const std::string& observer_name(const ContrastInput& input, const Scene& scene,
+                                 const ContrastRow& row) {
+    return scene.observers[input.observers[row.observer]].name;
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+}  // namespace
+
+std::string contrast_csv(const ContrastInput& input, const ContrastReport& report,
+                         const Scene& scene) {
+    std::string text = "target,observer,time,band_um";
+    for (const Column& column : columns) {
+        text += fmt::format(",{}", column.name);
+    }
+    text += '\n';
+    for (const ContrastRow& row : report.row) {
+        text += fmt::format("{},{},{},{}", csv_cell(input.targets[row.target].name),
+                            csv_cell(observer_name(input, scene, row)),
+                            format_local(row.when, scene.time.utc_offset), row.band);
+        for (const Column& column : columns) {
+            const double value = row.*column.value;
+            text += std::isfinite(value) ? fmt::format(",{:.5g}", value) : ",";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::string contrast_json(const ContrastInput& input, const ContrastReport& report,
+                          const Scene& scene, const std::vector<std::string>& notes) {
+    Json json{{"study", "contrast"},
+              {"name", input.name},
+              {"threshold_K", input.threshold},
+              {"ring", input.ring}};
+    json["background"] =
+        "pixels of the box around the target that is wider on each side by ring times its sides, "
+        "but for those of targets of this study: sky and other objects count";
+    json["columns"] = Json::object();
+    for (const Column& column : columns) {
+        json["columns"][column.name] = column.says;
+    }
+    json["targets"] = Json::array();
+    for (std::size_t w = 0; w < report.worst.size(); ++w) {
+        const WorstContrast& worst = report.worst[w];
+        Json one{{"target", input.targets[w / input.bands.size()].name},
+                 {"band_um", input.bands[w % input.bands.size()]}};
+        one["share_of_pictures_above_threshold"] = finite(worst.share);
+        one["least_rss_K"] = finite(worst.least);
+        if (worst.row < report.row.size()) {
+            const ContrastRow& row = report.row[worst.row];
+            Json at{{"time", format_local(row.when, scene.time.utc_offset)},
+                    {"observer", observer_name(input, scene, row)},
+                    {"error_K", worst.error}};
+            for (const Column& column : columns) {
+                at[column.name] = finite(row.*column.value);
+            }
+            one["worst"] = std::move(at);
+            one["rss_K_at_range_m"] = Json::object();
+            for (std::size_t k = 0; k < worst.at_range.size(); ++k) {
+                one["rss_K_at_range_m"][fmt::format("{:g}", input.ranges[k])] =
+                    finite(worst.at_range[k]);
+            }
+        }
+        json["targets"].push_back(std::move(one));
+    }
+    json["notes"] = notes;
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string contrast_svg(const ContrastInput& input, const ContrastReport& report,
+                         const Scene& scene) {
+    std::vector<Chart> charts;
+    for (const std::string& band : input.bands) {
+        for (std::size_t o = 0; o < input.observers.size(); ++o) {
+            Chart chart{
+                .title =
+                    fmt::format("{} um, from {}", band, scene.observers[input.observers[o]].name),
+                .x_title = "hours after " + format_local(scene.time.start, scene.time.utc_offset),
+                .y_title = "RSS contrast, K",
+                .x_last = scene.time.duration / 3600.0,
+                .x_tick = scene.time.duration > 172800.0 ? 12.0 : 3.0,
+                .lines = {}};
+            for (std::size_t t = 0; t < input.targets.size(); ++t) {
+                ChartLine line{.name = input.targets[t].name,
+                               .colour = colours[t % colours.size()],
+                               .x = {},
+                               .y = {},
+                               .dashed = t >= colours.size()};
+                for (const ContrastRow& row : report.row) {
+                    if (row.target != t || row.observer != o || row.band != band) continue;
+                    if (std::isnan(row.rss)) continue;
+                    line.x.push_back(seconds_between(scene.time.start, row.when) / 3600.0);
+                    line.y.push_back(row.rss);
+                }
+                if (!line.x.empty()) chart.lines.push_back(std::move(line));
+            }
+            if (chart.lines.empty()) continue;
+            chart.lines.push_back({.name = "threshold",
+                                   .colour = "#999999",
+                                   .x = {0.0, chart.x_last},
+                                   .y = {input.threshold, input.threshold},
+                                   .dashed = true});
+            charts.push_back(std::move(chart));
+        }
+    }
+    return stacked_svg(charts);
+}
+
+}  // namespace diurna

@@ -1,0 +1,283 @@
+#include "scenes/studies/crossover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "materials/base/error.hpp"
+#include "materials/base/parallel.hpp"
+#include "scenes/run/heat.hpp"
+#include "scenes/studies/seen_regions.hpp"
+#include "scenes/world/stepping.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double found_to = 0.5;               // [s]
+constexpr double jump = 0.05;                  // [K] within that
+constexpr double farthest_shift = 3.0 * 3600;  // [s]
+
+/// Crossovers of one observer and the same bands, by their numbers.
+struct Group {
+    std::size_t observer;
+    std::vector<std::string> bands;
+    std::vector<std::size_t> of;
+};
+
+std::vector<Group> groups(const std::vector<CrossoverInput>& inputs) {
+    std::vector<Group> all;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const auto same = std::find_if(all.begin(), all.end(), [&](const Group& group) {
+            return group.observer == inputs[i].observer && group.bands == inputs[i].bands;
+        });
+        Group& group = same != all.end()
+                           ? *same
+                           : all.emplace_back(Group{inputs[i].observer, inputs[i].bands, {}});
+        group.of.push_back(i);
+    }
+    return all;
+}
+
+/// First and second of each crossover of a group, in turn.
+SeenRegions seen(const Stages& stages, const Group& group, const TemperatureField& field,
+                 int more_samples) {
+    const Scene& scene = stages.scene().scene;
+    std::vector<RegionInput> regions;
+    for (const std::size_t i : group.of) {
+        regions.push_back(scene.crossovers[i].first);
+        regions.push_back(scene.crossovers[i].second);
+    }
+    return {stages.at(0),
+            group.observer,
+            regions,
+            group.bands,
+            field,
+            more_samples * scene.observers[group.observer].samples,
+            scene.crossovers[group.of.front()].where};
+}
+
+/// Of a pair in a band, over the seconds of the span.
+Difference difference_of(const SeenRegions& seen, std::size_t pair, std::size_t band,
+                         std::size_t bands, Instant start) {
+    return [&seen, at = 2 * pair * bands + band, bands, start](double seconds) {
+        const std::vector<double>& kelvin = seen.apparent(later(start, seconds));
+        return kelvin[at] - kelvin[at + bands];
+    };
+}
+
+CrossoverDay day_of(const SeenRegions& seen, const CrossoverInput& input, std::size_t pair,
+                    std::size_t band, const std::vector<Instant>& instant) {
+    const std::size_t bands = input.bands.size(), at = 2 * pair * bands + band;
+    CrossoverDay day{
+        .band = input.bands[band], .instant = instant, .first = {}, .second = {}, .crossing = {}};
+    std::vector<double> time, value;
+    for (const Instant when : instant) {
+        const std::vector<double>& kelvin = seen.apparent(when);
+        day.first.push_back(kelvin[at]);
+        day.second.push_back(kelvin[at + bands]);
+        time.push_back(seconds_between(instant.front(), when));
+        value.push_back(day.first.back() - day.second.back());
+    }
+    const Difference difference = difference_of(seen, pair, band, bands, instant.front());
+    const std::vector<ZeroCrossing> found = find_crossings(
+        time, value, difference, {.width = found_to, .touching = input.touching, .jumping = jump});
+    day.worst_least = std::abs(value.front());
+    for (const double v : value) day.worst_least = std::min(day.worst_least, std::abs(v));
+    for (const ZeroCrossing& one : found) {
+        day.worst_least = std::min(day.worst_least, std::abs(one.least));
+        day.crossing.push_back({.when = later(instant.front(), one.at),
+                                .kind = one.kind,
+                                .first_warmer_after = one.kind == ZeroCrossing::Kind::touches
+                                                          ? one.least > 0.0
+                                                          : one.slope > 0.0,
+                                .slope = one.slope,
+                                .least = one.least,
+                                .refined = {},
+                                .shift = {}});
+        // The hours below the threshold see it, too.
+        const auto place = std::upper_bound(time.begin(), time.end(), one.at);
+        value.insert(value.begin() + (place - time.begin()), one.least);
+        time.insert(place, one.at);
+    }
+    day.lost = time_below(time, value, input.threshold);
+    return day;
+}
+
+/// How far each crossing of a group moves in another scene; `told` takes it.
+template <class Told>
+void follow(const SeenRegions& seen, const Group& group, const std::vector<CrossoverInput>& inputs,
+            std::vector<CrossoverReport>& reports, const Told& told) {
+    struct Job {
+        std::size_t crossover, pair, band, crossing;
+    };
+    std::vector<Job> jobs;
+    for (std::size_t pair = 0; pair < group.of.size(); ++pair) {
+        const std::size_t i = group.of[pair];
+        for (std::size_t b = 0; b < inputs[i].bands.size(); ++b) {
+            const auto& crossings = reports[i].band[b].crossing;
+            for (std::size_t c = 0; c < crossings.size(); ++c) jobs.push_back({i, pair, b, c});
+        }
+    }
+    std::vector<std::optional<double>> shift(jobs.size());
+    const auto one = [&](std::size_t j) {
+        const Job& job = jobs[j];
+        const CrossoverDay& day = reports[job.crossover].band[job.band];
+        const TimedCrossing& base = day.crossing[job.crossing];
+        if (base.kind == ZeroCrossing::Kind::touches) return;
+        const Instant start = day.instant.front();
+        const double at = seconds_between(start, base.when);
+        const auto found = nearest_crossing(
+            {.at = at, .slope = base.slope},
+            difference_of(seen, job.pair, job.band, group.bands.size(), start), farthest_shift, 0.0,
+            seconds_between(start, day.instant.back()), found_to);
+        if (found) shift[j] = *found - at;
+    };
+    for_each_index(jobs.size(), one, 1);
+    for (std::size_t j = 0; j < jobs.size(); ++j) {
+        told(reports[jobs[j].crossover].band[jobs[j].band].crossing[jobs[j].crossing],
+             jobs[j].crossover, shift[j]);
+    }
+}
+
+/// A scene that differs in numbers, solved.
+struct OtherScene {
+    Prepared prepared;
+    Stages stages;
+    TemperatureField field;
+    std::string not_converged;
+
+    OtherScene(Scene scene, const Study& study, Progress& progress)
+        : prepared(prepare(std::move(scene))), stages(prepared) {
+        if (prepared.world.facets.size() != study.stages().scene().world.facets.size()) {
+            throw InputError(prepared.scene.file.string(),
+                             "a number that is uncertain changes the ground's facets: crossings "
+                             "would move for that alone");
+        }
+        SpanResult result = solve_scene(stages, progress);
+        not_converged = diurna::not_converged(result.report);
+        field = std::move(result.temperature);
+    }
+};
+
+std::string setting(const std::string& key, double value) {
+    return fmt::format("{}={}", key, value);
+}
+
+Scene every_step(Scene scene) {
+    scene.time.every_step = true;
+    return scene;
+}
+
+}  // namespace
+
+void check_crossovers(const Study& study, const SceneWith& scene_with) {
+    const Scene& scene = study.scene();
+    const Prepared& prepared = study.stages().scene();
+    for (const CrossoverInput& input : scene.crossovers) {
+        if (!prepared.movement.none() || prepared.sequences[input.observer].goes) {
+            throw InputError(input.where,
+                             fmt::format("expected a scene in which nothing goes, seen by an "
+                                         "observer that stands; found {}",
+                                         prepared.movement.none() ? "one that goes or turns"
+                                                                  : "objects that go"));
+        }
+        for (const UncertainInput& one : input.uncertain) {
+            try {
+                scene_with({setting(one.key, one.one_sigma)});
+            } catch (const InputError& error) {
+                const Mistake& found = error.mistakes().front();
+                throw InputError(one.where, fmt::format("{}: {}", found.where, found.problem),
+                                 found.hint);
+            }
+        }
+    }
+}
+
+CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
+                              const SceneWith& scene_with) {
+    const std::vector<CrossoverInput>& inputs = study.scene().crossovers;
+    CrossoverAnswer answer{.report = std::vector<CrossoverReport>(inputs.size()), .notes = {}};
+    std::vector<CrossoverReport>& reports = answer.report;
+    const std::vector<Group> all = groups(inputs);
+    Progress& progress = study.progress();
+    progress.stage("contrast");
+    for (const Group& group : all) {
+        const SeenRegions regions = seen(study.stages(), group, field, 1);
+        const std::vector<Instant>& instant = field.instant;
+        for_each_index(
+            instant.size(), [&](std::size_t i) { regions.apparent(instant[i]); }, 1);
+        for (std::size_t pair = 0; pair < group.of.size(); ++pair) {
+            const std::size_t i = group.of[pair];
+            reports[i].first_pixels = regions.pixels(2 * pair);
+            reports[i].second_pixels = regions.pixels(2 * pair + 1);
+            for (std::size_t b = 0; b < group.bands.size(); ++b) {
+                reports[i].band.push_back(day_of(regions, inputs[i], pair, b, instant));
+            }
+        }
+    }
+    const auto in_other = [&](const std::vector<std::string>& settings, int more_samples,
+                              const auto& concerns, const auto& told) {
+        const OtherScene other(every_step(scene_with(settings)), study, progress);
+        if (!other.not_converged.empty()) {
+            answer.notes.push_back(
+                fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
+        }
+        progress.stage("crossings");
+        for (const Group& group : all) {
+            if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
+            follow(seen(other.stages, group, other.field, more_samples), group, inputs, reports,
+                   told);
+        }
+    };
+    const auto refined = [&](std::size_t i) { return inputs[i].refined; };
+    bool any = false;
+    for (std::size_t i = 0; i < inputs.size(); ++i) any |= refined(i);
+    if (any) {
+        in_other({fmt::format("time.step_s={:g}", 0.5 * study.scene().time.step)}, 2, refined,
+                 [&](TimedCrossing& crossing, std::size_t i, std::optional<double> shift) {
+                     if (refined(i)) crossing.refined = shift;
+                 });
+    }
+    // A scene for each number, whichever crossovers it concerns.
+    std::map<std::pair<std::string, double>, std::vector<std::size_t>> numbers;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        for (const UncertainInput& one : inputs[i].uncertain) {
+            numbers[{one.key, one.one_sigma}].push_back(i);
+        }
+        for (CrossoverDay& day : reports[i].band) {
+            for (TimedCrossing& one : day.crossing) one.shift.resize(inputs[i].uncertain.size());
+        }
+    }
+    for (const auto& [number, of] : numbers) {
+        const auto concerns = [&of = of](std::size_t i) {
+            return std::find(of.begin(), of.end(), i) != of.end();
+        };
+        in_other({setting(number.first, number.second)}, 1, concerns,
+                 [&, &number = number](TimedCrossing& crossing, std::size_t i,
+                                       std::optional<double> shift) {
+                     for (std::size_t u = 0; u < inputs[i].uncertain.size(); ++u) {
+                         const UncertainInput& one = inputs[i].uncertain[u];
+                         if (one.key != number.first || one.one_sigma != number.second) continue;
+                         crossing.shift[u] = shift;
+                         crossing.sigma = std::hypot(crossing.sigma, shift.value_or(0.0));
+                     }
+                 });
+    }
+    for (CrossoverReport& report : reports) {
+        for (CrossoverDay& day : report.band) {
+            for (TimedCrossing& one : day.crossing) {
+                const Instant start = day.instant.front();
+                one.when = later(start, std::round(seconds_between(start, one.when) +
+                                                   one.refined.value_or(0.0)));
+            }
+        }
+    }
+    return answer;
+}
+
+}  // namespace diurna

@@ -1,0 +1,178 @@
+#include "scenes/studies/crossover_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenes/studies/study_files.hpp"
+#include "terrain/place/local_time.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::string& warmer_after(const CrossoverInput& input, const TimedCrossing& crossing) {
+    return crossing.first_warmer_after ? input.first.name : input.second.name;
+}
+
+/// [K/h]; of what jumps or touches there is none.
+std::optional<double> hourly(const TimedCrossing& crossing) {
+    if (crossing.kind != ZeroCrossing::Kind::crosses) return std::nullopt;
+    return 3600.0 * crossing.slope;
+}
+
+std::string cell(const std::optional<double>& value, const char* format = "{:.1f}") {
+    return value ? fmt::format(fmt::runtime(format), *value) : "";
+}
+
+Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+}  // namespace
+
+const char* word_of(ZeroCrossing::Kind kind) {
+    switch (kind) {
+        case ZeroCrossing::Kind::crosses:
+            return "crosses";
+        case ZeroCrossing::Kind::jumps:
+            return "jumps";
+        case ZeroCrossing::Kind::touches:
+            break;
+    }
+    return "touches";
+}
+
+std::vector<std::string> gone_with(const CrossoverInput& input, const TimedCrossing& crossing) {
+    std::vector<std::string> keys;
+    if (crossing.kind == ZeroCrossing::Kind::touches) return keys;
+    for (std::size_t u = 0; u < crossing.shift.size(); ++u) {
+        if (!crossing.shift[u]) keys.push_back(input.uncertain[u].key);
+    }
+    return keys;
+}
+
+std::string crossover_csv(const CrossoverInput& input, const CrossoverReport& report,
+                          double utc_offset) {
+    std::string text = "band_um,time,kind,warmer_after,slope_K_per_h,least_K,sigma_s,refined_s";
+    for (const UncertainInput& one : input.uncertain) {
+        text += "," + csv_cell("shift_s " + one.key);
+    }
+    text += '\n';
+    for (const CrossoverDay& day : report.band) {
+        for (const TimedCrossing& one : day.crossing) {
+            text += fmt::format("{},{},{},{},{},{:.4g},{:.1f},{}", day.band,
+                                format_local(one.when, utc_offset), word_of(one.kind),
+                                csv_cell(warmer_after(input, one)), cell(hourly(one), "{:.4g}"),
+                                one.least, one.sigma, cell(one.refined));
+            for (const auto& shift : one.shift) text += "," + cell(shift);
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+std::string contrast_curves_csv(const CrossoverReport& report, double utc_offset) {
+    std::string text = "band_um,time,first_K,second_K,difference_K\n";
+    for (const CrossoverDay& day : report.band) {
+        for (std::size_t i = 0; i < day.instant.size(); ++i) {
+            text += fmt::format("{},{},{:.4f},{:.4f},{:.4f}\n", day.band,
+                                format_local(day.instant[i], utc_offset), day.first[i],
+                                day.second[i], day.first[i] - day.second[i]);
+        }
+    }
+    return text;
+}
+
+std::string crossover_json(const CrossoverInput& input, const std::string& observer,
+                           const CrossoverReport& report, const std::vector<std::string>& notes,
+                           double utc_offset) {
+    Json json{{"study", "crossover"},
+              {"name", input.name},
+              {"first", input.first.name},
+              {"second", input.second.name},
+              {"observer", observer},
+              {"first_pixels", report.first_pixels},
+              {"second_pixels", report.second_pixels},
+              {"threshold_K", input.threshold},
+              {"touching_K", input.touching}};
+    json["difference"] =
+        "apparent temperature of the first less that of the second: of the black body of the mean "
+        "radiance of the pixels that it fills alone, air included";
+    json["bands"] = Json::array();
+    for (const CrossoverDay& day : report.band) {
+        Json crossings = Json::array();
+        for (const TimedCrossing& one : day.crossing) {
+            Json shifts = Json::object();
+            for (std::size_t u = 0; u < one.shift.size(); ++u) {
+                shifts[input.uncertain[u].key] = or_null(one.shift[u]);
+            }
+            crossings.push_back({{"time", format_local(one.when, utc_offset)},
+                                 {"kind", word_of(one.kind)},
+                                 {"warmer_after", warmer_after(input, one)},
+                                 {"slope_K_per_h", or_null(hourly(one))},
+                                 {"least_K", one.least},
+                                 {"sigma_s", one.sigma},
+                                 {"refined_shift_s", or_null(one.refined)},
+                                 {"shift_s", shifts},
+                                 {"gone_with", gone_with(input, one)}});
+        }
+        json["bands"].push_back(
+            {{"band_um", day.band},
+             {"hours", seconds_between(day.instant.front(), day.instant.back()) / 3600.0},
+             {"hours_below_threshold", day.lost / 3600.0},
+             {"least_contrast_K", day.worst_least},
+             {"crossings", crossings}});
+    }
+    json["uncertain"] = Json::array();
+    for (const UncertainInput& one : input.uncertain) {
+        json["uncertain"].push_back({{"key", one.key}, {"one_sigma", one.one_sigma}});
+    }
+    json["notes"] = notes;
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& report,
+                          double utc_offset) {
+    std::vector<Chart> charts;
+    for (const CrossoverDay& day : report.band) {
+        const Instant start = day.instant.front();
+        const auto hours = [&](Instant when) { return seconds_between(start, when) / 3600.0; };
+        Chart chart{.title = fmt::format("{} less {}, {} um", input.first.name, input.second.name,
+                                         day.band),
+                    .x_title = "hours after " + format_local(start, utc_offset),
+                    .y_title = "K",
+                    .x_last = hours(day.instant.back()),
+                    .x_tick = hours(day.instant.back()) > 48.0 ? 12.0 : 3.0,
+                    .lines = {}};
+        ChartLine line{.name = "difference", .colour = "#2166ac", .x = {}, .y = {}};
+        for (std::size_t i = 0; i < day.instant.size(); ++i) {
+            line.x.push_back(hours(day.instant[i]));
+            line.y.push_back(day.first[i] - day.second[i]);
+        }
+        const double low = std::min(*std::min_element(line.y.begin(), line.y.end()), 0.0);
+        const double high = std::max(*std::max_element(line.y.begin(), line.y.end()), 0.0);
+        chart.lines.push_back(std::move(line));
+        for (const double edge : {-input.threshold, input.threshold}) {
+            if (edge < low || edge > high) continue;
+            chart.lines.push_back({.name = fmt::format("{:+g} K", edge),
+                                   .colour = "#999999",
+                                   .x = {0.0, chart.x_last},
+                                   .y = {edge, edge},
+                                   .dashed = true});
+        }
+        for (const TimedCrossing& one : day.crossing) {
+            const double at = hours(one.when), tick = 0.06 * (high - low);
+            chart.lines.push_back({.name = "",
+                                   .colour = "#b2182b",
+                                   .x = {at, at},
+                                   .y = {one.least - tick, one.least + tick}});
+        }
+        charts.push_back(std::move(chart));
+    }
+    return stacked_svg(charts);
+}
+
+}  // namespace diurna

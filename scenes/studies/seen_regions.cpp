@@ -1,0 +1,161 @@
+#include "scenes/studies/seen_regions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "materials/base/error.hpp"
+#include "materials/radiation/planck.hpp"
+#include "render/view/cast_view.hpp"
+#include "scenes/run/picture.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// Facets, and objects in whose copies' place they are, that a region is made of.
+class Membership {
+ public:
+    Membership(const Prepared& prepared, const RegionInput& region)
+        : region_(region),
+          surfaces_(prepared.world.surfaces()),
+          wanted_material_(prepared.scene.materials.size(), 1) {
+        const World& world = prepared.world;
+        const MaterialLibrary& materials = prepared.scene.materials;
+        if (region.kind == RegionInput::Kind::material) {
+            for (std::size_t m = 0; m < materials.size(); ++m) {
+                wanted_material_[m] = materials[MaterialId(m)].kind() == region.material ? 1 : 0;
+            }
+            return;
+        }
+        const auto found = std::find(world.objects.begin(), world.objects.end(), region.object);
+        object_ = static_cast<ObjectId>(found - world.objects.begin());
+        if (region.kind != RegionInput::Kind::part) return;
+        std::fill(wanted_material_.begin(), wanted_material_.end(), 0);
+        for (const TargetFacets& target : world.targets) {
+            if (target.id != object_) continue;
+            const auto& parts = prepared.scene.terrain.objects[target.object].target.part;
+            for (const auto& [material, part] : target.part) {
+                if (parts[part].name == region.part) wanted_material_[index(material)] = 1;
+            }
+        }
+    }
+
+    bool has(FacetId facet, std::uint32_t copy, const Copies& copies) const {
+        const bool material = wanted_material_[index(surfaces_.material[index(facet)])] != 0;
+        if (region_.kind == RegionInput::Kind::material) return material;
+        const ObjectId object =
+            copy == no_copy ? surfaces_.object[index(facet)] : copies[copy].object;
+        return object == object_ && material;
+    }
+
+ private:
+    const RegionInput& region_;
+    const FacetSet& surfaces_;
+    std::vector<std::uint8_t> wanted_material_;
+    ObjectId object_{};
+};
+
+std::vector<std::uint32_t> rectangle(const RegionInput& region, int width) {
+    std::vector<std::uint32_t> pixels;
+    const auto [left, top, wide, high] = region.pixels;
+    for (int row = top; row < top + high; ++row) {
+        for (int column = left; column < left + wide; ++column) {
+            pixels.push_back(static_cast<std::uint32_t>(row * width + column));
+        }
+    }
+    return pixels;
+}
+
+/// Those that are of the region and of nothing else.
+std::vector<std::uint32_t> filled_pixels(const View& view, const Prepared& prepared,
+                                         const RegionInput& region) {
+    constexpr float whole = 0.999f;
+    std::vector<std::uint32_t> pixels;
+    const std::vector<float> cover = region_cover(view, prepared, region);
+    for (std::size_t p = 0; p < cover.size(); ++p) {
+        if (cover[p] >= whole) pixels.push_back(static_cast<std::uint32_t>(p));
+    }
+    return pixels;
+}
+
+}  // namespace
+
+View first_seen(const Prepared& prepared, const Series& series) {
+    if (series.hops.empty()) return series.view;
+    return cast_view(prepared.rays, prepared.world.surfaces(), series.observer, series.sampling);
+}
+
+std::vector<float> region_cover(const View& view, const Prepared& prepared,
+                                const RegionInput& region) {
+    std::vector<float> cover(view.pixels(), 0.0f);
+    if (region.kind == RegionInput::Kind::pixels) {
+        for (const std::uint32_t p : rectangle(region, view.width)) cover[p] = 1.0f;
+        return cover;
+    }
+    const Membership member(prepared, region);
+    for (std::size_t p = 0; p < view.pixels(); ++p) {
+        for (std::uint32_t s = view.row[p]; s < view.row[p + 1]; ++s) {
+            const std::uint32_t target = view.sighting[s].target;
+            if (!member.has(view.facet[target], view.copy_of(target), view.copies)) continue;
+            cover[p] += view.sighting[s].weight;
+        }
+    }
+    return cover;
+}
+
+SeenRegions::SeenRegions(const SceneStage& stage, std::size_t observer,
+                         const std::vector<RegionInput>& asked,
+                         const std::vector<std::string>& bands, const TemperatureField& field,
+                         int samples, const std::string& where)
+    : stage_(stage), field_(field), input_(stage.prepared.scene.observers[observer]) {
+    const Prepared& prepared = stage.prepared;
+    pose_ = prepared.sequences[observer].at(0);
+    input_.samples = samples;
+    input_.bands = bands;
+    input_.cubes.clear();
+    input_.instruments.clear();
+    input_.adaptive.reset();
+    input_.terms = false;
+    input_.surfaces = 0;
+    const ViewOptions sampling{.samples = samples,
+                               .seed = prepared.scene.seed,
+                               .texture_levels = &prepared.world.texture_levels,
+                               .asked = {}};
+    const View all = cast_view(prepared.rays, prepared.world.surfaces(), pose_, sampling);
+    std::vector<std::uint8_t> needed(all.pixels(), 0);
+    for (const RegionInput& region : asked) {
+        pixel_.push_back(filled_pixels(all, prepared, region));
+        for (const std::uint32_t p : pixel_.back()) needed[p] = 1;
+        if (!pixel_.back().empty()) continue;
+        throw InputError(
+            where,
+            fmt::format("no pixel of \"{}\" is filled by \"{}\" alone", input_.name, region.name),
+            "nearer, or more pixels");
+    }
+    series_ = std::make_unique<Series>(
+        cast_series(prepared, input_, pose_, field.instant, stage.views, field, needed));
+}
+
+const std::vector<double>& SeenRegions::apparent(Instant when) const {
+    {
+        const std::lock_guard lock(keeping_);
+        if (const auto known = known_.find(when); known != known_.end()) return known->second;
+    }
+    const Picture picture = picture_at(stage_.prepared, *series_, stage_.views, field_, when);
+    std::vector<double> kelvin;
+    for (const std::vector<std::uint32_t>& region : pixel_) {
+        for (const Band& band : series_->bands) {
+            const std::vector<float>& radiance = picture.frame["radiance." + band.name].pixel;
+            double sum = 0.0;
+            for (const std::uint32_t p : region) sum += double{radiance[p]};
+            kelvin.push_back(brightness_temperature(band, sum / double(region.size())));
+        }
+    }
+    const std::lock_guard lock(keeping_);
+    return known_.try_emplace(when, std::move(kelvin)).first->second;
+}
+
+}  // namespace diurna

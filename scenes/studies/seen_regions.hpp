@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "scenes/input/read_region.hpp"
+#include "scenes/run/series.hpp"
+#include "scenes/run/stages.hpp"
+
+namespace diurna {
+
+/// What every pixel of a series sees first. Its own view has nothing of pixels that see a net, a
+/// pane, a mirror or a plume: their rays are followed (render/rays/follow_rays.hpp).
+View first_seen(const Prepared& prepared, const Series& series);
+
+/// (pixel) share of a view's pixels that a region fills.
+std::vector<float> region_cover(const View& view, const Prepared& prepared,
+                                const RegionInput& region);
+
+/// Regions of an observer's picture, and how strongly they shine at any instant. The view is cast
+/// once, and only where it shows one of them.
+class SeenRegions {
+ public:
+    /// Throws InputError at `where` for a region that fills no pixel.
+    ///
+    /// - stage: of a scene in which nothing goes; to outlive it
+    /// - observer: of the scene's
+    /// - field: temperatures; to outlive it
+    /// - samples: rays of a pixel
+    SeenRegions(const SceneStage& stage, std::size_t observer,
+                const std::vector<RegionInput>& asked, const std::vector<std::string>& bands,
+                const TemperatureField& field, int samples, const std::string& where);
+
+    /// Pixels that it fills.
+    std::size_t pixels(std::size_t region) const { return pixel_[region].size(); }
+    /// Mean over its pixels [K], of the black body of as much radiance in the band, air included:
+    /// (region · bands + band). Safe to use from many threads.
+    const std::vector<double>& apparent(Instant when) const;
+
+ private:
+    SceneStage stage_;
+    const TemperatureField& field_;
+    ObserverInput input_;
+    Observer pose_;
+    std::vector<std::vector<std::uint32_t>> pixel_;  // (region)
+    std::unique_ptr<Series> series_;
+    mutable std::mutex keeping_;
+    mutable std::map<Instant, std::vector<double>> known_;
+};
+
+}  // namespace diurna

@@ -1,0 +1,279 @@
+#include "scenes/studies/crossover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
+
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/studies/crossover_files.hpp"
+#include "tests/support/small_scene.hpp"
+
+using namespace diurna;
+
+// When two things look equally warm: the joint of heat, air, picture and search for zeros. Black
+// surfaces in a vacuum look as warm as they are, so that two sinusoids cross where they do on
+// paper.
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi / 86400.0, hour = 3600.0;
+
+/// A black plain in a vacuum with a black plate of 30 m in it, seen from 60 m above.
+std::string black_plain(const std::string& more) {
+    return std::string(R"([scene]
+name = "plain"
+[site]
+latitude_deg = 36.32
+longitude_deg = -84.203333
+[terrain]
+elevation = "level.asc"
+radius_m = 300.0
+material = "black"
+[[ground]]
+name = "plate"
+material = "black"
+rectangle_m = [0.0, 0.0, 30.0, 30.0, 0.0]
+largest_edge_m = 10.0
+[material.black]
+like = "asphalt"
+emissivity = 1.0
+albedo = 0.0
+[weather]
+file = ")" DIURNA_SOURCE_DIR R"(/scenes/jacksboro/weather.csv"
+interval = "instant"
+[atmosphere]
+profile = "vacuum"
+[time]
+start = 2026-07-15T00:00:00-04:00
+frame_every_s = 21600.0
+[[observer]]
+name = "drone"
+place_m = [0.0, 0.0]
+height_above_ground_m = 60.0
+azimuth_deg = 0.0
+elevation_deg = -90.0
+horizontal_fov_deg = 60.0
+width = 48
+height = 32
+samples = 4
+bands = ["0.5-0.6", "8-12", "3-5"]
+)") + more;
+}
+
+double plate_at(double t) { return 300.0 + 10.0 * std::cos(turn * (t - 13.0 * hour)); }
+double plain_at(double t) { return 297.0 + 4.0 * std::cos(turn * (t - 15.0 * hour)); }
+
+/// Every 600 s: the plate's, and all else's [K].
+TemperatureField two_days(const Prepared& prepared) {
+    const FacetSet& surfaces = prepared.world.surfaces();
+    TemperatureField field;
+    field.facets = surfaces.size();
+    for (double t = 0.0; t <= 86400.0; t += 600.0) {
+        field.instant.push_back(later(prepared.scene.time.start, t));
+        for (std::size_t f = 0; f < surfaces.size(); ++f) {
+            const auto object = static_cast<std::size_t>(surfaces.object[f]);
+            const bool own = prepared.world.objects[object] == "plate";
+            field.kelvin.push_back(static_cast<float>(own ? plate_at(t) : plain_at(t)));
+        }
+    }
+    return field;
+}
+
+/// The scene in a folder of its own, with the level ground that it names.
+void lay(const ScratchFolder& folder, const std::string& text) {
+    for (const char* name : {"level.asc", "level.prj"}) {
+        std::filesystem::copy_file(
+            std::filesystem::path(DIURNA_SOURCE_DIR "/scenes/crossover") / name, folder.path / name,
+            std::filesystem::copy_options::overwrite_existing);
+    }
+    write_text(folder.path / "scene.toml", text);
+}
+
+Scene scene_of_text(const ScratchFolder& folder, const std::string& text,
+                    const std::vector<std::string>& settings = {}) {
+    lay(folder, text);
+    return read_scene(folder.path / "scene.toml", settings);
+}
+
+std::vector<Mistake> mistakes_of(const std::string& more) {
+    const ScratchFolder folder("crossover_mistakes");
+    try {
+        scene_of_text(folder, black_plain(more));
+    } catch (const InputError& error) {
+        return error.mistakes();
+    }
+    return {};
+}
+
+/// diurna crossover FILE, and its exit code.
+int crossover(const std::filesystem::path& scene, const std::filesystem::path& out) {
+    return WEXITSTATUS(
+        std::system(("'" DIURNA_BINARY "' crossover '" + scene.string() + "' --out '" +
+                     out.string() + "' >'" + out.string() + ".txt' 2>&1")
+                        .c_str()));
+}
+
+}  // namespace
+
+TEST_CASE("black plates cross when their sinusoids do", "[scenes][crossover]") {
+    const ScratchFolder folder("crossover_sinusoids");
+    const std::string text = black_plain(R"(
+[[crossover]]
+first = "plate"
+second = "ground"
+refined = false
+[[crossover]]
+first = "plate"
+second_pixels = [0, 0, 4, 32]
+bands = ["8-12"]
+refined = false
+)");
+    Study study(scene_of_text(folder, text), ProgressStyle::silent);
+    check_crossovers(study, [](const std::vector<std::string>&) -> Scene { throw "none"; });
+    const TemperatureField field = two_days(study.stages().scene());
+    const CrossoverAnswer answer = crossovers_of(
+        study, field, [](const std::vector<std::string>&) -> Scene { throw "none is asked for"; });
+    REQUIRE(answer.report.size() == 2);
+    REQUIRE(answer.report[0].band.size() == 2);  // the observer's beyond 3 um
+    REQUIRE(answer.report[1].band.size() == 1);
+    // 10 cos(wt - p) - 4 cos(wt - q) + 3 = R cos(wt - s) + 3.
+    const double p = turn * 13.0 * hour, q = turn * 15.0 * hour;
+    const double x = 10.0 * std::cos(p) - 4.0 * std::cos(q),
+                 y = 10.0 * std::sin(p) - 4.0 * std::sin(q);
+    const double r = std::hypot(x, y), s = std::atan2(y, x), half = std::acos(-3.0 / r);
+    std::vector<double> wanted;
+    for (const double angle : {s - half, s + half}) {
+        wanted.push_back(std::fmod(angle / turn + 2.0 * 86400.0, 86400.0));
+    }
+    std::sort(wanted.begin(), wanted.end());
+    for (const CrossoverReport& report : answer.report) {
+        for (const CrossoverDay& day : report.band) {
+            CAPTURE(day.band);
+            REQUIRE(day.crossing.size() == 2);
+            for (std::size_t i = 0; i < 2; ++i) {
+                const TimedCrossing& one = day.crossing[i];
+                // Straight between steps of 600 s: w^2 h^2 / 8 of the swing, 0.8 s of time.
+                CHECK(std::abs(seconds_between(study.scene().time.start, one.when) - wanted[i]) <
+                      2.0);
+                const double slope = -r * turn * std::sin(turn * wanted[i] - s);
+                CHECK(one.slope == Approx(slope).epsilon(0.01));
+                CHECK(one.first_warmer_after == (slope > 0.0));
+                CHECK(one.kind == ZeroCrossing::Kind::crosses);
+            }
+            for (std::size_t k = 0; k < day.instant.size(); k += 24) {
+                CHECK(day.first[k] == Approx(plate_at(600.0 * double(k))).margin(2e-3));
+                CHECK(day.second[k] == Approx(plain_at(600.0 * double(k))).margin(2e-3));
+            }
+            // |R cos x + 3| < 1: between acos(-2/R) and acos(-4/R), twice.
+            const double lost = 2.0 * (std::acos(-4.0 / r) - std::acos(-2.0 / r)) / turn;
+            CHECK(day.lost == Approx(lost).epsilon(0.002));
+        }
+    }
+    CHECK(answer.report[0].first_pixels > 50);
+    CHECK(answer.report[1].second_pixels == 4 * 32);
+}
+
+TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossover]") {
+    const auto one = [](const std::string& keys, const std::string& told) {
+        const std::vector<Mistake> mistakes = mistakes_of("\n[[crossover]]\n" + keys);
+        REQUIRE(mistakes.size() == 1);
+        INFO(mistakes[0].line());
+        CHECK(mistakes[0].line().find(told) != std::string::npos);
+    };
+    one("first = \"plat\"\nsecond = \"ground\"\n", "plate");
+    one("first = \"plate\"\nsecond = \"plate\"\n", "the same as first");
+    one("first = \"plate\"\nsecond_pixels = [40, 0, 10, 2]\n", "48 x 32 pixels");
+    one("first = \"plate\"\nsecond = \"ground\"\nbands = [\"0.5-0.6\"]\n", "below 3 um");
+    one("first = \"plate\"\nsecond = \"ground\"\nobserver = \"drohne\"\n", "drone");
+    one("first = \"plate\"\nsecond = \"ground\"\n"
+        "uncertain = [{ key = \"sweep.draw\", one_sigma = 1.0 }]\n",
+        "light or heat");
+    // A region that no pixel is filled by, found before anything is solved.
+    const ScratchFolder folder("crossover_unseen");
+    lay(folder, black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"grass\"\n"));
+    CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
+    CHECK(read_text(folder.path / "out.txt").find("no pixel of \"drone\" is filled by \"grass\"") !=
+          std::string::npos);
+    CHECK(!std::filesystem::exists(folder.path / "out"));
+    lay(folder, black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
+                            "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
+    CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
+    const std::string told = read_text(folder.path / "out.txt");
+    INFO(told);
+    CHECK(told.find("scene.toml:") != std::string::npos);
+    CHECK(told.find("wind_factor") != std::string::npos);
+    CHECK(told.find("heat balance") == std::string::npos);
+    lay(folder, black_plain(""));
+    CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
+}
+
+TEST_CASE(
+    "a plate whose heat is scheduled crosses one whose heat is not, at the hour of its schedule",
+    "[scenes][crossover]") {
+    // Thin black plates in a vacuum, which nothing shines on: sigma T^4 = q. The plain has 300 W/m2
+    // all day, the plate 200 to 400 from 6 to 12 h of local mean solar time and back to 200 at 18
+    // h: equal at 9 and 15 h. With 320 in the plain, a standard deviation away, 36 minutes nearer
+    // noon.
+    const ScratchFolder folder("crossover_schedule");
+    std::string weather =
+        "time,air_temperature_K,shortwave_down_W_m2,direct_normal_W_m2,"
+        "diffuse_W_m2,longwave_down_W_m2\n";
+    for (int h = 0; h <= 48; ++h) {
+        weather +=
+            fmt::format("2026-07-{:02}T{:02}:00:00-04:00,290,0,0,0,0\n", 14 + h / 24, h % 24);
+    }
+    write_text(folder.path / "dark.csv", weather);
+    std::string text = black_plain(R"(
+[material.heated]
+like = "black"
+internal_schedule = [[6.0, 200.0], [12.0, 400.0], [18.0, 200.0]]
+[[crossover]]
+name = "plates"
+first = "plate"
+second = "ground"
+bands = ["8-12"]
+uncertain = [{ key = "material.black.internal_heat_W_m2", one_sigma = 320.0 }]
+)");
+    text = with(text, "name = \"plate\"\nmaterial = \"black\"",
+                "name = \"plate\"\nmaterial = \"heated\"");
+    text = with(text, DIURNA_SOURCE_DIR "/scenes/jacksboro/weather.csv", "dark.csv");
+    text = with(text, "albedo = 0.0",
+                "albedo = 0.0\ninternal_heat_W_m2 = 300.0\n"
+                "convection = { kind = \"constant\", value_W_m2K = 0.0 }\n"
+                "evaporation = { kind = \"none\" }\nstore = { capacity_mm = 0 }\n"
+                "bottom = { kind = \"flux\", value_W_m2 = 0.0 }\n"
+                "layers = [{ thickness_m = 0.001, conductivity_W_mK = 1.0, density_kg_m3 = 10.0, "
+                "heat_capacity_J_kgK = 1000.0 }]");
+    lay(folder, text);
+    const int code = crossover(folder.path / "scene.toml", folder.path / "out");
+    INFO(read_text(folder.path / "out.txt"));
+    REQUIRE(code == 0);
+    const auto json = nlohmann::json::parse(read_text(folder.path / "out" / "plates.json"));
+    const auto& crossings = json["bands"][0]["crossings"];
+    REQUIRE(crossings.size() == 2);
+    // Local mean solar time is UTC + longitude / 15; the clock UTC - 4 h.
+    const double late = (-4.0 * 3600.0) - (-84.203333 * 240.0);  // [s] clock after solar time
+    const Instant midnight = parse_instant("2026-07-15T00:00:00-04:00");
+    const std::vector<double> solar{9.0 * hour, 15.0 * hour}, shift{2160.0, -2160.0};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto& one = crossings[i];
+        const double at = seconds_between(midnight, parse_instant(one["time"].get<std::string>()));
+        // 10 J/m2K behind 4 sigma T^3 of 5.4 W/m2K lag 2 s.
+        CHECK(at - late == Approx(solar[i] + 2.0).margin(4.0));
+        CHECK(std::abs(one["refined_shift_s"].get<double>()) < 15.0);
+        CHECK(one["shift_s"]["material.black.internal_heat_W_m2"].get<double>() ==
+              Approx(shift[i]).margin(20.0));
+        CHECK(one["sigma_s"].get<double>() == Approx(2160.0).margin(20.0));
+        CHECK(one["warmer_after"] == (i == 0 ? "plate" : "ground"));
+        CHECK(one["gone_with"].empty());
+    }
+}

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+#include "materials/base/files.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "tests/support/small_scene.hpp"
+
+using namespace diurna;
+
+// A first scene of a place: it must be one that runs, whatever was given.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int verb(const std::string& arguments, const fs::path& told) {
+    return WEXITSTATUS(std::system(
+        ("'" DIURNA_BINARY "' " + arguments + " >'" + told.string() + "' 2>&1").c_str()));
+}
+
+const std::string elevation = DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif";
+
+}  // namespace
+
+TEST_CASE("a first scene of an elevation file alone is one that solves", "[scenes][new]") {
+    const ScratchFolder folder("new");
+    const fs::path scene = folder.path / "place", told = folder.path / "told.txt";
+    REQUIRE(verb("new '" + scene.string() + "' --dem '" + elevation + "'", told) == 0);
+    CHECK(read_text(told).find("its weather is made up") != std::string::npos);
+    CHECK(fs::exists(scene / "elevation.tif"));
+    CHECK(read_text(scene / "weather.csv").find("no measurement") != std::string::npos);
+    // Noon of its clock is within half an hour of the sun's.
+    const Scene read = read_scene(scene / "scene.toml");
+    CHECK(std::abs(read.time.utc_offset / 3600.0 - read.site->longitude_deg / 15.0) <= 0.5);
+    CHECK(read.observers.size() == 1);
+    CHECK(verb("check '" + (scene / "scene.toml").string() + "'", told) == 0);
+    CHECK(verb("solve '" + (scene / "scene.toml").string() + "' --set time.duration_h=2 " +
+                   "--set terrain.radius_m=200 --out '" + (folder.path / "t.nc").string() + "'",
+               told) == 0);
+}
+
+TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][new]") {
+    const ScratchFolder folder("new_weather");
+    const fs::path told = folder.path / "told.txt";
+    std::string weather = "time,air_temperature_K\n";
+    for (int h = 5; h < 60; ++h) {
+        weather +=
+            fmt::format("2024-03-{:02}T{:02}:00:00Z,{}\n", 10 + h / 24, h % 24, 280 + h % 24);
+    }
+    write_text(folder.path / "measured.csv", weather);
+    const std::string begin = "new '" + (folder.path / "place").string() + "' --dem '" + elevation +
+                              "' --weather '" + (folder.path / "measured.csv").string() + "'";
+    REQUIRE(verb(begin + " --at 36.30,-84.25", told) == 0);
+    const Scene scene = read_scene(folder.path / "place/scene.toml");
+    // 84.25 W is UTC - 6 h: midnight of the 10th is 06 Z, an hour after the first row.
+    CHECK(scene.time.start == parse_instant("2024-03-10T00:00:00-06:00"));
+    CHECK(scene.time.duration == 86400.0);
+    CHECK(scene.site->latitude_deg == Approx(36.30));
+}
+
+TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
+    const ScratchFolder folder("new_refused");
+    const fs::path scene = folder.path / "place", told = folder.path / "told.txt";
+    const std::string begin = "new '" + scene.string() + "' --dem ";
+    for (const auto& [arguments, says] :
+         {std::pair{"'" + folder.path.string() + "/none.tif'", std::string("none.tif")},
+          {"'" + elevation + "' --at 36.3", std::string("degrees north and east")},
+          {"'" + elevation + "' --at 10.0,20.0", std::string("expected 60 at least")},
+          {"'" + elevation + "' --weather '" + elevation + "'", std::string("elevation.tif")}}) {
+        CHECK(verb(begin + arguments, told) == 2);
+        INFO(read_text(told));
+        CHECK(read_text(told).find(says) != std::string::npos);
+        CHECK(!fs::exists(scene));
+    }
+    fs::create_directory(scene);
+    CHECK(verb(begin + "'" + elevation + "'", told) == 2);
+    CHECK(fs::is_empty(scene));
+}

@@ -1,0 +1,81 @@
+#include "thermal/weather_file/changed_weather.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "materials/base/error.hpp"
+
+namespace diurna {
+
+namespace {
+
+bool is_measured(double value) { return !std::isnan(value); }
+
+/// Times a factor; whether any of them was measured.
+bool scale(double factor, std::initializer_list<double*> fluxes) {
+    bool any = false;
+    for (double* flux : fluxes) {
+        any |= is_measured(*flux);
+        *flux *= factor;
+    }
+    return any;
+}
+
+}  // namespace
+
+WeatherChange read_weather_change(const Section& weather) {
+    const Section section = weather.section(
+        "changed", "what is made of the file's weather, to ask what follows from its errors");
+    constexpr Range factors{0.0, 10.0};
+    WeatherChange change;
+    change.warmer = section.number_or("air_temperature_offset_K",
+                                      "added; vapour pressure stays, at most to saturation",
+                                      change.warmer, {-50.0, 50.0});
+    change.wind = section.number_or("wind_factor", "on its speed", change.wind, factors);
+    change.humidity = section.number_or(
+        "humidity_factor", "on vapour pressure, at most to saturation", change.humidity, factors);
+    change.sunlight = section.number_or("sunlight_factor", "on all sunlight that was measured",
+                                        change.sunlight, factors);
+    change.longwave = section.number_or("longwave_factor",
+                                        "on the sky's longwave that was measured; a modelled "
+                                        "one follows the air",
+                                        change.longwave, factors);
+    return change;
+}
+
+void change_weather(Weather& weather, const WeatherChange& change, const std::string& where) {
+    bool sun = false, sky = false;
+    for (Forcing& sample : weather.sample) {
+        AirState& air = sample.air;
+        air.temperature += change.warmer;
+        air.vapour_pressure = std::min(air.vapour_pressure * change.humidity,
+                                       saturation_vapour_pressure(air.temperature));
+        sample.wind_speed *= change.wind;
+        sun |=
+            scale(change.sunlight, {&sample.shortwave_down, &sample.direct_normal, &sample.diffuse,
+                                    &sample.shortwave_up, &sample.plane_of_array});
+        sky |= scale(change.longwave, {&sample.longwave_down});
+    }
+    std::string told;
+    const auto tell = [&](double value, double usual, const char* what) {
+        if (value != usual) told += fmt::format("{}{} {:g}", told.empty() ? "" : ", ", what, value);
+    };
+    tell(change.warmer, 0.0, "air + K");
+    tell(change.wind, 1.0, "wind x");
+    tell(change.humidity, 1.0, "humidity x");
+    tell(change.sunlight, 1.0, "sunlight x");
+    tell(change.longwave, 1.0, "longwave x");
+    if (told.empty()) return;
+    if (change.sunlight != 1.0 && !sun) {
+        throw InputError(where + ".sunlight_factor", "the file has no measured sunlight");
+    }
+    if (change.longwave != 1.0 && !sky) {
+        throw InputError(where + ".longwave_factor", "the file has no measured longwave");
+    }
+    weather.note += (weather.note.empty() ? "" : "; ") + ("changed: " + told);
+}
+
+}  // namespace diurna

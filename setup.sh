@@ -9,7 +9,7 @@ packages=(
     libcgal-dev libopenmesh-dev libembree-dev libeigen3-dev libgeographiclib-dev libgdal-dev
     libproj-dev proj-data liberfa-dev libtbb-dev libassimp-dev
     # files, messages, pictures
-    libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libnetcdf-dev libhdf5-dev
+    libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libnetcdf-dev libhdf5-dev libboost-dev
     libfftw3-dev libopenexr-dev libpng-dev libtiff-dev libssl-dev
     # tests and benches
     catch2 libsundials-dev libbenchmark-dev

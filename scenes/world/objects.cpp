@@ -1,10 +1,13 @@
 #include "scenes/world/objects.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 #include <variant>
 
+#include "materials/base/error.hpp"
 #include "terrain/ground/rings.hpp"
 
 namespace diurna {

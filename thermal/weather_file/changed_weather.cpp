@@ -47,12 +47,15 @@ WeatherChange read_weather_change(const Section& weather) {
 }
 
 void change_weather(Weather& weather, const WeatherChange& change, const std::string& where) {
+    if (change == WeatherChange{}) return;  // what was measured stays, supersaturated or not
     bool sun = false, sky = false;
     for (Forcing& sample : weather.sample) {
         AirState& air = sample.air;
-        air.temperature += change.warmer;
-        air.vapour_pressure = std::min(air.vapour_pressure * change.humidity,
-                                       saturation_vapour_pressure(air.temperature));
+        if (change.warmer != 0.0 || change.humidity != 1.0) {
+            air.temperature += change.warmer;
+            air.vapour_pressure = std::min(air.vapour_pressure * change.humidity,
+                                           saturation_vapour_pressure(air.temperature));
+        }
         sample.wind_speed *= change.wind;
         sun |=
             scale(change.sunlight, {&sample.shortwave_down, &sample.direct_normal, &sample.diffuse,
@@ -68,7 +71,6 @@ void change_weather(Weather& weather, const WeatherChange& change, const std::st
     tell(change.humidity, 1.0, "humidity x");
     tell(change.sunlight, 1.0, "sunlight x");
     tell(change.longwave, 1.0, "longwave x");
-    if (told.empty()) return;
     if (change.sunlight != 1.0 && !sun) {
         throw InputError(where + ".sunlight_factor", "the file has no measured sunlight");
     }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -191,6 +192,11 @@ inline std::vector<std::string> not_refused(const std::string& family, const Fam
     fmt::print("{:<12} {:4} cases, {:4} refused, {:3} not; at most {:.2f} GB, {:.1f} s\n", family,
                cases.size(), cases.size() - found.size(), found.size(), most / 1e9, longest);
     return found;
+}
+
+/// Fails with a line for each that was not refused so.
+inline void no_fault(const std::string& family, const Family& cases) {
+    for (const std::string& fault : not_refused(family, cases)) FAIL_CHECK(fault);
 }
 
 }  // namespace corpus

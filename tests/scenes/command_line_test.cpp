@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
 // The program as a user has it: what it prints, its exit codes, what it writes.
@@ -17,22 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Ran {
-    int code;
-    std::string out;  // stdout and stderr together
-};
-
 Ran diurna(const std::string& arguments) {
     const std::string command = "'" DIURNA_BINARY "' " + arguments + " 2>&1";
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    Ran ran{0, ""};
-    std::array<char, 4096> block{};
-    while (const std::size_t count = fread(block.data(), 1, block.size(), pipe)) {
-        ran.out.append(block.data(), count);
-    }
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
+    return ran(command);
 }
 
 std::size_t lines(const std::string& text) {

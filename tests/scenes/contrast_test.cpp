@@ -13,7 +13,7 @@
 #include "materials/radiation/planck.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/studies/contrast_files.hpp"
-#include "tests/support/small_scene.hpp"
+#include "tests/support/black_plain.hpp"
 
 using namespace diurna;
 
@@ -24,15 +24,7 @@ namespace {
 constexpr double warm = 310.0, cold = 296.0, plain = 300.0;  // [K]
 
 std::string plates(const std::string& more) {
-    return std::string(R"([scene]
-name = "plates"
-[site]
-latitude_deg = 36.32
-longitude_deg = -84.203333
-[terrain]
-elevation = "level.asc"
-radius_m = 300.0
-material = "black"
+    return black_plain(R"(
 [[ground]]
 name = "warm plate"
 material = "black"
@@ -43,18 +35,6 @@ name = "cold plate"
 material = "black"
 rectangle_m = [4.1, 0.2, 12.0, 9.0, 0.0]
 largest_edge_m = 6.0
-[material.black]
-like = "asphalt"
-emissivity = 1.0
-albedo = 0.0
-[weather]
-file = ")" DIURNA_SOURCE_DIR R"(/scenes/jacksboro/weather.csv"
-interval = "instant"
-[atmosphere]
-profile = "vacuum"
-[time]
-start = 2026-07-15T00:00:00-04:00
-frame_every_s = 28800.0
 [[observer]]
 name = "drone"
 place_m = [0.0, 0.0]
@@ -77,17 +57,7 @@ width = 32
 height = 32
 samples = 4
 bands = ["8-12"]
-)") + more;
-}
-
-/// The scene in a folder of its own, with the level ground that it names.
-void lay(const ScratchFolder& folder, const std::string& text) {
-    for (const char* name : {"level.asc", "level.prj"}) {
-        std::filesystem::copy_file(
-            std::filesystem::path(DIURNA_SOURCE_DIR "/scenes/crossover") / name, folder.path / name,
-            std::filesystem::copy_options::overwrite_existing);
-    }
-    write_text(folder.path / "scene.toml", text);
+)" + more);
 }
 
 TemperatureField of_plates(const Prepared& prepared) {
@@ -184,7 +154,7 @@ targets = ["sheet"]
 observers = ["drone"]
 bands = ["8-12"]
 )");
-    text = with(text, "frame_every_s = 28800.0", "frames = [\"2026-07-15T04:00:00-04:00\"]");
+    text = with(text, "frame_every_s = 21600.0", "frames = [\"2026-07-15T04:00:00-04:00\"]");
     write_text(folder.path / "sheet.obj",
                "v -4 -3 0\nv 4 -3 0\nv 4 3 0\nv -4 3 0\nf 1 2 3\nf 1 3 4\n");
     lay(folder, text);

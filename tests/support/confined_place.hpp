@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/crate.hpp"
+#include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
 /// A scene that somebody has sent, in a folder of its own, and what is not its business beside it:
@@ -22,24 +23,11 @@ namespace fs = std::filesystem;
 inline const std::string secret = "XYZZY7f3a";  // in files outside
 inline const std::string beyond = "lies outside the folder of the file that leads to it";
 
-struct Ran {
-    int code;
-    std::string out;  // stdout and stderr together
-};
-
 /// 124: it took over 30 s.
 inline Ran diurna(const std::string& arguments, const std::string& first = "") {
     const std::string command =
         first + "timeout 30 '" DIURNA_BINARY "' " + arguments + " 2>&1 </dev/null";
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    Ran ran{0, ""};
-    std::array<char, 4096> block{};
-    while (const std::size_t count = fread(block.data(), 1, block.size(), pipe)) {
-        ran.out.append(block.data(), count);
-    }
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
+    return ran(command);
 }
 
 inline std::vector<std::string> names_in(const fs::path& folder) {

@@ -119,7 +119,11 @@ bool is_temporary_name(const std::string& name) {
 void remove_unfinished_at_signals() {
     struct sigaction action {};
     action.sa_handler = end_by_signal;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(signal, &action, nullptr);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction before {};
+        ::sigaction(signal, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) ::sigaction(signal, &action, nullptr);  // nohup
+    }
 }
 
 void set_child_group(pid_t group) { child_group = group; }

@@ -41,7 +41,8 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path);
 bool is_temporary_name(const std::string& name);
 
 /// From here on SIGINT, SIGTERM and SIGHUP remove what is unfinished and end a child process, and
-/// then the program as they do by themselves (128 + number to a shell).
+/// then the program as they do by themselves (128 + number to a shell). One that the program was
+/// started without (nohup) stays ignored.
 void remove_unfinished_at_signals();
 
 /// The process group that ends with the program at a signal; 0: none.

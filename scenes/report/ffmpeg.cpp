@@ -14,8 +14,6 @@
 #include <system_error>
 #include <vector>
 
-#include "materials/base/files.hpp"
-
 extern char** environ;
 
 namespace diurna {
@@ -49,7 +47,7 @@ pid_t start(std::vector<std::string> words, int input) {
 }  // namespace
 
 FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, double pictures_per_second)
-    : part_((check_output_file(file), file)) {
+    : part_(file) {
     std::signal(SIGPIPE, SIG_IGN);  // a pipe that nobody reads is an error of write()
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());

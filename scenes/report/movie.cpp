@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
@@ -82,6 +83,10 @@ MovieReport write_movie(const MovieOptions& options) {
     if (report.file.empty()) {
         report.file = options.folder / fmt::format("{}_{}.mp4", key.first, key.second);
     }
+    if (report.file.extension() != ".mp4") {
+        throw InputError(report.file.string(), "expected a name that ends in .mp4");
+    }
+    check_output_file(report.file);
     FfmpegMovie movie(report.file, options.pictures_per_second);
     const std::array<std::string, 2> wanted = {report.plane, "temperature"};
     std::vector<ColourScale> scales(files.size());

@@ -12,6 +12,7 @@
 
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
+#include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
 // `diurna movie` with a program in place of ffmpeg that keeps what it is given.
@@ -22,25 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Ran {
-    int code;
-    std::string out;
-};
-
 /// With the folder `bin` before the PATH, or as all of it.
 Ran movie(const fs::path& bin, bool alone, const std::string& arguments,
           const std::string& before = "") {
     const std::string command = fmt::format("PATH=\"{}{}\" {} '" DIURNA_BINARY "' movie {} 2>&1",
                                             bin.string(), alone ? "" : ":$PATH", before, arguments);
-    FILE* pipe = popen(command.c_str(), "r");
-    REQUIRE(pipe != nullptr);
-    Ran ran{0, ""};
-    std::array<char, 4096> block{};
-    while (const std::size_t count = fread(block.data(), 1, block.size(), pipe)) {
-        ran.out.append(block.data(), count);
-    }
-    ran.code = WEXITSTATUS(pclose(pipe));
-    return ran;
+    return ran(command);
 }
 
 /// A run's folder with three pictures of a cold half and a warm one.
@@ -123,6 +111,11 @@ TEST_CASE("without ffmpeg, or where it fails, a movie is told of and not there",
     }
     ::sleep(3);
     CHECK(!fs::exists(folder.folder.path / "worked_on"));
+    // Under nohup a hangup is none.
+    const Ran goes_on =
+        movie(folder.bin, false, folder.argument(), "timeout --foreground -s HUP 1 nohup");
+    CHECK(goes_on.code == 124);  // timeout's own word for having sent it
+    CHECK(fs::exists(folder.made()));
 }
 
 TEST_CASE("a movie of several observers asks which", "[scenes][movie]") {

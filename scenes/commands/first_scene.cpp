@@ -10,9 +10,24 @@
 
 namespace diurna {
 
+namespace {
+
+/// As a text between quotes in TOML.
+std::string in_quotes(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+}  // namespace
+
 std::string first_scene_text(const FirstScene& scene) {
     const double eye = std::min(120.0, 0.4 * scene.radius);  // [m] south of the middle
-    std::string text = fmt::format(R"(# A first scene, written by diurna new. Next:
+    std::string text =
+        fmt::format(R"(# A first scene, written by diurna new. Next:
 #
 #   diurna check scene.toml     every mistake at once
 #   diurna plan scene.toml      what would be computed, and how long it takes
@@ -33,11 +48,11 @@ radius_m = {:.0f}      # of the ground that is read around the site
 tolerance_m = 1.0    # no post lies farther from the mesh than this, vertically
 material = "grass"   # of all ground that nothing below covers: diurna materials lists what there is
 )",
-                                   scene.name, scene.place.latitude_deg, scene.place.longitude_deg,
-                                   scene.elevation, scene.radius);
+                    in_quotes(scene.name), scene.place.latitude_deg, scene.place.longitude_deg,
+                    in_quotes(scene.elevation), scene.radius);
     if (scene.fills_voids) text += "voids = \"fill\"      # posts without elevation in the file\n";
     text += fmt::format(R"(
-[[ground]]             # later polygons lie on top; polygon_m = [[east, north], ...] for other shapes
+[[ground]]             # later polygons lie on top; ring_m = [[east, north], ...] for other shapes
 name = "yard"
 material = "asphalt"
 rectangle_m = [0.0, 0.0, 40.0, 30.0, 0.0]  # east, north, length, width, heading of the length
@@ -59,7 +74,7 @@ heading_deg = 120.0
 [weather]
 file = "{}"{}
 )",
-                        scene.weather,
+                        in_quotes(scene.weather),
                         scene.weather_made_up
                             ? "  # made up: a clear day of 15 to 29 degrees Celsius. Put a "
                               "measured file here"

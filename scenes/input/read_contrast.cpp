@@ -27,6 +27,7 @@ std::vector<RegionInput> read_targets(const Section& section, const RegionNames&
             section.mistake("targets", fmt::format("\"{}\" twice", name));
         }
         targets.push_back(region_named(name, known));
+        targets.back().where = section.where("targets");
     }
     return targets;
 }

@@ -17,13 +17,16 @@ RegionInput read_region(const Section& section, const std::string& which, const 
                         const ObserverInput* observer) {
     const std::string key = which + "_pixels";
     if (!section.has(key)) {
-        return region_named(section.name(which, region_says, known.all), known);
+        RegionInput region = region_named(section.name(which, region_says, known.all), known);
+        region.where = section.where(which);
+        return region;
     }
     const std::vector<double> given = section.numbers_or(
         key, "in place of its name: [left, top, width, height] in the observer's picture",
         {std::vector<double>{}, ""}, 4);
     RegionInput region{.kind = RegionInput::Kind::pixels,
-                       .name = fmt::format("pixels {}", fmt::join(given, " "))};
+                       .name = fmt::format("pixels {}", fmt::join(given, " ")),
+                       .where = section.where(key)};
     if (section.has(which)) section.mistake(which, "expected either this or " + key);
     if (given.size() != 4 || observer == nullptr) return region;
     for (std::size_t i = 0; i < 4; ++i) {

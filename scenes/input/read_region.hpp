@@ -17,6 +17,7 @@ struct RegionInput {
     std::string object{}, part{};  // of an object: ground polygons and buildings are some, too
     std::string material{};        // all that is made of it
     std::array<int, 4> pixels{};   // left, top, width, height of a rectangle in the picture
+    std::string where{};           // in the scene file
 };
 
 /// Bands that begin here or later see surfaces by their own heat, by night, too.

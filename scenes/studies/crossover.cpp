@@ -44,21 +44,20 @@ std::vector<Group> groups(const std::vector<CrossoverInput>& inputs) {
 }
 
 /// First and second of each crossover of a group, in turn.
+std::vector<RegionInput> regions_of(const Group& group, const std::vector<CrossoverInput>& inputs) {
+    std::vector<RegionInput> regions;
+    for (const std::size_t i : group.of) {
+        regions.push_back(inputs[i].first);
+        regions.push_back(inputs[i].second);
+    }
+    return regions;
+}
+
 SeenRegions seen(const Stages& stages, const Group& group, const TemperatureField& field,
                  int more_samples) {
     const Scene& scene = stages.scene().scene;
-    std::vector<RegionInput> regions;
-    for (const std::size_t i : group.of) {
-        regions.push_back(scene.crossovers[i].first);
-        regions.push_back(scene.crossovers[i].second);
-    }
-    return {stages.at(0),
-            group.observer,
-            regions,
-            group.bands,
-            field,
-            more_samples * scene.observers[group.observer].samples,
-            scene.crossovers[group.of.front()].where};
+    return {stages.at(0), group.observer, regions_of(group, scene.crossovers),
+            group.bands,  field,          more_samples * scene.observers[group.observer].samples};
 }
 
 /// Of a pair in a band, over the seconds of the span.
@@ -195,6 +194,10 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
                                  found.hint);
             }
         }
+    }
+    for (const Group& group : groups(scene.crossovers)) {
+        filled_pixels(prepared, group.observer, regions_of(group, scene.crossovers),
+                      scene.observers[group.observer].samples);
     }
 }
 

@@ -56,8 +56,8 @@ using SceneWith = std::function<Scene(const std::vector<std::string>&)>;
 CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
                               const SceneWith& scene_with);
 
-/// Throws InputError where one of them cannot be, or an uncertain number is none of the scene's:
-/// before anything is solved.
+/// Throws InputError where one of them cannot be, a region fills no pixel, or an uncertain number
+/// is none of the scene's: before anything is solved.
 void check_crossovers(const Study& study, const SceneWith& scene_with);
 
 }  // namespace diurna

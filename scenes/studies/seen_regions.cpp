@@ -69,18 +69,6 @@ std::vector<std::uint32_t> rectangle(const RegionInput& region, int width) {
     return pixels;
 }
 
-/// Those that are of the region and of nothing else.
-std::vector<std::uint32_t> filled_pixels(const View& view, const Prepared& prepared,
-                                         const RegionInput& region) {
-    constexpr float whole = 0.999f;
-    std::vector<std::uint32_t> pixels;
-    const std::vector<float> cover = region_cover(view, prepared, region);
-    for (std::size_t p = 0; p < cover.size(); ++p) {
-        if (cover[p] >= whole) pixels.push_back(static_cast<std::uint32_t>(p));
-    }
-    return pixels;
-}
-
 }  // namespace
 
 View first_seen(const Prepared& prepared, const Series& series) {
@@ -106,13 +94,41 @@ std::vector<float> region_cover(const View& view, const Prepared& prepared,
     return cover;
 }
 
+std::vector<std::vector<std::uint32_t>> filled_pixels(const Prepared& prepared,
+                                                      std::size_t observer,
+                                                      const std::vector<RegionInput>& asked,
+                                                      int samples) {
+    constexpr float whole = 0.999f;
+    const View view =
+        cast_view(prepared.rays, prepared.world.surfaces(), prepared.sequences[observer].at(0),
+                  {.samples = samples,
+                   .seed = prepared.scene.seed,
+                   .texture_levels = &prepared.world.texture_levels,
+                   .asked = {}});
+    std::vector<std::vector<std::uint32_t>> pixels(asked.size());
+    for (std::size_t r = 0; r < asked.size(); ++r) {
+        const std::vector<float> cover = region_cover(view, prepared, asked[r]);
+        for (std::size_t p = 0; p < cover.size(); ++p) {
+            if (cover[p] >= whole) pixels[r].push_back(static_cast<std::uint32_t>(p));
+        }
+        if (!pixels[r].empty()) continue;
+        throw InputError(asked[r].where,
+                         fmt::format("no pixel of \"{}\" is filled by \"{}\" alone",
+                                     prepared.scene.observers[observer].name, asked[r].name),
+                         "nearer, or more pixels");
+    }
+    return pixels;
+}
+
 SeenRegions::SeenRegions(const SceneStage& stage, std::size_t observer,
                          const std::vector<RegionInput>& asked,
                          const std::vector<std::string>& bands, const TemperatureField& field,
-                         int samples, const std::string& where)
-    : stage_(stage), field_(field), input_(stage.prepared.scene.observers[observer]) {
-    const Prepared& prepared = stage.prepared;
-    pose_ = prepared.sequences[observer].at(0);
+                         int samples)
+    : stage_(stage),
+      field_(field),
+      input_(stage.prepared.scene.observers[observer]),
+      pose_(stage.prepared.sequences[observer].at(0)),
+      pixel_(filled_pixels(stage.prepared, observer, asked, samples)) {
     input_.samples = samples;
     input_.bands = bands;
     input_.cubes.clear();
@@ -120,23 +136,12 @@ SeenRegions::SeenRegions(const SceneStage& stage, std::size_t observer,
     input_.adaptive.reset();
     input_.terms = false;
     input_.surfaces = 0;
-    const ViewOptions sampling{.samples = samples,
-                               .seed = prepared.scene.seed,
-                               .texture_levels = &prepared.world.texture_levels,
-                               .asked = {}};
-    const View all = cast_view(prepared.rays, prepared.world.surfaces(), pose_, sampling);
-    std::vector<std::uint8_t> needed(all.pixels(), 0);
-    for (const RegionInput& region : asked) {
-        pixel_.push_back(filled_pixels(all, prepared, region));
-        for (const std::uint32_t p : pixel_.back()) needed[p] = 1;
-        if (!pixel_.back().empty()) continue;
-        throw InputError(
-            where,
-            fmt::format("no pixel of \"{}\" is filled by \"{}\" alone", input_.name, region.name),
-            "nearer, or more pixels");
+    std::vector<std::uint8_t> needed(std::size_t(pose_.width) * std::size_t(pose_.height), 0);
+    for (const auto& region : pixel_) {
+        for (const std::uint32_t p : region) needed[p] = 1;
     }
     series_ = std::make_unique<Series>(
-        cast_series(prepared, input_, pose_, field.instant, stage.views, field, needed));
+        cast_series(stage.prepared, input_, pose_, field.instant, stage.views, field, needed));
 }
 
 const std::vector<double>& SeenRegions::apparent(Instant when) const {

@@ -21,11 +21,20 @@ View first_seen(const Prepared& prepared, const Series& series);
 std::vector<float> region_cover(const View& view, const Prepared& prepared,
                                 const RegionInput& region);
 
+/// (region) Pixels of an observer that stands which a region fills, and nothing else. Throws
+/// InputError for one that fills none, where the scene file names it.
+///
+/// - observer: of the scene's; samples: rays of a pixel
+std::vector<std::vector<std::uint32_t>> filled_pixels(const Prepared& prepared,
+                                                      std::size_t observer,
+                                                      const std::vector<RegionInput>& asked,
+                                                      int samples);
+
 /// Regions of an observer's picture, and how strongly they shine at any instant. The view is cast
 /// once, and only where it shows one of them.
 class SeenRegions {
  public:
-    /// Throws InputError at `where` for a region that fills no pixel.
+    /// Throws InputError for a region that fills no pixel.
     ///
     /// - stage: of a scene in which nothing goes; to outlive it
     /// - observer: of the scene's
@@ -33,7 +42,7 @@ class SeenRegions {
     /// - samples: rays of a pixel
     SeenRegions(const SceneStage& stage, std::size_t observer,
                 const std::vector<RegionInput>& asked, const std::vector<std::string>& bands,
-                const TemperatureField& field, int samples, const std::string& where);
+                const TemperatureField& field, int samples);
 
     /// Pixels that it fills.
     std::size_t pixels(std::size_t region) const { return pixel_[region].size(); }

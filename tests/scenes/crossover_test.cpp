@@ -15,7 +15,7 @@
 #include "materials/base/files.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/studies/crossover_files.hpp"
-#include "tests/support/small_scene.hpp"
+#include "tests/support/black_plain.hpp"
 
 using namespace diurna;
 
@@ -27,34 +27,14 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi / 86400.0, hour = 3600.0;
 
-/// A black plain in a vacuum with a black plate of 30 m in it, seen from 60 m above.
-std::string black_plain(const std::string& more) {
-    return std::string(R"([scene]
-name = "plain"
-[site]
-latitude_deg = 36.32
-longitude_deg = -84.203333
-[terrain]
-elevation = "level.asc"
-radius_m = 300.0
-material = "black"
+/// With a black plate of 30 m, seen from 60 m above.
+std::string plate_on_plain(const std::string& more) {
+    return black_plain(R"(
 [[ground]]
 name = "plate"
 material = "black"
 rectangle_m = [0.0, 0.0, 30.0, 30.0, 0.0]
 largest_edge_m = 10.0
-[material.black]
-like = "asphalt"
-emissivity = 1.0
-albedo = 0.0
-[weather]
-file = ")" DIURNA_SOURCE_DIR R"(/scenes/jacksboro/weather.csv"
-interval = "instant"
-[atmosphere]
-profile = "vacuum"
-[time]
-start = 2026-07-15T00:00:00-04:00
-frame_every_s = 21600.0
 [[observer]]
 name = "drone"
 place_m = [0.0, 0.0]
@@ -66,7 +46,7 @@ width = 48
 height = 32
 samples = 4
 bands = ["0.5-0.6", "8-12", "3-5"]
-)") + more;
+)" + more);
 }
 
 double plate_at(double t) { return 300.0 + 10.0 * std::cos(turn * (t - 13.0 * hour)); }
@@ -88,16 +68,6 @@ TemperatureField two_days(const Prepared& prepared) {
     return field;
 }
 
-/// The scene in a folder of its own, with the level ground that it names.
-void lay(const ScratchFolder& folder, const std::string& text) {
-    for (const char* name : {"level.asc", "level.prj"}) {
-        std::filesystem::copy_file(
-            std::filesystem::path(DIURNA_SOURCE_DIR "/scenes/crossover") / name, folder.path / name,
-            std::filesystem::copy_options::overwrite_existing);
-    }
-    write_text(folder.path / "scene.toml", text);
-}
-
 Scene scene_of_text(const ScratchFolder& folder, const std::string& text,
                     const std::vector<std::string>& settings = {}) {
     lay(folder, text);
@@ -107,7 +77,7 @@ Scene scene_of_text(const ScratchFolder& folder, const std::string& text,
 std::vector<Mistake> mistakes_of(const std::string& more) {
     const ScratchFolder folder("crossover_mistakes");
     try {
-        scene_of_text(folder, black_plain(more));
+        scene_of_text(folder, plate_on_plain(more));
     } catch (const InputError& error) {
         return error.mistakes();
     }
@@ -126,7 +96,7 @@ int crossover(const std::filesystem::path& scene, const std::filesystem::path& o
 
 TEST_CASE("black plates cross when their sinusoids do", "[scenes][crossover]") {
     const ScratchFolder folder("crossover_sinusoids");
-    const std::string text = black_plain(R"(
+    const std::string text = plate_on_plain(R"(
 [[crossover]]
 first = "plate"
 second = "ground"
@@ -199,20 +169,24 @@ TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossov
         "light or heat");
     // A region that no pixel is filled by, found before anything is solved.
     const ScratchFolder folder("crossover_unseen");
-    lay(folder, black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"grass\"\n"));
+    lay(folder, plate_on_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"grass\"\n"));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
     CHECK(read_text(folder.path / "out.txt").find("no pixel of \"drone\" is filled by \"grass\"") !=
           std::string::npos);
+    CHECK(read_text(folder.path / "out.txt").find("scene.toml:") != std::string::npos);
+    CHECK(read_text(folder.path / "out.txt").find("second") != std::string::npos);
+    CHECK(read_text(folder.path / "out.txt").find("heat balance") == std::string::npos);
     CHECK(!std::filesystem::exists(folder.path / "out"));
-    lay(folder, black_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
-                            "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
+    lay(folder,
+        plate_on_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
+                       "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
     const std::string told = read_text(folder.path / "out.txt");
     INFO(told);
     CHECK(told.find("scene.toml:") != std::string::npos);
     CHECK(told.find("wind_factor") != std::string::npos);
     CHECK(told.find("heat balance") == std::string::npos);
-    lay(folder, black_plain(""));
+    lay(folder, plate_on_plain(""));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
 }
 
@@ -232,7 +206,7 @@ TEST_CASE(
             fmt::format("2026-07-{:02}T{:02}:00:00-04:00,290,0,0,0,0\n", 14 + h / 24, h % 24);
     }
     write_text(folder.path / "dark.csv", weather);
-    std::string text = black_plain(R"(
+    std::string text = plate_on_plain(R"(
 [material.heated]
 like = "black"
 internal_schedule = [[6.0, 200.0], [12.0, 400.0], [18.0, 200.0]]

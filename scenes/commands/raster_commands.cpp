@@ -39,17 +39,28 @@ namespace diurna {
 
 namespace {
 
+constexpr const char* outside_says = "read files beside it that lie elsewhere";
+
+/// Of what lies beside a raster of the command line; none: its own folder.
+std::optional<Confines> bounds(bool allow_outside) {
+    if (!allow_outside) return std::nullopt;
+    return Confines{.folders = {}, .everywhere = true};
+}
+
 struct MeshArguments {
     std::filesystem::path dem;
     double tolerance_m = 1.0;
     std::string frame = "enu";  // or grid: (column, row, height) in the raster's own posts
     std::filesystem::path out;  // PLY, if named
+    bool allow_outside = false;
 };
 
 void mesh_verb(const MeshArguments& arguments) {
     const auto begin = std::chrono::steady_clock::now();
     const FilesRead opened;
-    const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::fill, .centre = {}});
+    const Dem dem = read_dem(
+        arguments.dem,
+        {.voids = VoidPolicy::fill, .centre = {}, .confines = bounds(arguments.allow_outside)});
     if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
     const auto read = std::chrono::steady_clock::now();
     const Tin tin = affordable_tin(dem, arguments.tolerance_m);
@@ -88,6 +99,7 @@ struct VisibilityArguments {
     int azimuths = 32;
     std::optional<double> sun_azimuth_deg, sun_elevation_deg;
     std::filesystem::path out;  // GeoTIFF, if named: sky view, then sun fraction
+    bool allow_outside = false;
 };
 
 void visibility_verb(const VisibilityArguments& arguments) {
@@ -96,7 +108,8 @@ void visibility_verb(const VisibilityArguments& arguments) {
                          "a sun needs both --sun-azimuth-deg and --sun-elevation-deg");
     }
     const FilesRead opened;
-    const Dem dem = read_dem(arguments.dem, {.voids = VoidPolicy::leave});
+    const Dem dem = read_dem(
+        arguments.dem, {.voids = VoidPolicy::leave, .confines = bounds(arguments.allow_outside)});
     if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
     for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", plain(note));
     const Geodetic centre = dem_centre(dem);
@@ -145,6 +158,7 @@ void add_mesh_verb(CLI::App& app) {
     verb->add_option("--tolerance-m", a->tolerance_m)->required()->check(CLI::NonNegativeNumber);
     verb->add_option("--frame", a->frame)->check(CLI::IsMember({"enu", "grid"}));
     verb->add_option("--out", a->out, "PLY file");
+    verb->add_flag("--allow-outside", a->allow_outside, outside_says);
     verb->callback([a] { mesh_verb(*a); });
 }
 
@@ -158,6 +172,7 @@ void add_visibility_verb(CLI::App& app) {
     verb->add_option("--sun-azimuth-deg", a->sun_azimuth_deg, "clockwise from north");
     verb->add_option("--sun-elevation-deg", a->sun_elevation_deg)->check(CLI::Range(-90.0, 90.0));
     verb->add_option("--out", a->out, "GeoTIFF in the raster's place");
+    verb->add_flag("--allow-outside", a->allow_outside, outside_says);
     verb->callback([a] { visibility_verb(*a); });
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cerrno>
 #include <memory>
 #include <mutex>
@@ -96,11 +95,10 @@ class GuardedDisk final : public VSIFilesystemHandler {
 
 GdalGate::GdalGate(Confines confines) : confines_(std::move(confines)) {
     prepare_gdal();
-    assert(gate == nullptr);
-    gate = this;
+    before_ = std::exchange(gate, this);
 }
 
-GdalGate::~GdalGate() { gate = nullptr; }
+GdalGate::~GdalGate() { gate = before_; }
 
 bool GdalGate::admits(const char* name, bool told) {
     std::error_code problem;

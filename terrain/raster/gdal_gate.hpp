@@ -9,7 +9,7 @@ namespace diurna {
 
 /// While it lives, what GDAL opens on this thread lies within the confines, whichever file names
 /// it: sidecars, overviews, what metadata point to. Each is noted as read
-/// (materials/base/files_read.hpp). One at a time.
+/// (materials/base/files_read.hpp). Of several on a thread the youngest holds.
 class GdalGate {
  public:
     explicit GdalGate(Confines confines);
@@ -28,6 +28,7 @@ class GdalGate {
     Confines confines_;
     std::filesystem::path refused_{};
     std::string why_{};
+    GdalGate* before_ = nullptr;  // of this thread
 };
 
 /// Registers the drivers that readers here use and no others, closes GDAL's file systems but those

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <map>
-#include <nlohmann/json.hpp>
+#include <filesystem>
 #include <string>
-#include <vector>
 
 #include "materials/base/error.hpp"
+#include "terrain/objects/gltf_json.hpp"
 #include "terrain/objects/mesh_gate.hpp"
 
 namespace diurna {
@@ -18,188 +17,6 @@ namespace diurna {
 namespace {
 
 using Json = nlohmann::json;
-
-constexpr int most_nesting = 100;        // of JSON; the format needs a dozen
-constexpr std::size_t most_depth = 256;  // of nodes: who reads them calls itself
-
-/// Brackets within brackets, texts aside: what reads JSON calls itself, too.
-void check_nesting(const std::string& name, std::string_view json) {
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (quoted && c == '\\') ++i;
-        if (c == '"') quoted = !quoted;
-        if (quoted) continue;
-        if (c == '[' || c == '{') ++depth;
-        if (c == ']' || c == '}') --depth;
-        if (depth > most_nesting) {
-            throw InputError(name, fmt::format("its JSON has brackets within brackets, more than "
-                                               "{} deep",
-                                               most_nesting));
-        }
-    }
-}
-
-/// What is read of a glTF: its arrays, and the bytes that each buffer has.
-class Gltf {
- public:
-    Gltf(const std::string& name, std::string_view json) : name_(name) {
-        check_nesting(name, json);
-        all_ = Json::parse(json.begin(), json.end(), nullptr, false);
-        if (!all_.is_object()) throw InputError(name, "holds no JSON object");
-        const Json& version = member(member(all_, "asset"), "version");
-        const std::string told =
-            version.is_string() ? version.get<std::string>() : version.dump().substr(0, 40);
-        if (told.starts_with("2")) return;
-        // Of version 1, whose nodes have names.
-        if (told.starts_with("1") && member(all_, "nodes").is_object()) {
-            first_ = true;
-            return;
-        }
-        throw InputError(name, fmt::format("is of glTF version '{}', expected 2", told));
-    }
-    bool first_version() const { return first_; }
-
-    /// An array of objects; empty where it is not there.
-    const Json& list(const char* key) const {
-        const Json& found = member(all_, key);
-        const bool fits =
-            found.is_null() ||
-            (found.is_array() &&
-             std::all_of(found.begin(), found.end(), [](auto& one) { return one.is_object(); }));
-        if (!fits) throw fault(key, "is no array of objects");
-        return found;
-    }
-    const Json& all() const { return all_; }
-    static const Json& member(const Json& object, const char* key) {
-        static const Json none;
-        if (!object.is_object()) return none;
-        const auto found = object.find(key);
-        return found != object.end() ? *found : none;
-    }
-    InputError fault(const std::string& where, const std::string& what) const {
-        return {name_ + ": " + where, what};
-    }
-    /// A whole number that is one of `count`; `none` where it is not there.
-    std::size_t index(const Json& value, std::size_t count, const std::string& where) const {
-        if (value.is_number_unsigned() && value.get<std::size_t>() < count) {
-            return value.get<std::size_t>();
-        }
-        throw fault(where,
-                    fmt::format("found {}, expected a number below {}", shown(value), count));
-    }
-    /// A whole number of at most 2⁴⁸, so that sums and products of it stay exact.
-    double size(const Json& value, double fallback, const std::string& where) const {
-        if (value.is_null()) return fallback;
-        if (value.is_number_unsigned() && value.get<double>() < 0x1p48) return value.get<double>();
-        throw fault(where, fmt::format("found {}, expected a whole number", shown(value)));
-    }
-    static std::string shown(const Json& value) {
-        if (value.is_structured()) return value.is_array() ? "an array" : "an object";
-        return value.dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, 40);
-    }
-    const std::string& name() const { return name_; }
-
- private:
-    const std::string& name_;
-    Json all_;
-    bool first_ = false;
-};
-
-constexpr auto no_parent = std::size_t(-1);
-
-/// `k` is the child of `parent`; throws where it has another.
-void adopt(const Gltf& gltf, std::vector<std::size_t>& parents, std::size_t k, std::size_t parent,
-           const std::string& where) {
-    if (parents[k] != no_parent) {
-        throw gltf.fault(where, fmt::format("node {} is a child twice, expected a tree", k));
-    }
-    parents[k] = parent;
-}
-
-/// Throws where a node is below itself, or too deep.
-void check_depths(const Gltf& gltf, const std::vector<std::size_t>& parents) {
-    // From every node up to one whose depth is known, and down again; who comes back is below
-    // itself.
-    std::vector<std::size_t> depth(parents.size(), 0), way;
-    for (std::size_t i = 0; i < parents.size(); ++i) {
-        way.clear();
-        std::size_t at = i;
-        for (; at != no_parent && depth[at] == 0 && way.size() <= most_depth; at = parents[at]) {
-            way.push_back(at);
-        }
-        std::size_t above = at == no_parent ? 0 : depth[at];
-        if (above + way.size() > most_depth) {
-            throw gltf.fault(fmt::format("nodes[{}]", i),
-                             fmt::format("lies more than {} deep, or below itself", most_depth));
-        }
-        for (auto node = way.rbegin(); node != way.rend(); ++node) depth[*node] = ++above;
-    }
-}
-
-/// The same tree where nodes have names.
-void check_named_nodes(const Gltf& gltf) {
-    const Json& nodes = Gltf::member(gltf.all(), "nodes");
-    std::map<std::string, std::size_t> number;
-    for (const auto& [key, node] : nodes.items()) number.emplace(key, number.size());
-    std::vector<std::size_t> parents(nodes.size(), no_parent);
-    for (const auto& [key, node] : nodes.items()) {
-        const std::string where = fmt::format("nodes.{}.children", key.substr(0, 40));
-        const Json& children = Gltf::member(node, "children");
-        if (children.is_null()) continue;
-        if (!children.is_array()) throw gltf.fault(where, "is no array");
-        for (const Json& child : children) {
-            const auto found =
-                child.is_string() ? number.find(child.get<std::string>()) : number.end();
-            if (found == number.end()) {
-                throw gltf.fault(where, fmt::format("no node {}", Gltf::shown(child)));
-            }
-            adopt(gltf, parents, found->second, number.at(key), where);
-        }
-    }
-    check_depths(gltf, parents);
-}
-
-/// Nodes are trees: each has one parent at most, none is below itself, none too deep.
-void check_nodes(const Gltf& gltf) {
-    const Json& nodes = gltf.list("nodes");
-    const std::size_t meshes = gltf.list("meshes").size();
-    std::vector<std::size_t> parents(nodes.size(), no_parent);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const std::string where = fmt::format("nodes[{}]", i);
-        const Json &mesh = Gltf::member(nodes[i], "mesh"),
-                   &children = Gltf::member(nodes[i], "children");
-        if (!mesh.is_null()) gltf.index(mesh, meshes, where + ".mesh");
-        for (const auto& [key, count] :
-             {std::pair{"matrix", 16u}, {"translation", 3u}, {"scale", 3u}, {"rotation", 4u}}) {
-            const Json& value = Gltf::member(nodes[i], key);
-            if (value.is_null()) continue;
-            const bool fits =
-                value.is_array() && value.size() == count &&
-                std::all_of(value.begin(), value.end(), [](const Json& x) {
-                    return x.is_number() && std::abs(x.get<double>()) <= most_coordinate;
-                });
-            if (!fits) throw gltf.fault(where + "." + key, fmt::format("is not {} numbers", count));
-        }
-        if (children.is_null()) continue;
-        if (!children.is_array()) throw gltf.fault(where + ".children", "is no array");
-        for (const Json& child : children) {
-            const std::size_t k = gltf.index(child, nodes.size(), where + ".children");
-            adopt(gltf, parents, k, i, where + ".children");
-        }
-    }
-    check_depths(gltf, parents);
-    const Json& scenes = gltf.list("scenes");
-    for (const Json& scene : scenes) {
-        const Json& roots = Gltf::member(scene, "nodes");
-        if (roots.is_null()) continue;
-        if (!roots.is_array()) throw gltf.fault("scenes.nodes", "is no array");
-        for (const Json& root : roots) gltf.index(root, nodes.size(), "scenes.nodes");
-    }
-    const Json& chosen = Gltf::member(gltf.all(), "scene");
-    if (!chosen.is_null()) gltf.index(chosen, scenes.size(), "scene");
-}
 
 /// Bytes that a buffer has, however many it claims.
 double bytes_of(const Gltf& gltf, const Json& buffer, double own_piece,
@@ -348,11 +165,8 @@ void check_meshes(const Gltf& gltf) {
 void check_json(const std::string& name, std::string_view json, double own_piece,
                 const std::filesystem::path& folder) {
     const Gltf gltf(name, json);
-    if (gltf.first_version()) {
-        check_named_nodes(gltf);
-        return;
-    }
-    check_nodes(gltf);
+    check_gltf_nodes(gltf);
+    if (gltf.first_version()) return;
     check_buffers(gltf, own_piece, folder);
     check_accessors(gltf);
     check_meshes(gltf);

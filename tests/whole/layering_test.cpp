@@ -89,7 +89,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/studies/contrast_files.cpp", "scenes/studies/crossover_files.cpp",
       "scenes/studies/detection_files.cpp", "scenes/studies/signature_files.cpp",
       "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp",
-      "terrain/objects/gltf_gate.cpp"}},
+      "terrain/objects/gltf_json.hpp"}},
     {"boost/math/", {"scenes/studies/crossings.cpp"}},
     {"CLI/",
      {"scenes/commands/main.cpp", "scenes/commands/column_command.cpp",

@@ -9,8 +9,10 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -18,6 +20,7 @@
 #include <vector>
 
 #include "materials/base/files.hpp"
+#include "materials/base/hdf5_file.hpp"
 
 namespace diurna {
 
@@ -30,13 +33,20 @@ class NetcdfFile {
     ~NetcdfFile() {
         if (id_ >= 0) nc_close(id_);
     }
+    /// Made in memory, for the library ends the program where a disk is full; begun with an empty
+    /// file, for one by nc_create_mem keeps no order and cannot be opened again to be changed.
     static NetcdfFile create(const std::filesystem::path& target) {
         check_output_file(target);
         remove_left_over(target);
+        const std::vector<std::byte> nothing = hdf5_with_nothing_in_it();
+        NC_memio memory{nothing.size(), std::malloc(nothing.size()), 0};
+        if (memory.memory == nullptr) throw std::bad_alloc();
+        std::memcpy(memory.memory, nothing.data(), nothing.size());
         int id = -1;
-        const int status = nc_create_mem(target.c_str(), NC_NETCDF4, 1 << 20, &id);
+        const int status = nc_open_memio(target.c_str(), NC_WRITE | NC_NETCDF4, &memory, &id);
         NetcdfFile file(target, status == NC_NOERR ? id : -1);
         file.must(status);
+        file.must(nc_redef(id));
         return file;
     }
     NetcdfFile(NetcdfFile&& other) noexcept
@@ -77,7 +87,6 @@ class NetcdfFile {
     void text(int variable, const char* name, const std::string& value) const {
         must(nc_put_att_text(id_, variable, name, value.size(), value.c_str()));
     }
-    /// Made in memory, for the library ends the program where a disk is full.
     void finish() {
         NC_memio made{};
         must(nc_close_memio(std::exchange(id_, -1), &made));

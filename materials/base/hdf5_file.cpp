@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
 #include <string>
 
 #include "materials/base/error.hpp"
@@ -34,6 +35,25 @@ herr_t look_at_object(hid_t group, const char* name, const H5O_info_t* object, v
 }
 
 }  // namespace
+
+std::vector<std::byte> hdf5_with_nothing_in_it() {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    const unsigned ordered = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+    const hid_t made = H5Pcreate(H5P_FILE_CREATE), reached = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_link_creation_order(made, ordered);
+    H5Pset_attr_creation_order(made, ordered);
+    H5Pset_obj_track_times(made, false);  // same input, same bytes
+    H5Pset_fapl_core(reached, 1 << 16, false);
+    const hid_t file = H5Fcreate("in memory", H5F_ACC_TRUNC, made, reached);
+    H5Fflush(file, H5F_SCOPE_LOCAL);
+    std::vector<std::byte> bytes(
+        std::size_t(std::max<ssize_t>(0, H5Fget_file_image(file, nullptr, 0))));
+    if (!bytes.empty()) H5Fget_file_image(file, bytes.data(), bytes.size());
+    H5Fclose(file);
+    H5Pclose(reached);
+    H5Pclose(made);
+    return bytes;
+}
 
 void check_values_are_its_own(const std::filesystem::path& file) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // no messages of its own on the terminal

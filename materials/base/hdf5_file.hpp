@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <vector>
 
 namespace diurna {
 
@@ -8,5 +10,9 @@ namespace diurna {
 /// external storage, as a virtual dataset. Throws InputError of one that has; does nothing with
 /// files of other kinds. To be asked before netCDF opens a file.
 void check_values_are_its_own(const std::filesystem::path& file);
+
+/// The bytes of an HDF5 file that holds nothing and keeps the order of what is put into it, as
+/// netCDF wants of a file it is to change. Empty where the library fails.
+std::vector<std::byte> hdf5_with_nothing_in_it();
 
 }  // namespace diurna

@@ -1,6 +1,8 @@
 #include "thermal/temperature_field.hpp"
 
+#include <netcdf.h>
 #include <catch2/catch.hpp>
+
 #include <cmath>
 #include <fstream>
 
@@ -47,6 +49,26 @@ TEST_CASE("a temperature field survives its file, bit by bit", "[thermal][temper
     CHECK(read.kelvin == field.kelvin);
     // Nothing but the file itself is left in the folder.
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 1);
+}
+
+// 2026-11: made in memory by nc_create_mem, the file was one that netCDF's tools could read but not
+// change ("Can't write file"), and scripts edit temperatures to render them.
+TEST_CASE("other programs can change a temperature and add a variable of their own",
+          "[thermal][temperature_field]") {
+    const ScratchFolder folder("temperature_field");
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    const auto file = folder.path / "temperatures.nc";
+    save_temperature_field(file, ramp(facets.size()), facets, {});
+    int id = 0, temperature = 0, own = 0;
+    REQUIRE(nc_open(file.c_str(), NC_WRITE, &id) == NC_NOERR);
+    REQUIRE(nc_inq_varid(id, "surface_temperature", &temperature) == NC_NOERR);
+    const std::size_t where[2] = {1, 2};
+    const float kelvin = 301.5f;
+    CHECK(nc_put_var1_float(id, temperature, where, &kelvin) == NC_NOERR);
+    CHECK(nc_redef(id) == NC_NOERR);
+    CHECK(nc_def_var(id, "own", NC_DOUBLE, 0, nullptr, &own) == NC_NOERR);
+    CHECK(nc_close(id) == NC_NOERR);
+    CHECK(load_temperature_field(file).at(1)[2] == kelvin);
 }
 
 // 2026-11: a solver's NaN went into a file that only its reader refused.

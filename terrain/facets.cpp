@@ -81,7 +81,14 @@ void check_vertices(std::span<const Eigen::Vector3d> vertex) {
 void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
                    std::span<const std::array<std::uint32_t, 3>> triangle,
                    std::span<const MaterialId> material, ObjectId object) {
-    assert(material.size() == triangle.size());
+    const std::vector<ObjectId> alike(triangle.size(), object);
+    append_facets(facets, vertex, triangle, material, alike);
+}
+
+void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
+                   std::span<const std::array<std::uint32_t, 3>> triangle,
+                   std::span<const MaterialId> material, std::span<const ObjectId> object) {
+    assert(material.size() == triangle.size() && object.size() == triangle.size());
     check_vertices(vertex);
     for (const auto& corners : triangle) {
         for (const std::uint32_t corner : corners) {
@@ -92,24 +99,35 @@ void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
         }
     }
 
-    constexpr std::uint32_t unused = 0xFFFFFFFFu;
-    std::vector<std::uint32_t> place(vertex.size(), unused);
-    const auto placed = [&](std::uint32_t v) {
-        if (place[v] == unused) {
-            place[v] = static_cast<std::uint32_t>(facets.vertex.size());
+    // Objects share no vertices.
+    struct Placed {
+        std::int32_t object = -1;
+        std::uint32_t number = 0;
+    };
+    std::vector<Placed> place(vertex.size());
+    const auto placed = [&](std::uint32_t v, ObjectId by) {
+        if (place[v].object != static_cast<std::int32_t>(by)) {
+            place[v] = {static_cast<std::int32_t>(by),
+                        static_cast<std::uint32_t>(facets.vertex.size())};
             facets.vertex.push_back(vertex[v].cast<float>());
         }
-        return place[v];
+        return place[v].number;
     };
 
-    const std::size_t total = facets.size() + triangle.size();
-    facets.corner.reserve(total);
-    facets.centroid.reserve(total);
-    facets.normal.reserve(total);
-    facets.area.reserve(total);
-    facets.material.reserve(total);
-    facets.object.reserve(total);
-    for (const std::uint32_t t : morton_order(vertex, triangle)) {
+    std::vector<std::uint32_t> order = morton_order(vertex, triangle);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](auto a, auto b) { return object[a] < object[b]; });
+    const auto make_room = [&](auto& array) {  // for many calls, too
+        const std::size_t total = facets.size() + triangle.size();
+        if (total > array.capacity()) array.reserve(std::max(total, 2 * array.capacity()));
+    };
+    make_room(facets.corner);
+    make_room(facets.centroid);
+    make_room(facets.normal);
+    make_room(facets.area);
+    make_room(facets.material);
+    make_room(facets.object);
+    for (const std::uint32_t t : order) {
         const auto& corner = triangle[t];
         // What is kept is float: measure the triangle that remains after rounding.
         const Eigen::Vector3d a = vertex[corner[0]].cast<float>().cast<double>();
@@ -121,12 +139,13 @@ void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
         const double furthest_corner =
             std::max({a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff(), c.cwiseAbs().maxCoeff()});
         if (!(twice_area > longest * furthest_corner * float_resolution)) continue;
-        facets.corner.push_back({placed(corner[0]), placed(corner[1]), placed(corner[2])});
+        facets.corner.push_back({placed(corner[0], object[t]), placed(corner[1], object[t]),
+                                 placed(corner[2], object[t])});
         facets.centroid.push_back(((a + b + c) / 3.0).cast<float>());
         facets.normal.push_back((across / twice_area).cast<float>());
         facets.area.push_back(static_cast<float>(0.5 * twice_area));
         facets.material.push_back(material[t]);
-        facets.object.push_back(object);
+        facets.object.push_back(object[t]);
     }
 }
 

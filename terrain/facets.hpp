@@ -41,5 +41,12 @@ void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
                    std::span<const std::array<std::uint32_t, 3>> triangle,
                    std::span<const MaterialId> material, ObjectId object);
 void append_facets(FacetSet& facets, const ObjectMesh& mesh, ObjectId object);
+/// The same of many objects' triangles, those of the lowest first: as one call for each, in a time
+/// that does not go with the number of objects.
+///
+/// - object: (triangle)
+void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,
+                   std::span<const std::array<std::uint32_t, 3>> triangle,
+                   std::span<const MaterialId> material, std::span<const ObjectId> object);
 
 }  // namespace diurna

@@ -153,21 +153,20 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
         const double height = (mesh.height[a] + mesh.height[b] + mesh.height[c]) / 3.0;
         return material_by_rules(scene, slope, height);
     };
+    const RingIndex owners(cuts.owned());
     std::vector<std::int32_t> cut_of(mesh.triangle.size());
-    for (std::size_t t = 0; t < cut_of.size(); ++t) cut_of[t] = cut_under(cuts, mesh, t);
-    // One batch of triangles per object: the ground first, then each polygon.
-    for (int batch = 0; batch <= static_cast<int>(scene.terrain.polygons.size()); ++batch) {
-        std::vector<std::array<std::uint32_t, 3>> triangles;
-        std::vector<MaterialId> materials;
-        for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-            const std::int32_t cut = cut_of[t];
-            if ((cut < 0 ? 0 : cuts.object[std::size_t(cut)]) != batch) continue;
-            triangles.push_back(mesh.triangle[t]);
-            materials.push_back(material_of(t, cut));
-        }
-        append_facets(world.facets, vertex, triangles, materials,
-                      ObjectId{static_cast<std::uint16_t>(batch)});
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<MaterialId> materials;
+    std::vector<ObjectId> objects;
+    for (std::size_t t = 0; t < cut_of.size(); ++t) {
+        const std::int32_t cut = cut_of[t] = cut_under(cuts, owners, mesh, t);
+        const int object = cut < 0 ? 0 : cuts.object[std::size_t(cut)];
+        if (object == Cuts::nothing) continue;
+        triangles.push_back(mesh.triangle[t]);
+        materials.push_back(material_of(t, cut));
+        objects.push_back(ObjectId{static_cast<std::uint16_t>(object)});
     }
+    append_facets(world.facets, vertex, triangles, materials, objects);
     world.ground_facets = world.facets.size();
 
     std::vector<std::vector<Eigen::Vector3d>> borders;

@@ -174,15 +174,18 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
     return cuts;
 }
 
-std::int32_t cut_under(const Cuts& cuts, const GroundMesh& mesh, std::size_t triangle) {
-    std::int32_t f = mesh.footprint[triangle];
+std::vector<Ring> Cuts::owned() const {
+    std::vector<Ring> rings;
+    for (std::size_t f = 0; f < object.size(); ++f) rings.push_back(footprint[f].ring);
+    return rings;
+}
+
+std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const GroundMesh& mesh,
+                       std::size_t triangle) {
+    const std::int32_t f = mesh.footprint[triangle];
     if (f < 0 || !cuts.is_patch(f)) return f;
     const auto& [a, b, c] = mesh.triangle[triangle];
-    const Eigen::Vector2d middle = (mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0;
-    for (f = static_cast<std::int32_t>(cuts.object.size()) - 1; f >= 0; --f) {
-        if (contains(cuts.footprint[std::size_t(f)].ring, middle)) break;
-    }
-    return f;
+    return owners.last_around((mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0);
 }
 
 std::vector<std::uint32_t> border_of(const GroundMesh& mesh, std::span<const std::int32_t> cut_of,

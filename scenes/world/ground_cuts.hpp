@@ -9,6 +9,7 @@
 
 #include "scenes/input/scene.hpp"
 #include "terrain/ground/ground_mesh.hpp"
+#include "terrain/ground/ring_index.hpp"
 #include "terrain/ground/rings.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/raster/dem.hpp"
@@ -39,6 +40,8 @@ struct Cuts {
         material.push_back(std::move(of_material));
         object.push_back(of_object);
     }
+    /// Rings of those that are no patches.
+    std::vector<Ring> owned() const;
     bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
 };
 
@@ -47,7 +50,10 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
 
 /// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it
 /// lies on.
-std::int32_t cut_under(const Cuts& cuts, const GroundMesh& mesh, std::size_t triangle);
+///
+/// - owners: of cuts.owned()
+std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const GroundMesh& mesh,
+                       std::size_t triangle);
 
 /// The vertices round the triangles of one cut, counterclockwise; empty unless they are one simple
 /// line.

@@ -11,6 +11,7 @@
 #include "materials/matter/varied.hpp"
 #include "scenes/input/scene.hpp"
 #include "scenes/world/world.hpp"
+#include "terrain/ground/ring_index.hpp"
 #include "terrain/ground/rings.hpp"
 
 namespace diurna {
@@ -151,19 +152,41 @@ TextureFrame frame_of(const World& world, std::size_t object, const ObjectInput&
             .heading = radians(input.placing.heading_deg)};
 }
 
-/// The texture of a place on the ground: that of the last polygon there, of those that leave the
-/// material to the rules and so are no objects of their own, else the terrain's.
-std::map<std::string, std::string>::const_iterator use_on_ground(const Scene& scene,
-                                                                 const Eigen::Vector3f& at) {
-    const auto& uses = scene.texture_uses.of_object;
-    const auto& polygons = scene.terrain.polygons;
-    for (auto polygon = polygons.rbegin(); polygon != polygons.rend(); ++polygon) {
-        if (!polygon->material.empty()) continue;
-        const auto use = uses.find(polygon->name);
-        if (use != uses.end() && contains(polygon->ring, at.head<2>().cast<double>())) return use;
+/// Polygons that leave the material to the rules, and so are no objects of their own, but name a
+/// texture.
+std::vector<const GroundPolygon*> textured_polygons(const Scene& scene) {
+    std::vector<const GroundPolygon*> polygons;
+    for (const GroundPolygon& polygon : scene.terrain.polygons) {
+        if (polygon.material.empty() && scene.texture_uses.of_object.contains(polygon.name)) {
+            polygons.push_back(&polygon);
+        }
     }
-    return uses.find("ground");
+    return polygons;
 }
+
+std::vector<Ring> rings_of(const std::vector<const GroundPolygon*>& polygons) {
+    std::vector<Ring> rings;
+    for (const GroundPolygon* polygon : polygons) rings.push_back(polygon->ring);
+    return rings;
+}
+
+/// The texture of a place on the ground: that of the last such polygon there, else the terrain's.
+class TexturedGround {
+ public:
+    explicit TexturedGround(const Scene& scene)
+        : uses_(scene.texture_uses.of_object),
+          polygons_(textured_polygons(scene)),
+          index_(rings_of(polygons_)) {}
+    std::map<std::string, std::string>::const_iterator at(const Eigen::Vector3f& place) const {
+        const std::int32_t last = index_.last_around(place.head<2>().cast<double>());
+        return uses_.find(last < 0 ? "ground" : polygons_[std::size_t(last)]->name);
+    }
+
+ private:
+    const std::map<std::string, std::string>& uses_;
+    std::vector<const GroundPolygon*> polygons_;
+    RingIndex index_;
+};
 
 /// The skins of a scene's textures: made as facets ask for them, one for each texture, material and
 /// frame, with the materials of their levels added to the scene's.
@@ -224,10 +247,11 @@ class Skins {
 
 /// The name of the texture that lies on a facet; "" for none. An object's own goes before that of
 /// its material.
-std::string texture_on(const Scene& scene, const World& world, std::size_t facet) {
+std::string texture_on(const Scene& scene, const World& world, const TexturedGround& ground,
+                       std::size_t facet) {
     const TextureUses& uses = scene.texture_uses;
     const auto object = static_cast<std::size_t>(world.facets.object[facet]);
-    const auto use = object == 0 ? use_on_ground(scene, world.facets.centroid[facet])
+    const auto use = object == 0 ? ground.at(world.facets.centroid[facet])
                                  : uses.of_object.find(world.objects[object]);
     if (use != uses.of_object.end()) return use->second;
     const auto by_material =
@@ -264,11 +288,12 @@ std::vector<std::string> lay_textures(Scene& scene, World& world) {
     std::map<std::string, std::size_t> by_name;
     for (std::size_t t = 0; t < scene.textures.size(); ++t) by_name[scene.textures[t].name] = t;
     Skins skins(scene, world);
+    const TexturedGround ground(scene);
     std::vector<std::uint16_t> skin_of_facet(world.facets.size(), no_skin);
     for (std::size_t f = 0; f < world.facets.size(); ++f) {
         // The back of a sheet has no heat of its own to be split.
         if (scene.materials[world.facets.material[f]].thermal.layers.empty()) continue;
-        const std::string name = texture_on(scene, world, f);
+        const std::string name = texture_on(scene, world, ground, f);
         if (name.empty()) continue;
         skin_of_facet[f] = skins.of(by_name.at(name), world.facets.material[f],
                                     static_cast<std::size_t>(world.facets.object[f]));

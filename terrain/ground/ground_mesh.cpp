@@ -11,6 +11,7 @@
 
 #include "materials/base/error.hpp"
 #include "terrain/ground/post_scan.hpp"
+#include "terrain/ground/ring_index.hpp"
 #include "terrain/ground/rings.hpp"
 #include "terrain/ground/triangulate.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -107,22 +108,12 @@ class Cutting {
             mesh.place.emplace_back(vertex->point().x(), vertex->point().y());
             mesh.height.push_back(vertex->info().height);
         }
-        std::vector<Extent> extents;
-        for (const Ring& ring : rings_) {
-            extents.emplace_back(ring.empty() ? Ring{Eigen::Vector2d(-1, -1)} : ring);
-        }
+        const RingIndex owners(rings_);
         for (const auto face : mesh_.finite_face_handles()) {
             if (!is_ground(face)) continue;
             mesh.triangle.push_back({face->vertex(0)->info().number, face->vertex(2)->info().number,
                                      face->vertex(1)->info().number});
-            const Eigen::Vector2d middle = centre(face);
-            std::int32_t owner = -1;
-            for (std::size_t i = rings_.size(); i-- > 0 && owner < 0;) {
-                if (extents[i].contains(middle) && contains(rings_[i], middle)) {
-                    owner = static_cast<std::int32_t>(i);
-                }
-            }
-            mesh.footprint.push_back(owner);
+            mesh.footprint.push_back(owners.last_around(centre(face)));
         }
         return mesh;
     }

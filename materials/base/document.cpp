@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
+#include <sstream>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -211,6 +212,21 @@ void Document::move_value(const std::string& from, const std::string& to) {
 }
 
 void Document::drop(const std::string& key) { state_->root.erase(key); }
+
+std::string Document::text_without(std::span<const char* const> keys) const {
+    toml::table rest = state_->root;
+    for (const std::string_view key : keys) {
+        const std::size_t dot = key.find('.');
+        if (dot == key.npos) {
+            rest.erase(key);
+        } else if (toml::table* inner = rest[key.substr(0, dot)].as_table()) {
+            inner->erase(key.substr(dot + 1));
+        }
+    }
+    std::ostringstream text;
+    text << toml::toml_formatter(rest);
+    return text.str();
+}
 
 Section Document::root() const { return {state_, &state_->root, "", ""}; }
 

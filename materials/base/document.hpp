@@ -41,6 +41,10 @@ class Document {
     /// Takes a key of the root away.
     void drop(const std::string& key);
 
+    /// What it says, settings included, but for some keys ("observer", "time.frames"): the same
+    /// text for the same values, however they are laid out and whatever comments stand beside them.
+    std::string text_without(std::span<const char* const> keys) const;
+
     Section root() const;
     void finish() const;
 

@@ -89,11 +89,15 @@ void UnfinishedFile::write(std::span<const std::byte> bytes) {
     }
 }
 
-void UnfinishedFile::finish() {
-    if (::fsync(file_) != 0) fail("cannot flush");
+void UnfinishedFile::rename() {
     if (::close(std::exchange(file_, -1)) != 0) fail("cannot close");
     if (::rename(path_.c_str(), target_.c_str()) != 0) fail("cannot rename into place");
     path_.clear();
+}
+
+void UnfinishedFile::finish() {
+    if (::fsync(file_) != 0) fail("cannot flush");
+    rename();
     const fs::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
     const int entry = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (entry < 0) return;  // a folder that may be written into but not read

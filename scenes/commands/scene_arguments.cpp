@@ -4,6 +4,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/plan/memory_limit.hpp"
 
 namespace diurna {
 
@@ -16,6 +17,22 @@ ProgressStyle SceneArguments::style() const {
     if (progress == "json") return ProgressStyle::json;
     if (progress == "none") return ProgressStyle::silent;
     return default_progress_style();
+}
+
+std::shared_ptr<const StageStore> SceneArguments::stages() const {
+    return fresh ? nullptr : StageStore::of_user();
+}
+
+double SceneArguments::memory() const { return max_memory.empty() ? 0.0 : bytes_told(max_memory); }
+
+std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb) {
+    auto a = scene_arguments(verb);
+    verb.add_option("--max-memory", a->max_memory,
+                    "that the plan may need, 6.5G; else nine tenths of what the machine has free");
+    verb.add_flag(
+        "--fresh", a->fresh,
+        "find all anew, whatever earlier runs have left (DIURNA_STAGES, ~/.cache/diurna)");
+    return a;
 }
 
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/progress.hpp"
 
 namespace CLI {
@@ -20,14 +21,22 @@ struct SceneArguments {
     std::vector<std::string> settings;
     std::string progress;
     bool allow_outside = false;
+    bool fresh = false;
+    std::string max_memory;
     int threads = 0;
 
     /// Sets the number of threads. Throws InputError.
     Scene read() const;
     ProgressStyle style() const;
+    /// [bytes] 0: what the machine has. Throws InputError.
+    double memory() const;
+    /// Of what earlier runs have found; null: all is to be found anew.
+    std::shared_ptr<const StageStore> stages() const;
 };
 
 /// The arguments of a verb, read into what is returned.
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb);
+/// Likewise of one that takes what earlier runs have found.
+std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb);
 
 }  // namespace diurna

@@ -17,7 +17,9 @@
 #include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/frame_files.hpp"
+#include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
+#include "scenes/run/found_heat.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/job.hpp"
@@ -54,7 +56,7 @@ void read_shard(const std::string& text, SweepOptions& options) {
 }
 
 void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle style) {
-    SweepOptions options{.out = run.job.out, .resume = run.job.resume, .progress = style};
+    SweepOptions options{.out = run.job.out, .resume = run.job.resume, .max_memory = run.job.max_memory, .progress = style};
     if (!run.shard.empty()) read_shard(run.shard, options);
     const SweepReport report = run_sweep(sweep, options);
     fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
@@ -103,6 +105,10 @@ void check_verb(const SceneArguments& a) {
     fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
                prepared.world.surfaces().size(), prepared.sequences.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
+        fmt::print(stderr, "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
+                   prepared.plan.memory / 1e9, most / 1e9);
+    }
     for (const NetworkObject& network : networks) {
         for (const std::string& note : network.notes) fmt::print(stderr, "note: {}\n", plain(note));
     }
@@ -113,6 +119,8 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     JobOptions& job = run.job;
     job.settings = a.settings;
     job.progress = a.style();
+    job.stages = a.stages();
+    job.max_memory = a.memory();
     if (scene.sweep.axes.empty()) {
         for (const auto& [option, text] : {std::pair{"--shard", run.shard}, {"--only", run.only}}) {
             if (!text.empty()) throw InputError(option, "the scene has no [sweep]");
@@ -137,6 +145,14 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     check_converged(report.not_converged);
 }
 
+void tell(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", plain(note));
+}
+
+void tell_taken(const Stages& stages) {
+    if (std::string told = taken_told(stages.store()); !told.empty()) tell({std::move(told)});
+}
+
 /// Of verbs that know no variants.
 void tell_of_sweep(const Scene& scene) {
     if (scene.sweep.axes.empty()) return;
@@ -145,20 +161,25 @@ void tell_of_sweep(const Scene& scene) {
 
 void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_output_file(out);
+    const double most = a.memory();
     const Prepared prepared = prepare(a.read());
     check_output_file(out, prepared.scene.files);
+    check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);
     Progress progress(a.style());
     progress.stage("sky view");
-    const Stages stages(prepared);
+    const Stages stages(prepared, a.stages());
     stages.at(0);
-    const SpanResult result = solve_scene(stages, progress);
+    const auto inputs =
+        stages.store() == nullptr ? std::vector<RunInput>{} : run_inputs(prepared.scene);
+    const SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
     progress.finish();
-    write_heat(prepared, result, out);
-    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
-    for (const std::string& note : result.notes) fmt::print(stderr, "note: {}\n", plain(note));
-    fmt::print(stderr, "note: start: {}\n", plain(result.start));
-    check_converged(not_converged(result.report));
+    write_heat(prepared, heat.result, out);
+    tell(prepared.notes);
+    tell(told_as("note", heat));
+    tell_taken(stages);
+    for (const std::string& start : told_as("start", heat)) tell({"start: " + start});
+    check_converged(told_as("not converged", heat).front());
 }
 
 /// Throws InputError for pictures of facets that another run left to others of their kind.
@@ -181,7 +202,9 @@ void check_solved(const Stages& stages, const TemperatureField& field,
 void render_verb(const SceneArguments& a, const std::filesystem::path& temperatures,
                  const std::filesystem::path& out) {
     check_run_folder(out, FolderKind::run);
+    const double most = a.memory();
     const Prepared prepared = prepare(a.read());
+    check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);
     const std::vector<RunInput> inputs = run_inputs(prepared.scene);
     check_no_input_in(out, inputs);
@@ -198,8 +221,9 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     std::filesystem::create_directories(out / "frames");
     Progress progress(a.style());
     progress.stage("sky view");
-    const Stages stages(prepared);
+    const Stages stages(prepared, a.stages());
     stages.at(0);
+    tell_taken(stages);
     check_solved(stages, field, temperatures);
     const FramesReport report = render_frames(stages, field, out, progress);
     for (const auto& notes : {report.notes, report.warnings}) {
@@ -230,7 +254,7 @@ void add_plan_verb(CLI::App& app) {
 
 void add_run_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("run", "the whole job: temperatures, frames, report");
-    const auto a = scene_arguments(*verb);
+    const auto a = solving_arguments(*verb);
     const auto run = std::make_shared<RunArguments>();
     verb->add_option("--out", run->job.out, "folder for the results (default: out)");
     verb->add_flag("--resume", run->job.resume, "keep what an earlier run of the same inputs left");
@@ -242,7 +266,7 @@ void add_run_verb(CLI::App& app) {
 
 void add_solve_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("solve", "temperatures alone");
-    const auto a = scene_arguments(*verb);
+    const auto a = solving_arguments(*verb);
     const auto out = std::make_shared<std::filesystem::path>();
     verb->add_option("--out", *out, "netCDF file")->required();
     verb->callback([a, out] { solve_verb(*a, *out); });
@@ -250,7 +274,7 @@ void add_solve_verb(CLI::App& app) {
 
 void add_render_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("render", "frames from given temperatures");
-    const auto a = scene_arguments(*verb);
+    const auto a = solving_arguments(*verb);
     const auto temperatures = std::make_shared<std::filesystem::path>();
     const auto out = std::make_shared<std::filesystem::path>("out");
     verb->add_option("--temperatures", *temperatures, "netCDF file of `solve`")->required();

@@ -74,6 +74,9 @@ struct Scene {
     int sun_samples = 4;        // per facet and instant
     std::uint64_t seed = 1;
     std::vector<FileRead> files{};  // all that were opened for it so far
+    // What the file says, settings included: all of it, and without what nothing but pictures
+    // is made of.
+    std::string said{}, said_but_for_pictures{};
 };
 
 }  // namespace diurna

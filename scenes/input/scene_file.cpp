@@ -92,6 +92,21 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
     return ranges;
 }
 
+/// How and when the scene is looked at, and studies of what is seen.
+constexpr const char* of_pictures[] = {"observer",
+                                       "instrument",
+                                       "band",
+                                       "cube",
+                                       "labels",
+                                       "signature",
+                                       "detection",
+                                       "crossover",
+                                       "contrast",
+                                       "scene.title",
+                                       "time.frames",
+                                       "time.frame_every_s",
+                                       "time.frames_at_sun"};
+
 }  // namespace
 
 Scene read_scene(const Document& document) {
@@ -184,6 +199,8 @@ Scene read_scene(const Document& document) {
     }
     document.finish();
     scene.files = opened.files();
+    scene.said = document.text_without({});
+    scene.said_but_for_pictures = document.text_without(of_pictures);
     return scene;
 }
 

@@ -1,4 +1,4 @@
-#include "scenes/run/digest.hpp"
+#include "scenes/kept/digest.hpp"
 
 #include <fmt/format.h>
 #include <openssl/evp.h>

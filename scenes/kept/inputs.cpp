@@ -1,4 +1,4 @@
-#include "scenes/run/inputs.hpp"
+#include "scenes/kept/inputs.hpp"
 
 #include <fmt/format.h>
 
@@ -8,13 +8,13 @@
 #include <stdexcept>
 
 #include "materials/base/files.hpp"
-#include "scenes/run/digest.hpp"
+#include "scenes/kept/digest.hpp"
 
 namespace diurna {
 
 namespace fs = std::filesystem;
 
-/// SHA-256 of the sources, made when they are built (scenes/run/program_digest.cmake).
+/// SHA-256 of the sources, made when they are built (scenes/kept/program_digest.cmake).
 const char* program_sources();
 
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,13 +11,6 @@
 #include "thermal/solve/solver.hpp"
 
 namespace diurna {
-
-struct JobOptions {
-    std::filesystem::path out = "out";
-    std::vector<std::string> settings;  // "key=value" given on the command line
-    bool resume = false;                // keep what an earlier run with the same inputs has left
-    ProgressStyle progress = ProgressStyle::silent;
-};
 
 /// What a run did, for the report and for tests.
 struct JobReport {
@@ -33,8 +25,9 @@ struct JobReport {
     std::size_t frames_rendered = 0;   // the others were kept
     std::vector<std::string> files{};  // written or kept, relative to the folder
     std::vector<Progress::Stage> stages{};
-    std::vector<std::string> remade{};  // what of earlier runs was not kept, a line each
-    std::vector<std::string> notes{};   // what was modelled for want of data
+    std::vector<std::string> remade{};  // what of earlier runs was not kept, and what was taken
+                                        // from their store, a line each
+    std::vector<std::string> notes{};  // what was modelled for want of data
 };
 
 }  // namespace diurna

@@ -14,26 +14,27 @@ namespace diurna {
 
 namespace {
 
-// What one core of the machine class that bench/results names takes, measured on the default scene
-// and on scenes/camouflage: seconds of the processor over the counts. For the estimate only.
-constexpr double sky_per_facet = 9e-6;
+// What one core of the machine class that bench/results names takes, measured on the five sample
+// scenes: seconds of the processor over the counts. For the estimate only.
+constexpr double sky_per_facet = 14e-6;
 constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
 constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
-constexpr double heat_per_facet_step = 0.25e-6;      // all passes and the exchange
+constexpr double heat_per_facet_step = 0.55e-6;      // all passes and the exchange
 constexpr double heat_per_lane = 0.7e-3;             // a wet day that repeats, eight side by side
-constexpr double heat_per_freezing_lane = 4.2e-3;    // in a valley of 950; even slopes 1.6 ms
-constexpr double frost_air = 276.0;                  // [K] under which open ground may freeze
-constexpr double heat_per_point = 5e-3;              // a day (thermal/solve/point_facets.hpp)
-constexpr double heat_per_target = 2e-3;             // a day of one (thermal/solve/network_facets)
-constexpr double flux_passes = 1.3;                  // of the heat balance, where it is taken down
+constexpr double heat_per_freezing_lane = 8e-3;  // scenes/approach in January; even slopes 1.6 ms
+constexpr double frost_air = 276.0;              // [K] under which open ground may freeze
+constexpr double heat_per_point = 5e-3;          // a day (thermal/solve/point_facets.hpp)
+constexpr double heat_per_target = 2e-3;         // a day of one (thermal/solve/network_facets)
+constexpr double flux_passes = 1.3;              // of the heat balance, where it is taken down
 constexpr double write_per_value = 0.08e-6;
-constexpr double cast_per_ray = 0.05e-6;
-constexpr double render_per_pixel = 0.3e-6;  // and band
-constexpr double light_per_facet = 0.23e-6;  // and frame: its sun and temperature
-constexpr double blur_per_sample = 1.2e-6;   // of an instrument's radiance and frame
-constexpr double detect_per_pixel = 1.0e-6;  // and frame
+constexpr double cast_per_ray = 0.3e-6;       // and what it meets by mirrors
+constexpr double render_per_pixel = 0.75e-6;  // and band
+constexpr double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
+constexpr double air_per_band = 0.09;         // and frame: tables of paths and backgrounds
+constexpr double blur_per_sample = 0.7e-6;    // of an instrument's radiance and frame
+constexpr double detect_per_pixel = 1.0e-6;   // and frame
 constexpr double annotate_per_pixel = 0.25e-6;
-constexpr double seen_through = 4.0;  // of casting and rendering, where rays pass smoke or nets
+constexpr double seen_through = 2.5;  // of casting and rendering, where rays pass smoke or nets
 
 std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     std::vector<bool> used(scene.materials.size(), false);
@@ -114,7 +115,7 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
         seconds += frames * (cost.seen_pixels * (through * render_per_pixel + blur_per_sample) +
                              double(observer.width) * observer.height * detect_per_pixel +
                              light_per_facet * double(plan.facets));
-        plan.memory += cost.seen_pixels * 200.0;
+        plan.memory = std::max(plan.memory, cost.seen_pixels * 100.0);
         plan.decisions.push_back(
             {.what = "instrument " + cost.name,
              .computed = true,
@@ -137,12 +138,17 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
     const double facets = double(plan.facets), ground = double(world.ground_facets);
     const double threads = thread_count();
     const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
-    double band_pixels = 0.0;
+    const bool looks_through = !scene.plumes.empty();
+    const double through = looks_through ? seen_through : 1.0;
+    double band_pixels = 0.0, band_pictures = 0.0, largest_view = 0.0;
     for (const ObserverInput& observer : scene.observers) {
-        band_pixels += double(observer.width) * observer.height * double(observer.bands.size()) *
-                       double(observer.frames.size());
+        const double pixels = double(observer.width) * observer.height;
+        const double pictures = double(observer.bands.size()) * double(observer.frames.size());
+        band_pictures += pictures;
+        band_pixels += pixels * pictures;
+        largest_view = std::max(largest_view,
+                                pixels * (160.0 + (looks_through ? 64.0 * observer.samples : 0.0)));
     }
-    const double through = scene.plumes.empty() ? 1.0 : seen_through;
     const double points = point_seconds(scene, world, weather);
     const double instruments = instrument_seconds(scene, through, plan);
     // Fluxes: one more pass, eight values beside each temperature that is kept.
@@ -159,7 +165,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
          passes * steps * (heat_per_facet_step * facets + points / 144.0) / threads},
         {"write temperatures", write_per_value * values},
         {"views", through * cast_per_ray * double(plan.view_rays) / threads},
-        {"frames", (through * render_per_pixel * band_pixels +
+        {"frames", (through * render_per_pixel * band_pixels + air_per_band * band_pictures +
                     light_per_facet * facets * double(plan.pictures)) /
                        threads},
         {"report", annotate_per_pixel * double(plan.frame_pixels)},
@@ -169,9 +175,10 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
     }
     plan.seconds = 0.0;
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
-    // Program and libraries; what a facet has once; six fields of a value for each step; views.
-    plan.memory += 170e6 + facets * (600.0 + 6.0 * 4.0 * std::min(steps, day_steps)) +
-                   4.0 * values + double(plan.pixels) * 160.0;
+    // Program and libraries; what a facet has once; six fields of a value for each step; views, of
+    // one observer at a time.
+    plan.memory += 110e6 + facets * (600.0 + 6.0 * 4.0 * std::min(steps, day_steps)) +
+                   4.0 * values + largest_view;
 }
 
 std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {

@@ -2,20 +2,27 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
+#include <utility>
+
+#include "materials/base/parallel.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// Temperature below which `share` of the area lies; `order` sorts the facets by temperature.
-double quantile(const std::vector<std::size_t>& order, std::span<const float> kelvin,
-                const std::vector<float>& area, double total, double share) {
+struct Patch {
+    float kelvin, area;
+};
+
+/// Temperature below which `share` of the area lies, of patches by temperature.
+double quantile(const std::vector<Patch>& patches, double total, double share) {
     double sum = 0.0;
-    for (const std::size_t facet : order) {
-        sum += area[facet];
-        if (sum >= share * total) return kelvin[facet];
+    for (const Patch& patch : patches) {
+        sum += patch.area;
+        if (sum >= share * total) return patch.kelvin;
     }
-    return kelvin[order.back()];
+    return patches.back().kelvin;
 }
 
 }  // namespace
@@ -26,25 +33,31 @@ std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const Fa
     for (std::size_t facet = 0; facet < facets.size(); ++facet) {
         members[materials[facets.material[facet]].kind()].push_back(facet);
     }
+    const std::size_t instants = field.instant.size();
     std::vector<DiurnalCurve> curves;
-    for (auto& [kind, order] : members) {
+    for (const auto& [kind, all] : members) {
         DiurnalCurve curve;
         curve.material = kind;
-        curve.facets = order.size();
-        for (const std::size_t facet : order) curve.area += facets.area[facet];
-        for (std::size_t i = 0; i < field.instant.size(); ++i) {
-            const std::span<const float> kelvin = field.at(i);
-            double sum = 0.0;
-            for (const std::size_t facet : order) {
-                sum += kelvin[facet] * double(facets.area[facet]);
-            }
-            std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-                return kelvin[a] != kelvin[b] ? kelvin[a] < kelvin[b] : a < b;
-            });
-            curve.mean.push_back(sum / curve.area);
-            curve.tenth.push_back(quantile(order, kelvin, facets.area, curve.area, 0.1));
-            curve.ninetieth.push_back(quantile(order, kelvin, facets.area, curve.area, 0.9));
-        }
+        curve.facets = all.size();
+        for (const std::size_t facet : all) curve.area += facets.area[facet];
+        for (auto* of : {&curve.mean, &curve.tenth, &curve.ninetieth}) of->resize(instants);
+        for_each_index(
+            instants,
+            [&](std::size_t i) {
+                const std::span<const float> kelvin = field.at(i);
+                std::vector<Patch> patches(all.size());
+                double sum = 0.0;
+                for (std::size_t k = 0; k < all.size(); ++k) {
+                    patches[k] = {kelvin[all[k]], facets.area[all[k]]};
+                    sum += double(patches[k].kelvin) * double(patches[k].area);
+                }
+                std::sort(patches.begin(), patches.end(),
+                          [](const Patch& a, const Patch& b) { return a.kelvin < b.kelvin; });
+                curve.mean[i] = sum / curve.area;
+                curve.tenth[i] = quantile(patches, curve.area, 0.1);
+                curve.ninetieth[i] = quantile(patches, curve.area, 0.9);
+            },
+            1);
         curves.push_back(std::move(curve));
     }
     return curves;

@@ -6,8 +6,10 @@
 
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
+#include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/report/report.hpp"
+#include "scenes/run/found_heat.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
@@ -71,22 +73,17 @@ void begin_folder(const Prepared& prepared, const fs::path& out, const Ledger& l
     ledger.write(expected);
 }
 
-/// Solves and writes what the heat balance leaves.
-TemperatureField solve_and_write(const Stages& stages, const fs::path& out, Progress& progress,
-                                 Ledger& ledger, JobReport& report) {
+/// Writes what the heat balance leaves.
+TemperatureField write_found(const Stages& stages, const Manifest& manifest, const fs::path& out,
+                             Progress& progress, Ledger& ledger, JobReport& report) {
     const Prepared& prepared = stages.scene();
-    SpanResult result = solve_scene(stages, progress, prepared.scene.tolerance);
+    SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.scene.tolerance);
     progress.stage("write temperatures");
-    write_heat(prepared, result, out / "temperatures.nc");
-    report.solve = result.report;
-    report.solved = true;
-    Told told{{"not converged", not_converged(result.report)}, {"start", result.start}};
-    for (const std::string& note : result.notes) told.emplace_back("note", note);
-    for (const auto& [name, value] : heat_rows(result.report)) {
-        told.emplace_back("row " + name, value);
-    }
-    ledger.add(heat_files(prepared.scene), std::move(told));
-    return std::move(result.temperature);
+    write_heat(prepared, heat.result, out / "temperatures.nc");
+    report.solve = heat.result.report;
+    report.solved = heat.solved;
+    ledger.add(heat_files(prepared.scene), std::move(heat.told));
+    return std::move(heat.result.temperature);
 }
 
 /// What was told of the heat balance when it was solved, in this run or the one it is kept from.
@@ -107,6 +104,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     Progress progress(options.progress);
     progress.stage("terrain");
     const Prepared prepared = prepare(std::move(scene));
+    check_memory(prepared.plan, options.max_memory);
     check_start(prepared);
     Manifest manifest = manifest_of(prepared, options);
     check_no_input_in(out, manifest.inputs);
@@ -120,15 +118,18 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     begin_folder(prepared, out, ledger, report);
     write_manifest(out, prepared.scene, manifest);
     progress.stage("sky view");
-    const Stages stages(prepared);
+    const Stages stages(prepared, options.stages);
     stages.at(0);
 
-    const TemperatureField field = ledger.has(report.files)
-                                       ? load_temperature_field(out / "temperatures.nc")
-                                       : solve_and_write(stages, out, progress, ledger, report);
+    const TemperatureField field =
+        ledger.has(report.files) ? load_temperature_field(out / "temperatures.nc")
+                                 : write_found(stages, manifest, out, progress, ledger, report);
     tell_of_heat(ledger.told("temperatures.nc"), report);
     manifest.not_converged = report.not_converged;
     manifest.start = report.start;
+    if (std::string told = taken_told(stages.store()); !told.empty()) {
+        report.remade.push_back(std::move(told));
+    }
 
     const FramesReport frames = render_frames(stages, field, out, progress, ledger);
     report.frames_rendered = frames.rendered;

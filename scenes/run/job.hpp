@@ -1,6 +1,12 @@
 #pragma once
 
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "scenes/input/scene.hpp"
+#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/job_report.hpp"
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/progress.hpp"
@@ -11,6 +17,15 @@
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
+
+struct JobOptions {
+    std::filesystem::path out = "out";
+    std::vector<std::string> settings;           // "key=value" given on the command line
+    std::shared_ptr<const StageStore> stages{};  // of what earlier runs have found; null: none
+    bool resume = false;      // keep what an earlier run with the same inputs has left
+    double max_memory = 0.0;  // [bytes] that the plan may need; 0: what the machine has free
+    ProgressStyle progress = ProgressStyle::silent;
+};
 
 /// The whole way: plan, build, solve, render, write. Results are the same bytes for any number
 /// of threads. A killed run leaves whole files only and can be resumed.

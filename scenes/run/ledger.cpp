@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "materials/base/files.hpp"
-#include "scenes/run/digest.hpp"
+#include "scenes/kept/digest.hpp"
 
 namespace diurna {
 

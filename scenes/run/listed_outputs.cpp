@@ -6,7 +6,7 @@
 #include <set>
 
 #include "materials/base/error.hpp"
-#include "scenes/run/digest.hpp"
+#include "scenes/kept/digest.hpp"
 #include "scenes/run/ledger.hpp"
 
 namespace diurna {

@@ -4,8 +4,8 @@
 
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
+#include "scenes/kept/digest.hpp"
 #include "scenes/labels/attribute_json.hpp"
-#include "scenes/run/digest.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/kept/inputs.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/camera_truth.hpp"
-#include "scenes/run/inputs.hpp"
 #include "scenes/run/legend.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"

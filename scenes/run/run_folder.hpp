@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/run/inputs.hpp"
+#include "scenes/kept/inputs.hpp"
 
 /// The folder that results go to: one run's alone, never another's and never a user's own.
 namespace diurna {

@@ -3,13 +3,18 @@
 #include <vector>
 
 #include "materials/matter/passed_light.hpp"
+#include "scenes/kept/kept_or_found.hpp"
+#include "scenes/kept/stage_keys.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
 
 namespace diurna {
 
-FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
+namespace {
+
+/// Of facets without textures' levels.
+FacetViews solid_sky_view(const Prepared& prepared, bool sunlight) {
     const Scene& scene = prepared.scene;
     const ReliefVisibility light(prepared.world.facets, prepared.rays, *prepared.world.relief,
                                  prepared.world.ground_facets);
@@ -20,8 +25,17 @@ FacetViews scene_sky_view(const Prepared& prepared, bool sunlight) {
                                          .sunlight = sunlight});
     const std::vector<PassedLight> passed = passed_light(scene.materials);
     make_reciprocal(prepared.world.facets, view, {.passed = passed, .sunlight = sunlight});
-    const TextureLevels& texture_levels = prepared.world.texture_levels;
-    return texture_levels.empty() ? view : for_all_levels(texture_levels, view);
+    return view;
+}
+
+}  // namespace
+
+FacetViews scene_sky_view(const Prepared& prepared, bool sunlight, const StageStore* store) {
+    const FacetViews view = kept_or_found<FacetViews>(
+        store, "sky", [&] { return sky_key(prepared, sunlight); }, views_of,
+        [&] { return solid_sky_view(prepared, sunlight); });
+    const TextureLevels& levels = prepared.world.texture_levels;
+    return levels.empty() ? view : for_all_levels(levels, view);
 }
 
 }  // namespace diurna

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/view_factors.hpp"
 
@@ -8,6 +9,8 @@ namespace diurna {
 /// What each facet sees: the ground's sky by the march over the raster, all else by rays.
 ///
 /// - sunlight: of what goes through panes, sunlight; else heat
-FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false);
+/// - store: of what earlier runs have found; null: none
+FacetViews scene_sky_view(const Prepared& prepared, bool sunlight = false,
+                          const StageStore* store = nullptr);
 
 }  // namespace diurna

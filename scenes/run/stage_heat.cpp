@@ -58,9 +58,9 @@ std::string water_told(const SolveReport& report) {
 StageHeat::StageHeat(const SceneStage& stage, Instant end)
     : prepared_(stage.prepared),
       sunlight_views_(passes_by_spectrum(passed_light(prepared_.scene.materials))
-                          ? std::optional(scene_sky_view(prepared_, true))
+                          ? std::optional(scene_sky_view(prepared_, true, stage.store))
                           : std::nullopt),
-      daily_(prepared_, end),
+      daily_(prepared_, end, stage.store),
       albedo_(measured_albedo(prepared_.scene, prepared_.world, prepared_.weather)),
       by_height_(air_by_height(prepared_.scene, prepared_.weather)),
       parts_(

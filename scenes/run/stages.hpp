@@ -5,6 +5,7 @@
 #include <mutex>
 #include <vector>
 
+#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/view_factors.hpp"
 
@@ -14,6 +15,7 @@ namespace diurna {
 struct SceneStage {
     const Prepared& prepared;
     const FacetViews& views;
+    const StageStore* store = nullptr;  // of what earlier runs have found
 };
 
 /// The scene stage by stage (scenes/world/movers.hpp); one where nothing goes. What a stage sees is
@@ -21,12 +23,14 @@ struct SceneStage {
 class Stages {
  public:
     /// - prepared: to outlive it
-    explicit Stages(const Prepared& prepared);
+    /// - store: what earlier runs have found is taken from there; null: all is found anew
+    explicit Stages(const Prepared& prepared, std::shared_ptr<const StageStore> store = nullptr);
     /// - alike: of a scene with the same surfaces in the same places: what they see is shared
     Stages(const Prepared& prepared, const Stages& alike);
     std::size_t size() const { return own_.size(); }
     SceneStage at(std::size_t stage) const;
     const Prepared& scene() const { return prepared_; }
+    const StageStore* store() const { return store_.get(); }
 
  private:
     struct Own {
@@ -34,6 +38,7 @@ class Stages {
         std::shared_ptr<const FacetViews> views;
     };
     const Prepared& prepared_;
+    std::shared_ptr<const StageStore> store_;
     mutable std::mutex making_;
     mutable std::vector<Own> own_;
 };

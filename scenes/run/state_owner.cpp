@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/run/digest.hpp"
+#include "scenes/kept/digest.hpp"
 #include "thermal/solve/point_facets.hpp"
 
 namespace diurna {

@@ -7,6 +7,8 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
+#include "scenes/kept/kept_or_found.hpp"
+#include "scenes/kept/stage_keys.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/texture/level_values.hpp"
@@ -136,11 +138,12 @@ SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Insta
     return DailySunExposure(prepared, instants.back()).of(instants);
 }
 
-DailySunExposure::DailySunExposure(const Prepared& prepared, Instant end)
+DailySunExposure::DailySunExposure(const Prepared& prepared, Instant end, const StageStore* store)
     : prepared_(prepared),
       light_(prepared.world.facets, prepared.rays, *prepared.world.relief,
              prepared.world.ground_facets),
-      end_(end) {}
+      end_(end),
+      store_(store) {}
 
 SunExposure DailySunExposure::of(const std::vector<Instant>& instants) {
     asked_ += double(instants.size()) * facets();
@@ -173,7 +176,9 @@ SunExposure DailySunExposure::found(const std::vector<Instant>& instants) {
 }
 
 SunExposure DailySunExposure::in_full(const std::vector<Instant>& instants) const {
-    return cast(prepared_, light_, instants, asked_for_, nothing, {});
+    return kept_or_found<SunExposure>(
+        store_, "sun", [&] { return sun_key(prepared_, instants, asked_for_); }, sun_of,
+        [&] { return cast(prepared_, light_, instants, asked_for_, nothing, {}); });
 }
 
 SunExposure DailySunExposure::between_days(const std::vector<Instant>& instants, double share) {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
 #include "thermal/solve/solve_input.hpp"
@@ -29,7 +30,8 @@ class DailySunExposure {
     static constexpr double furthest_deg = 1.25;
 
     /// - end: of the span; nothing is kept for days after it
-    DailySunExposure(const Prepared& prepared, Instant end);
+    /// - store: of what earlier runs have found; null: none
+    DailySunExposure(const Prepared& prepared, Instant end, const StageStore* store = nullptr);
     /// Asks for some facets alone, (facet that rays know) 1; the others are in shadow. Empty: all.
     void ask_for(std::vector<std::uint8_t> facets) { asked_for_ = std::move(facets); }
 
@@ -48,6 +50,7 @@ class DailySunExposure {
     const Prepared& prepared_;
     ReliefVisibility light_;
     Instant end_;
+    const StageStore* store_;
     std::vector<std::uint8_t> asked_for_{};
     std::optional<SunExposure> before_, after_;  // days worked out in full
     double asked_ = 0.0, taken_over_ = 0.0;      // instants and facets

@@ -11,13 +11,14 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "scenes/kept/digest.hpp"
+#include "scenes/kept/inputs.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
+#include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
-#include "scenes/run/digest.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
-#include "scenes/run/inputs.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/listed_outputs.hpp"
 #include "scenes/run/run_folder.hpp"
@@ -137,9 +138,10 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
 }
 
 /// A variant's scene stands; what is wrong with it is told with its name.
-Prepared prepare_variant(const Sweep& sweep, const Variant& variant) {
+Prepared prepare_variant(const Sweep& sweep, const Variant& variant, double max_memory) {
     try {
         Prepared prepared = prepare(scene_of(sweep, variant));
+        check_memory(prepared.plan, max_memory);
         check_start(prepared);
         return prepared;
     } catch (const InputError& error) {
@@ -174,7 +176,7 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
         return;
     }
     progress.stage(fmt::format("heat {}: terrain", group.variants.front().heat));
-    const Prepared first = prepare_variant(group.sweep, *pending.front());
+    const Prepared first = prepare_variant(group.sweep, *pending.front(), group.options.max_memory);
     for (const std::string& note : first.notes) tell_once(report.notes, note);
     progress.stage("sky view");
     const Stages stages(first);
@@ -185,7 +187,7 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
         std::optional<Stages> others;
         if (variant != pending.front()) {
             progress.stage(fmt::format("variant {}: terrain", variant->name));
-            other.emplace(prepare_variant(group.sweep, *variant));
+            other.emplace(prepare_variant(group.sweep, *variant, group.options.max_memory));
             others.emplace(*other, stages);
         }
         const Stages& own = others ? *others : stages;

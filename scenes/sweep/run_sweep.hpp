@@ -14,6 +14,7 @@ struct SweepOptions {
     std::filesystem::path out = "out";
     bool resume = false;  // keep what an earlier run of the same inputs has left
     std::size_t shard = 1, shards = 1;
+    double max_memory = 0.0;  // [bytes] as JobOptions has it
     ProgressStyle progress = ProgressStyle::silent;
 };
 

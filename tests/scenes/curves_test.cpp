@@ -2,8 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "scenes/kept/digest.hpp"
 #include "scenes/report/chart.hpp"
-#include "scenes/run/digest.hpp"
 
 using namespace diurna;
 

@@ -1,0 +1,83 @@
+#include "scenes/run/found_heat.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "scenes/kept/stage_keys.hpp"
+#include "scenes/report/report.hpp"
+#include "scenes/run/heat.hpp"
+#include "scenes/world/stepping.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr const char* stage = "heat";
+
+/// Some of its instants; nothing where one is not there. Of water on facets all or nothing, for
+/// which facets are named goes by the instants.
+std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
+                                            TemperatureField field) {
+    if (field.instant == wanted) return field;
+    if (!field.water.empty()) return std::nullopt;
+    TemperatureField some{.instant = wanted, .facets = field.facets, .kelvin = {}};
+    some.solved_as = std::move(field.solved_as);
+    some.kelvin.reserve(wanted.size() * field.facets);
+    for (const Instant when : wanted) {
+        const auto at = std::lower_bound(field.instant.begin(), field.instant.end(), when);
+        if (at == field.instant.end() || *at != when) return std::nullopt;
+        const auto row = std::as_const(field).at(std::size_t(at - field.instant.begin()));
+        some.kelvin.insert(some.kelvin.end(), row.begin(), row.end());
+    }
+    return some;
+}
+
+decltype(FoundHeat::told) told_of(const SpanResult& result) {
+    decltype(FoundHeat::told) told{{"not converged", not_converged(result.report)},
+                                   {"start", result.start}};
+    for (const std::string& note : result.notes) told.emplace_back("note", note);
+    for (const auto& [name, value] : heat_rows(result.report)) {
+        told.emplace_back("row " + name, value);
+    }
+    return told;
+}
+
+}  // namespace
+
+SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
+                     double tolerance) {
+    const Prepared& prepared = stages.scene();
+    const OutputInput& output = prepared.scene.output;
+    const StageStore* store = output.state || output.fluxes ? nullptr : stages.store();
+    const std::string key = store == nullptr ? "" : heat_key(prepared, inputs, tolerance);
+    if (const auto bytes = store == nullptr ? std::nullopt : store->find(stage, key)) {
+        FoundHeat found = heat_of(*bytes);
+        const std::vector<Instant> wanted = scene_span(prepared.scene).wanted;
+        if (auto field = at_instants(wanted, std::move(found.temperature))) {
+            store->note_taken(stage);
+            return {.result = {.temperature = std::move(*field), .report = {}, .start = {}},
+                    .solved = false,
+                    .told = std::move(found.told)};
+        }
+    }
+    const auto begun = std::chrono::steady_clock::now();
+    SceneHeat heat{.result = solve_scene(stages, progress, tolerance), .told = {}};
+    heat.told = told_of(heat.result);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {
+        store->keep(stage, key, bytes_of(FoundHeat{heat.result.temperature, heat.told}));
+    }
+    return heat;
+}
+
+std::vector<std::string> told_as(const std::string& name, const SceneHeat& heat) {
+    std::vector<std::string> texts;
+    for (const auto& [of, text] : heat.told) {
+        if (of == name) texts.push_back(text);
+    }
+    return texts;
+}
+
+}  // namespace diurna

@@ -1,0 +1,38 @@
+#include "scenes/plan/memory_limit.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "materials/base/error.hpp"
+#include "scenes/input/scene_file.hpp"
+#include "scenes/run/job.hpp"
+#include "tests/support/small_scene.hpp"
+
+using namespace diurna;
+
+TEST_CASE("a limit of memory is told in M, G or T", "[scenes][plan]") {
+    CHECK(bytes_told("800M") == 8e8);
+    CHECK(bytes_told("6.5G") == 6.5e9);
+    CHECK(bytes_told("2T") == 2e12);
+    for (const char* text : {"", "G", "8", "8GB", "8 G", "-1G", "nan", "1e300G", "0M", "inf"}) {
+        CHECK_THROWS_AS(bytes_told(text), InputError);
+    }
+    CHECK(free_memory() > 0.0);
+}
+
+TEST_CASE("a plan that needs more memory than there is is refused before anything is written",
+          "[scenes][plan]") {
+    const ScratchFolder folder("memory_limit");
+    const auto file = folder.path / "scene.toml";
+    write_text(file, small_scene());
+    const auto out = folder.path / "out";
+    CHECK_THROWS_WITH(
+        run_job(read_scene(file, {}, true), {.out = out, .max_memory = 50e6}),
+        Catch::Contains("--max-memory: the plan needs 0.") && Catch::Contains("may have 0.1 GB"));
+    CHECK_FALSE(std::filesystem::exists(out));
+    Plan plan;
+    plan.steps.resize(2);
+    plan.memory = 2e9;
+    CHECK_NOTHROW(check_memory(plan, 2e9));
+    CHECK_NOTHROW(check_memory(plan, 0.0));
+}

@@ -30,9 +30,4 @@ std::string clock_zone(double utc_offset) {
                        minutes % 60);
 }
 
-std::string clock_time_of_days(Instant instant, double utc_offset, bool days) {
-    const std::string time = clock_time(instant, utc_offset);
-    return days ? clock_day(instant, utc_offset) + " " + time : time;
-}
-
 }  // namespace diurna

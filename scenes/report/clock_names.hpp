@@ -17,7 +17,4 @@ std::string clock_day(Instant instant, double utc_offset);
 /// "UTC−04:00".
 std::string clock_zone(double utc_offset);
 
-/// "05:12", of a span of more than a day "15 July 05:12".
-std::string clock_time_of_days(Instant instant, double utc_offset, bool days);
-
 }  // namespace diurna

@@ -1,17 +1,18 @@
 #include "scenes/report/curves.hpp"
 
 #include <algorithm>
-#include <map>
+
+#include "materials/base/parallel.hpp"
 
 namespace diurna {
 
 namespace {
 
 /// Temperature below which `share` of the area lies; `order` sorts the facets by temperature.
-double quantile(const std::vector<std::size_t>& order, std::span<const float> kelvin,
+double quantile(const std::vector<std::uint32_t>& order, std::span<const float> kelvin,
                 const std::vector<float>& area, double total, double share) {
     double sum = 0.0;
-    for (const std::size_t facet : order) {
+    for (const std::uint32_t facet : order) {
         sum += area[facet];
         if (sum >= share * total) return kelvin[facet];
     }
@@ -20,33 +21,53 @@ double quantile(const std::vector<std::size_t>& order, std::span<const float> ke
 
 }  // namespace
 
-std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const FacetSet& facets,
-                                         const MaterialLibrary& materials) {
-    std::map<std::string, std::vector<std::size_t>> members;
-    for (std::size_t facet = 0; facet < facets.size(); ++facet) {
-        members[materials[facets.material[facet]].kind()].push_back(facet);
+std::size_t DiurnalCurve::coldest() const {
+    return static_cast<std::size_t>(std::min_element(mean.begin(), mean.end()) - mean.begin());
+}
+
+std::size_t DiurnalCurve::warmest() const {
+    return static_cast<std::size_t>(std::max_element(mean.begin(), mean.end()) - mean.begin());
+}
+
+double area_mean(const FacetGroup& group, const std::vector<float>& area,
+                 std::span<const float> value) {
+    double sum = 0.0, total = 0.0;
+    for (const std::uint32_t facet : group.facet) {
+        sum += value[facet] * double(area[facet]);
+        total += area[facet];
     }
-    std::vector<DiurnalCurve> curves;
-    for (auto& [kind, order] : members) {
-        DiurnalCurve curve;
-        curve.material = kind;
-        curve.facets = order.size();
-        for (const std::size_t facet : order) curve.area += facets.area[facet];
-        for (std::size_t i = 0; i < field.instant.size(); ++i) {
-            const std::span<const float> kelvin = field.at(i);
-            double sum = 0.0;
-            for (const std::size_t facet : order) {
-                sum += kelvin[facet] * double(facets.area[facet]);
+    return sum / total;
+}
+
+std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const FacetSet& facets,
+                                         const std::vector<FacetGroup>& groups) {
+    std::vector<DiurnalCurve> curves(groups.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        curves[g].name = groups[g].name;
+        curves[g].facets = groups[g].facet.size();
+        for (const std::uint32_t facet : groups[g].facet) curves[g].area += facets.area[facet];
+        curves[g].mean.resize(field.instant.size());
+    }
+    for_each_index(
+        field.instant.size(),
+        [&](std::size_t i) {
+            for (std::size_t g = 0; g < groups.size(); ++g) {
+                curves[g].mean[i] = area_mean(groups[g], facets.area, field.at(i));
             }
-            std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        },
+        1);
+    for_each_index(
+        groups.size(),
+        [&](std::size_t g) {
+            const std::span<const float> kelvin = field.at(curves[g].warmest());
+            std::vector<std::uint32_t> order = groups[g].facet;
+            std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
                 return kelvin[a] != kelvin[b] ? kelvin[a] < kelvin[b] : a < b;
             });
-            curve.mean.push_back(sum / curve.area);
-            curve.tenth.push_back(quantile(order, kelvin, facets.area, curve.area, 0.1));
-            curve.ninetieth.push_back(quantile(order, kelvin, facets.area, curve.area, 0.9));
-        }
-        curves.push_back(std::move(curve));
-    }
+            curves[g].tenth = quantile(order, kelvin, facets.area, curves[g].area, 0.1);
+            curves[g].ninetieth = quantile(order, kelvin, facets.area, curves[g].area, 0.9);
+        },
+        1);
     return curves;
 }
 

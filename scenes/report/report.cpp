@@ -10,9 +10,9 @@
 #include "scenes/input/bands.hpp"
 #include "scenes/report/clock_names.hpp"
 #include "scenes/report/contact_sheet.hpp"
+#include "scenes/report/courses.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/instrument_sheet.hpp"
-#include "scenes/report/material_days.hpp"
 #include "scenes/report/page.hpp"
 #include "scenes/report/picture_series.hpp"
 #include "terrain/place/local_time.hpp"
@@ -147,11 +147,9 @@ std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& so
 
 void write_report(const fs::path& folder, const Prepared& prepared, const JobReport& report,
                   const TemperatureField& field) {
-    const std::vector<DiurnalCurve> curves =
-        diurnal_curves(field, prepared.world.surfaces(), prepared.scene.materials);
     std::string html = page_begin(prepared.scene.title, {{"computed", "What was computed"},
                                                          {"pictures", "Pictures"},
-                                                         {"materials", "Materials"},
+                                                         {"courses", "Temperatures"},
                                                          {"time", "Time of this run"},
                                                          {"plan", "Plan"}});
     html += fmt::format(
@@ -163,10 +161,7 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         clock_zone(prepared.scene.time.utc_offset));
     html += "<section id=\"computed\"><h2>What was computed</h2>\n" + facts(prepared, report);
     html += "</section><section id=\"pictures\"><h2>Pictures</h2>\n" + pictures(folder, prepared);
-    html += "</section><section id=\"materials\"><h2>The course of each material</h2>\n" +
-            wide(curves_chart(prepared, field.instant, curves)) +
-            wide(curves_table(field.instant, curves, prepared.scene.terrain.default_material,
-                              prepared.scene.time.utc_offset));
+    html += "</section><section id=\"courses\">" + courses(prepared, field);
     html += "</section><section id=\"time\"><h2>Time of this run</h2>\n" + wide(timings(report));
     html += "</section><section id=\"plan\"><h2>Plan: computed and skipped</h2>\n" +
             wide(decisions(report.plan)) + "</section>\n";

@@ -140,6 +140,15 @@ TEST_CASE("a run's page says nothing to the console and fits a phone",
                                "parseFloat(getComputedStyle(e).fontSize)))") >= 11.0);
         CHECK(shot(browser).colours() > 100);
         CHECK(shot(browser, ".series .sheet").colours() > 50);
+        // No two words of a chart lie on each other.
+        CHECK(browser.evaluate(R"(
+[...document.querySelectorAll('svg.chart')].flatMap((chart) => {
+  const words = [...chart.querySelectorAll('text')].map((t) => [t.textContent, t.getBoundingClientRect()]);
+  return words.flatMap(([a, p], i) => words.slice(i + 1).filter(([b, q]) =>
+    p.left < q.right - 1 && q.left < p.right - 1 && p.top < q.bottom - 3 && q.top < p.bottom - 3)
+    .map(([b]) => a + ' / ' + b));
+}))") == Browser::Json::array());
+        CHECK(browser.evaluate("document.querySelectorAll('svg.chart circle').length") > 1);
         // A name is text: it neither runs nor breaks out.
         CHECK(browser.evaluate("typeof window.pwned") == "undefined");
         CHECK(browser.evaluate("document.title").get<std::string>().find("<script>window.pwned") !=

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that diurna is built from. Without root it names what is missing and stops.
+# Installs the Debian packages that diurna is built from; with --tests also the programs that some tests drive, which they
+# pass over where there are none. Without root it names what is missing and stops.
 set -euo pipefail
 
 packages=(
@@ -14,6 +15,7 @@ packages=(
     # tests and benches
     catch2 libsundials-dev libbenchmark-dev
 )
+[ "${1:-}" != --tests ] || packages+=(chromium ffmpeg python3)
 
 missing=()
 for package in "${packages[@]}"; do

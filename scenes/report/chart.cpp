@@ -4,99 +4,199 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
+#include "scenes/report/chart_layout.hpp"
 #include "scenes/report/html.hpp"
 
 namespace diurna {
 
 namespace {
 
-constexpr double left = 62.0, right = 150.0, top = 34.0, bottom = 46.0;  // margins [px]
+constexpr std::size_t most_letters = 30;
+constexpr double leader = 14.0;  // [px] from a line's end to its name
 
-/// The step among 1, 2, 5 times a power of ten that divides `span` into about `count` parts.
-double round_step(double span, int count) {
-    const double raw = span / count;
-    const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    for (const double factor : {1.0, 2.0, 5.0}) {
-        if (raw <= factor * power) return factor * power;
+/// Draws one chart, part by part.
+class Drawing {
+ public:
+    explicit Drawing(const Chart& chart)
+        : chart_(chart), at_(layout_of(chart)), span_(chart.x_last - chart.x_first) {
+        if (!(span_ > 0.0)) span_ = 1.0;
     }
-    return 10.0 * power;
-}
 
-/// Pushes labels apart so that none lies nearer to the next than `gap`, keeping their order.
-std::vector<double> spread(std::vector<double> at, double gap, double lowest, double highest) {
-    std::vector<std::size_t> order(at.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return at[a] < at[b]; });
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const double floor = i == 0 ? lowest : at[order[i - 1]] + gap;
-        at[order[i]] = std::max(at[order[i]], floor);
+    std::string whole() {
+        out_ = fmt::format(
+            "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
+            "class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\">\n"
+            "<text x=\"{2}\" y=\"20\" class=\"t\">{3}</text>\n",
+            chart_.width, at_.height, at_.left, escaped(chart_.title));
+        for (const Panel& panel : at_.panel) scale(panel);
+        x_axis();
+        for (const Panel& panel : at_.panel) lines(panel);
+        for (const ChartMark& mark : chart_.marks) dot(mark);
+        rows();
+        return std::move(out_) + "</svg>\n";
     }
-    for (std::size_t i = order.size(); i-- > 0;) {
-        const double ceiling = i + 1 == order.size() ? highest : at[order[i + 1]] - gap;
-        at[order[i]] = std::min(at[order[i]], ceiling);
+
+ private:
+    double x(double value) const { return at_.left + at_.width * (value - chart_.x_first) / span_; }
+    static double y(const Panel& panel, double value) {
+        return panel.top + panel.height * (1.0 - (value - panel.low) / (panel.high - panel.low));
     }
-    return at;
-}
+
+    void scale(const Panel& panel) {
+        const int steps = static_cast<int>(std::lround((panel.high - panel.low) / panel.step));
+        for (int i = 0; i <= steps; ++i) {
+            const double value = panel.low + i * panel.step;
+            out_ += fmt::format(
+                "<path class=\"g\" d=\"M{:.1f} {:.1f}h{:.1f}\"/><text class=\"e\" x=\"{:.1f}\" "
+                "y=\"{:.1f}\">{:g}</text>\n",
+                at_.left, y(panel, value), at_.width, at_.left - 6, y(panel, value) + 4,
+                std::abs(value) < 1e-9 * panel.step ? 0.0 : value);
+        }
+        if (at_.panel.size() > 1 && &panel != &at_.panel.back()) {
+            out_ += fmt::format(
+                "<path stroke=\"#9aa3b2\" stroke-dasharray=\"2 3\" d=\"M{:.1f} {:.1f}h{:.1f}\"/>\n",
+                at_.left, panel.top + panel.height + 8.0, at_.width);
+        }
+    }
+
+    void x_axis() {
+        std::vector<std::pair<double, std::string>> ticks = chart_.ticks;
+        if (ticks.empty()) {
+            for (double t = chart_.x_first; t <= chart_.x_last + 1e-9; t += chart_.x_tick) {
+                ticks.emplace_back(t, fmt::format("{:g}", t));
+            }
+        }
+        for (const auto& [t, says] : ticks) {
+            for (const Panel& panel : at_.panel) {
+                out_ += fmt::format("<path class=\"g\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>", x(t),
+                                    panel.top, panel.height);
+            }
+            if (!chart_.rows.empty()) {
+                out_ += fmt::format("<path class=\"g\" d=\"M{:.1f} {:.1f}V{:.1f}\"/>", x(t),
+                                    at_.rows_top, at_.foot);
+            }
+            out_ += fmt::format("<text class=\"m\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", x(t),
+                                at_.foot + 17, escaped(says));
+        }
+        const Panel &first = at_.panel.front(), &last = at_.panel.back();
+        out_ += fmt::format(
+            "<text class=\"m\" x=\"{:.1f}\" y=\"{}\">{}</text>\n<text class=\"m\" "
+            "transform=\"translate(16 {:.1f}) rotate(-90)\">{}</text>\n",
+            at_.left + at_.width / 2, at_.height - 8, escaped(chart_.x_title),
+            (first.top + last.top + last.height) / 2, escaped(chart_.y_title));
+    }
+
+    void lines(const Panel& panel) {
+        std::vector<const ChartLine*> named;
+        std::vector<double> end;
+        for (const std::size_t i : panel.line) {
+            const ChartLine& line = chart_.lines[i];
+            path(panel, line);
+            if (line.name.empty()) continue;
+            named.push_back(&line);
+            end.push_back(y(panel, last_of(line)));
+        }
+        const std::vector<double> label =
+            spread(end, label_gap, panel.top + 4, panel.top + panel.height);
+        for (std::size_t k = 0; k < named.size(); ++k) {
+            name(named[k]->name, named[k]->colour, end[k], label[k]);
+        }
+    }
+
+    static double last_of(const ChartLine& line) {
+        for (std::size_t k = line.y.size(); k-- > 0;) {
+            if (std::isfinite(line.y[k])) return line.y[k];
+        }
+        return 0.0;
+    }
+
+    /// A gap where it has no number.
+    void path(const Panel& panel, const ChartLine& line) {
+        std::string d;
+        bool pen_down = false;
+        for (std::size_t k = 0; k < line.x.size(); ++k) {
+            if (!std::isfinite(line.y[k])) {
+                pen_down = false;
+                continue;
+            }
+            d += fmt::format("{}{:.1f} {:.1f}", pen_down ? 'L' : 'M', x(line.x[k]),
+                             y(panel, line.y[k]));
+            pen_down = true;
+        }
+        out_ += fmt::format(
+            "<path fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linecap=\"round\"{} "
+            "d=\"{}{}\"><title>{}</title></path>\n",
+            line.colour, line.dashed ? " stroke-dasharray=\"5 4\"" : "", d,
+            line.x.size() == 1 ? "h0" : "", escaped(line.name));
+    }
+
+    /// At the right, joined to where its line ends.
+    void name(const std::string& text, const std::string& colour, double end, double label) {
+        const double from = at_.left + at_.width;
+        out_ += fmt::format(
+            "<path fill=\"none\" stroke=\"{0}\" stroke-width=\"0.8\" d=\"M{1:.1f} {2:.1f}L{3:.1f} "
+            "{4:.1f}\"/><text x=\"{5:.1f}\" y=\"{6:.1f}\" fill=\"{0}\">{7}{8}</text>\n",
+            colour, from + 2, end, from + leader, label, from + leader + 4, label + 4,
+            letters_of(text) > most_letters ? "<title>" + escaped(text) + "</title>" : "",
+            escaped(shortened(text, most_letters)));
+    }
+
+    void dot(const ChartMark& mark) {
+        for (const Panel& panel : at_.panel) {
+            if (std::find(panel.line.begin(), panel.line.end(), mark.line) == panel.line.end())
+                continue;
+            out_ += fmt::format(
+                "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#fff\" stroke=\"{}\" "
+                "stroke-width=\"2\"><title>{}</title></circle>\n",
+                x(mark.x), y(panel, mark.y), chart_.lines[mark.line].colour, escaped(mark.says));
+            return;
+        }
+    }
+
+    void rows() {
+        if (chart_.rows.empty()) return;
+        out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"#566\">{}</text>\n", at_.left,
+                            at_.rows_top - 8, escaped(chart_.rows_title));
+        double top = at_.rows_top;
+        for (const ChartRow& row : chart_.rows) {
+            const double foot = top + at_.row_height;
+            out_ += fmt::format("<path class=\"g\" d=\"M{:.1f} {:.1f}h{:.1f}\"/>\n", at_.left, foot,
+                                at_.width);
+            std::vector<double> at, width;
+            for (const auto& [t, says] : row.event) {
+                at.push_back(x(t));
+                width.push_back(letter * double(letters_of(says)) + 12.0);
+            }
+            const std::vector<EventText> text = event_texts(at, width, at_.left + at_.width);
+            for (std::size_t k = 0; k < at.size(); ++k) {
+                const std::string says = escaped(row.event[k].second);
+                out_ += fmt::format(
+                    "<path stroke=\"{}\" stroke-width=\"3\" d=\"M{:.1f} {:.1f}v{:.1f}\"><title>{} "
+                    "{}</title></path>\n",
+                    row.colour, at[k], top + 4, at_.row_height - 6, escaped(row.name), says);
+                if (text[k].level < 0) continue;
+                const bool leftward = text[k].leftward;
+                out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n",
+                                    at[k] + (leftward ? -5.0 : 5.0),
+                                    text[k].level == 0 ? top + 14 : top + 27,
+                                    leftward ? " text-anchor=\"end\"" : "", says);
+            }
+            name(row.name, row.colour, top + at_.row_height / 2, top + at_.row_height / 2);
+            top = foot;
+        }
+    }
+
+    const Chart& chart_;
+    ChartLayout at_;
+    double span_;
+    std::string out_;
+};
 
 }  // namespace
 
-std::string svg(const Chart& chart) {
-    double lowest = 1e300, highest = -1e300;
-    for (const ChartLine& line : chart.lines) {
-        for (const double y : line.y) {
-            lowest = std::min(lowest, y);
-            highest = std::max(highest, y);
-        }
-    }
-    if (!(lowest < highest)) highest = lowest + 1.0;
-    const double step = round_step(highest - lowest, 7);
-    lowest = step * std::floor(lowest / step);
-    highest = step * std::ceil(highest / step);
+std::string svg(const Chart& chart) { return Drawing(chart).whole(); }
 
-    const double w = chart.width - left - right, h = chart.height - top - bottom;
-    const auto px = [&](double x) {
-        return left + w * (x - chart.x_first) / (chart.x_last - chart.x_first);
-    };
-    const auto py = [&](double y) { return top + h * (1.0 - (y - lowest) / (highest - lowest)); };
-
-    std::string out = fmt::format(
-        "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
-        "xmlns=\"http://www.w3.org/2000/svg\">\n<text x=\"{2}\" y=\"20\" class=\"t\">{3}</text>\n",
-        chart.width, chart.height, left, escaped(chart.title));
-    for (double y = lowest; y <= highest + 1e-9 * step; y += step) {
-        out += fmt::format(
-            "<path class=\"g\" d=\"M{:.1f} {:.1f}h{:.1f}\"/><text class=\"e\" x=\"{:.1f}\" "
-            "y=\"{:.1f}\">{:g}</text>\n",
-            left, py(y), w, left - 6, py(y) + 4, y);
-    }
-    for (double x = chart.x_first; x <= chart.x_last + 1e-9; x += chart.x_tick) {
-        out += fmt::format(
-            "<path class=\"g\" d=\"M{0:.1f} {1:.1f}v{2:.1f}\"/><text class=\"m\" x=\"{0:.1f}\" "
-            "y=\"{3:.1f}\">{4:g}</text>\n",
-            px(x), top, h, top + h + 17, x);
-    }
-    out += fmt::format("<text class=\"m\" x=\"{:.1f}\" y=\"{}\">{}</text>\n", left + w / 2,
-                       chart.height - 8, escaped(chart.x_title));
-    out +=
-        fmt::format("<text class=\"m\" transform=\"translate(16 {:.1f}) rotate(-90)\">{}</text>\n",
-                    top + h / 2, escaped(chart.y_title));
-
-    std::vector<double> label;
-    for (const ChartLine& line : chart.lines) label.push_back(py(line.y.back()) + 4);
-    label = spread(label, 15.0, top + 4, top + h + 4);
-    for (std::size_t i = 0; i < chart.lines.size(); ++i) {
-        const ChartLine& line = chart.lines[i];
-        out += fmt::format("<path fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} d=\"",
-                           line.colour, line.dashed ? " stroke-dasharray=\"5 4\"" : "");
-        for (std::size_t k = 0; k < line.x.size(); ++k) {
-            out += fmt::format("{}{:.1f} {:.1f}", k == 0 ? 'M' : 'L', px(line.x[k]), py(line.y[k]));
-        }
-        out += fmt::format("\"/>\n<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n",
-                           left + w + 8, label[i], line.colour, escaped(line.name));
-    }
-    return out + "</svg>\n";
-}
+int drawn_height(const Chart& chart) { return layout_of(chart).height; }
 
 }  // namespace diurna

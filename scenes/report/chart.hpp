@@ -1,26 +1,16 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "scenes/report/chart_parts.hpp"
 
 namespace diurna {
 
-struct ChartLine {
-    std::string name;
-    std::string colour;        // "#rrggbb"
-    std::vector<double> x, y;  // equally long
-    bool dashed = false;
-};
-
-struct Chart {
-    std::string title, x_title, y_title;
-    double x_first = 0.0, x_last = 1.0, x_tick = 1.0;
-    std::vector<ChartLine> lines;
-    int width = 860, height = 420;  // [px]
-};
-
-/// The chart as an SVG element: axes with round ticks, a grid, one line a series, names at the
-/// right where the lines end.
+/// The chart as an SVG element: axes with round ticks, a grid, one line a series, each with its
+/// name at its end, joined to it where names had to make room for each other.
 std::string svg(const Chart& chart);
+
+/// How high it is drawn [px].
+int drawn_height(const Chart& chart);
 
 }  // namespace diurna

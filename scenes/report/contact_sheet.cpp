@@ -8,7 +8,6 @@
 #include "render/picture/exr.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/plan/frame_files.hpp"
-#include "scenes/report/html.hpp"
 
 namespace diurna {
 
@@ -38,36 +37,43 @@ std::vector<Frame> shown_frames(const fs::path& folder, const std::string& obser
 
 }  // namespace
 
-std::string contact_sheet(const fs::path& folder, const std::string& observer, const Band& band,
-                          const std::vector<Instant>& frames,
-                          const std::function<std::string(Instant)>& caption) {
+int page_shrink(int width, int height, std::size_t pictures) {
+    constexpr double room = 2.5e6;  // pixels: about 1.5 MB of PNG on each scale
+    int shrink = 1;
+    while (double(width) * height * double(pictures) / (shrink * shrink) > room) ++shrink;
+    return shrink;
+}
+
+PictureSeries contact_sheet(const fs::path& folder, const std::string& observer, const Band& band,
+                            const std::vector<Instant>& frames) {
     const std::string plane = shown_plane(band);
     const std::vector<Frame> pictures = shown_frames(folder, observer, band, frames);
-    ColourScale scale{1e9, -1e9};
-    for (const Frame& picture : pictures) {
-        const ColourScale own = colour_scale(picture, plane);
-        scale = {std::min(scale.low, own.low), std::max(scale.high, own.high)};
+    const bool radiance = plane.starts_with("radiance");
+    PictureSeries series{
+        .heading = fmt::format("{}, {}, {:g} to {:g} µm: {}", observer, band.name, band.from_um(),
+                               band.to_um(), radiance ? "radiance" : "apparent temperature"),
+        .unit = colour_unit(pictures.front()[plane]),
+        .warm = !radiance,
+        .low = 1e9,
+        .high = -1e9,
+        .picture = std::vector<SeriesPicture>(frames.size())};
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const ColourScale own = colour_scale(pictures[i], plane);
+        series.picture[i] = {.when = frames[i], .low = own.low, .high = own.high};
+        series.low = std::min(series.low, own.low);
+        series.high = std::max(series.high, own.high);
     }
-    std::vector<std::string> figures(frames.size());
+    const int shrink =
+        page_shrink(pictures.front().width, pictures.front().height, pictures.size());
     for_each_index(
         frames.size(),
         [&](std::size_t i) {
-            const std::vector<std::byte> png = encode_thumbnail(pictures[i], plane, scale, 2);
-            figures[i] = fmt::format(
-                "<figure><img alt=\"{0}\" "
-                "src=\"data:image/png;base64,{1}\"/><figcaption>{0}</figcaption>"
-                "</figure>\n",
-                caption(frames[i]), base64(png));
+            SeriesPicture& one = series.picture[i];
+            one.png = encode_thumbnail(pictures[i], plane, {one.low, one.high}, shrink);
+            one.common = encode_thumbnail(pictures[i], plane, {series.low, series.high}, shrink);
         },
         1);
-    const bool radiance = plane.starts_with("radiance");
-    std::string out = fmt::format(
-        "<h3>{}, {}, {:g} to {:g} µm: {} {:.3g} to {:.3g} {}</h3>\n<div class=\"sheet\">\n",
-        escaped(observer), escaped(band.name), band.from_um(), band.to_um(),
-        radiance ? "radiance" : "apparent temperature", scale.low, scale.high,
-        colour_unit(pictures.front()[plane]));
-    for (const std::string& figure : figures) out += figure;
-    return out + "</div>\n";
+    return series;
 }
 
 }  // namespace diurna

@@ -1,9 +1,6 @@
 #include "scenes/report/curves.hpp"
 
 #include <algorithm>
-#include <map>
-#include <span>
-#include <utility>
 
 #include "materials/base/parallel.hpp"
 
@@ -11,55 +8,66 @@ namespace diurna {
 
 namespace {
 
-struct Patch {
-    float kelvin, area;
-};
-
-/// Temperature below which `share` of the area lies, of patches by temperature.
-double quantile(const std::vector<Patch>& patches, double total, double share) {
+/// Temperature below which `share` of the area lies; `order` sorts the facets by temperature.
+double quantile(const std::vector<std::uint32_t>& order, std::span<const float> kelvin,
+                const std::vector<float>& area, double total, double share) {
     double sum = 0.0;
-    for (const Patch& patch : patches) {
-        sum += patch.area;
-        if (sum >= share * total) return patch.kelvin;
+    for (const std::uint32_t facet : order) {
+        sum += area[facet];
+        if (sum >= share * total) return kelvin[facet];
     }
-    return patches.back().kelvin;
+    return kelvin[order.back()];
 }
 
 }  // namespace
 
+std::size_t DiurnalCurve::coldest() const {
+    return static_cast<std::size_t>(std::min_element(mean.begin(), mean.end()) - mean.begin());
+}
+
+std::size_t DiurnalCurve::warmest() const {
+    return static_cast<std::size_t>(std::max_element(mean.begin(), mean.end()) - mean.begin());
+}
+
+double area_mean(const FacetGroup& group, const std::vector<float>& area,
+                 std::span<const float> value) {
+    double sum = 0.0, total = 0.0;
+    for (const std::uint32_t facet : group.facet) {
+        sum += value[facet] * double(area[facet]);
+        total += area[facet];
+    }
+    return sum / total;
+}
+
 std::vector<DiurnalCurve> diurnal_curves(const TemperatureField& field, const FacetSet& facets,
-                                         const MaterialLibrary& materials) {
-    std::map<std::string, std::vector<std::size_t>> members;
-    for (std::size_t facet = 0; facet < facets.size(); ++facet) {
-        members[materials[facets.material[facet]].kind()].push_back(facet);
+                                         const std::vector<FacetGroup>& groups) {
+    std::vector<DiurnalCurve> curves(groups.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        curves[g].name = groups[g].name;
+        curves[g].facets = groups[g].facet.size();
+        for (const std::uint32_t facet : groups[g].facet) curves[g].area += facets.area[facet];
+        curves[g].mean.resize(field.instant.size());
     }
-    const std::size_t instants = field.instant.size();
-    std::vector<DiurnalCurve> curves;
-    for (const auto& [kind, all] : members) {
-        DiurnalCurve curve;
-        curve.material = kind;
-        curve.facets = all.size();
-        for (const std::size_t facet : all) curve.area += facets.area[facet];
-        for (auto* of : {&curve.mean, &curve.tenth, &curve.ninetieth}) of->resize(instants);
-        for_each_index(
-            instants,
-            [&](std::size_t i) {
-                const std::span<const float> kelvin = field.at(i);
-                std::vector<Patch> patches(all.size());
-                double sum = 0.0;
-                for (std::size_t k = 0; k < all.size(); ++k) {
-                    patches[k] = {kelvin[all[k]], facets.area[all[k]]};
-                    sum += double(patches[k].kelvin) * double(patches[k].area);
-                }
-                std::sort(patches.begin(), patches.end(),
-                          [](const Patch& a, const Patch& b) { return a.kelvin < b.kelvin; });
-                curve.mean[i] = sum / curve.area;
-                curve.tenth[i] = quantile(patches, curve.area, 0.1);
-                curve.ninetieth[i] = quantile(patches, curve.area, 0.9);
-            },
-            1);
-        curves.push_back(std::move(curve));
-    }
+    for_each_index(
+        field.instant.size(),
+        [&](std::size_t i) {
+            for (std::size_t g = 0; g < groups.size(); ++g) {
+                curves[g].mean[i] = area_mean(groups[g], facets.area, field.at(i));
+            }
+        },
+        1);
+    for_each_index(
+        groups.size(),
+        [&](std::size_t g) {
+            const std::span<const float> kelvin = field.at(curves[g].warmest());
+            std::vector<std::uint32_t> order = groups[g].facet;
+            std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+                return kelvin[a] != kelvin[b] ? kelvin[a] < kelvin[b] : a < b;
+            });
+            curves[g].tenth = quantile(order, kelvin, facets.area, curves[g].area, 0.1);
+            curves[g].ninetieth = quantile(order, kelvin, facets.area, curves[g].area, 0.9);
+        },
+        1);
     return curves;
 }
 

@@ -10,16 +10,16 @@
 #include "render/picture/exr.hpp"
 #include "render/picture/grey_png.hpp"
 #include "scenes/plan/frame_files.hpp"
-#include "scenes/report/html.hpp"
+#include "scenes/report/contact_sheet.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// Four pixels are one.
-GreyPicture halved(const Frame& frame, const Plane& plane) {
-    GreyPicture small{.width = std::max(1, frame.width / 2),
-                      .height = std::max(1, frame.height / 2),
+/// `shrink` times `shrink` pixels are one.
+GreyPicture shrunk(const Frame& frame, const Plane& plane, int shrink) {
+    GreyPicture small{.width = std::max(1, frame.width / shrink),
+                      .height = std::max(1, frame.height / shrink),
                       .bits = 8,
                       .count = {},
                       .scale = "display"};
@@ -31,8 +31,11 @@ GreyPicture halved(const Frame& frame, const Plane& plane) {
     };
     for (int row = 0; row < small.height; ++row) {
         for (int column = 0; column < small.width; ++column) {
-            const int c = 2 * column, r = 2 * row;
-            const double mean = (at(c, r) + at(c + 1, r) + at(c, r + 1) + at(c + 1, r + 1)) / 4.0;
+            double sum = 0.0;
+            for (int j = 0; j < shrink; ++j) {
+                for (int i = 0; i < shrink; ++i) sum += at(shrink * column + i, shrink * row + j);
+            }
+            const double mean = sum / (shrink * shrink);
             small.count.push_back(static_cast<std::uint16_t>(std::lround(mean)));
         }
     }
@@ -41,28 +44,24 @@ GreyPicture halved(const Frame& frame, const Plane& plane) {
 
 }  // namespace
 
-std::string instrument_sheet(const std::filesystem::path& folder, const std::string& observer,
-                             const std::string& band, const std::string& instrument,
-                             const std::vector<Instant>& frames,
-                             const std::function<std::string(Instant)>& caption) {
-    std::vector<std::string> figures(frames.size());
+PictureSeries instrument_sheet(const std::filesystem::path& folder, const std::string& observer,
+                               const std::string& band, const std::string& instrument,
+                               const std::vector<Instant>& frames) {
+    PictureSeries series{
+        .heading = fmt::format("{}, {}: display of {}", observer, band, instrument),
+        .picture = std::vector<SeriesPicture>(frames.size())};
     for_each_index(
         frames.size(),
         [&](std::size_t i) {
             const std::array<std::string, 1> wanted{"display." + band};
             const Frame frame =
                 read_exr(folder / (instrument_base(observer, band, frames[i]) + ".exr"), wanted);
-            figures[i] = fmt::format(
-                "<figure><img alt=\"{0}\" "
-                "src=\"data:image/png;base64,{1}\"/><figcaption>{0}</figcaption>"
-                "</figure>\n",
-                caption(frames[i]), base64(grey_png(halved(frame, frame[wanted[0]]))));
+            const int shrink = page_shrink(frame.width, frame.height, frames.size());
+            series.picture[i].when = frames[i];
+            series.picture[i].png = grey_png(shrunk(frame, frame[wanted[0]], shrink));
         },
         1);
-    std::string out = fmt::format("<h3>{}, {}: display of {}</h3>\n<div class=\"sheet\">\n",
-                                  escaped(observer), escaped(band), escaped(instrument));
-    for (const std::string& figure : figures) out += figure;
-    return out + "</div>\n";
+    return series;
 }
 
 }  // namespace diurna

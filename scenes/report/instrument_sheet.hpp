@@ -1,19 +1,17 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "scenes/report/picture_series.hpp"
 #include "terrain/place/instant.hpp"
 
 namespace diurna {
 
-/// What an instrument displays of all frames, as HTML with the pictures in it, each side halved.
-/// They are read from the run's folder. `caption` tells an instant below its picture.
-std::string instrument_sheet(const std::filesystem::path& folder, const std::string& observer,
-                             const std::string& band, const std::string& instrument,
-                             const std::vector<Instant>& frames,
-                             const std::function<std::string(Instant)>& caption);
+/// What an instrument displays of frames, read from the run's folder, as small as a page needs.
+PictureSeries instrument_sheet(const std::filesystem::path& folder, const std::string& observer,
+                               const std::string& band, const std::string& instrument,
+                               const std::vector<Instant>& frames);
 
 }  // namespace diurna

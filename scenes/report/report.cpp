@@ -8,10 +8,13 @@
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "scenes/input/bands.hpp"
+#include "scenes/report/clock_names.hpp"
 #include "scenes/report/contact_sheet.hpp"
+#include "scenes/report/courses.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/instrument_sheet.hpp"
-#include "scenes/report/material_days.hpp"
+#include "scenes/report/page.hpp"
+#include "scenes/report/picture_series.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -19,16 +22,6 @@ namespace diurna {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* style = R"(<style>
-body{font:15px/1.5 system-ui,sans-serif;color:#1c2330;background:#fff;max-width:1180px;margin:2em auto;padding:0 1em}
-h1{font-size:1.6em;margin-bottom:.1em}h2{margin-top:2em;border-bottom:1px solid #d5dae3;padding-bottom:.2em}
-table{border-collapse:collapse;font-variant-numeric:tabular-nums}td,th{padding:.2em .8em;text-align:left;border-bottom:1px solid #e6e9ef}
-td.n,th.n{text-align:right}.sheet{display:grid;grid-template-columns:repeat(4,1fr);gap:6px}.sheet figure{margin:0}
-.sheet img{width:100%;display:block}figcaption{font-size:.8em;color:#566}.key{color:#566}
-svg text{font:12px system-ui,sans-serif}svg .t{font-size:14px;font-weight:600}svg .e{text-anchor:end;fill:#566}
-svg .m{text-anchor:middle;fill:#566}svg .g{stroke:#e3e7ee;fill:none}
-</style>)";
 
 /// "2026-07-15T05:00:00-04:00 (03:17 solar)"
 std::string when(const Prepared& prepared, Instant instant) {
@@ -42,7 +35,7 @@ std::string facts(const Prepared& prepared, const JobReport& report) {
     const auto row = [](const std::string& key, const std::string& value) {
         return "<tr><td class=\"key\">" + key + "</td><td>" + value + "</td></tr>\n";
     };
-    std::string out = "<table>\n";
+    std::string out = "<table class=\"facts\">\n";
     out +=
         row("place", fmt::format("{:.5f}° {}, {:.5f}° {}, {:.0f} m above the sea",
                                  std::abs(site.latitude_deg), site.latitude_deg < 0.0 ? 'S' : 'N',
@@ -73,6 +66,33 @@ std::vector<Instant> some_of(const std::vector<Instant>& frames) {
         some.push_back(frames[i * (frames.size() - 1) / (most_shown - 1)]);
     }
     return some;
+}
+
+/// Every observer's bands, and what instruments display of them.
+std::string pictures(const fs::path& folder, const Prepared& prepared) {
+    std::string html;
+    std::size_t number = 0;
+    for (const ObserverInput& observer : prepared.scene.observers) {
+        const std::vector<Instant> frames = some_of(observer.frames);
+        if (frames.empty()) continue;
+        if (frames.size() < observer.frames.size()) {
+            html += fmt::format("<p>{} of {} pictures of {}, evenly chosen:</p>\n", frames.size(),
+                                observer.frames.size(), escaped(observer.name));
+        }
+        for (const std::string& band : observer.bands) {
+            html += picture_series(
+                contact_sheet(folder, observer.name,
+                              named_band(prepared.scene.bands, band, bin_edges_um()), frames),
+                prepared, ++number);
+            for (const InstrumentInput& input : prepared.scene.instruments) {
+                if (input.observer != observer.name || input.band != band) continue;
+                html += picture_series(
+                    instrument_sheet(folder, observer.name, band, input.instrument.name, frames),
+                    prepared, ++number);
+            }
+        }
+    }
+    return html;
 }
 
 std::string timings(const JobReport& report) {
@@ -127,42 +147,25 @@ std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& so
 
 void write_report(const fs::path& folder, const Prepared& prepared, const JobReport& report,
                   const TemperatureField& field) {
-    const std::vector<DiurnalCurve> curves =
-        diurnal_curves(field, prepared.world.surfaces(), prepared.scene.materials);
-    std::string html = fmt::format(
-        "<!doctype html>\n<html lang=\"en\"><head><meta "
-        "charset=\"utf-8\"><title>{0}</title>{1}</head>"
-        "<body>\n<h1>{0}</h1>\n<p class=\"key\">diurna {2}, scene {3}, {4} to {5}; the sun stands "
-        "highest at 12:00 solar time</p>\n",
-        escaped(prepared.scene.title), style, DIURNA_VERSION,
-        escaped(prepared.scene.file.filename().string()), when(prepared, report.plan.steps.front()),
-        when(prepared, report.plan.steps.back()));
-    html += "<h2>What was computed</h2>\n" + facts(prepared, report);
-    html += "<h2>The course of each material</h2>\n" +
-            curves_chart(prepared, field.instant, curves) +
-            curves_table(field.instant, curves, prepared.scene.terrain.default_material,
-                         prepared.scene.time.utc_offset);
-    html += "<h2>Pictures</h2>\n";
-    for (const ObserverInput& observer : prepared.scene.observers) {
-        for (const std::string& band : observer.bands) {
-            if (observer.frames.size() > most_shown) {
-                html += fmt::format("<p>{} of {} pictures of {}, evenly chosen:</p>\n", most_shown,
-                                    observer.frames.size(), escaped(observer.name));
-            }
-            html += contact_sheet(
-                folder, observer.name, named_band(prepared.scene.bands, band, bin_edges_um()),
-                some_of(observer.frames), [&](Instant instant) { return when(prepared, instant); });
-            for (const InstrumentInput& input : prepared.scene.instruments) {
-                if (input.observer != observer.name || input.band != band) continue;
-                html += instrument_sheet(folder, observer.name, band, input.instrument.name,
-                                         some_of(observer.frames),
-                                         [&](Instant instant) { return when(prepared, instant); });
-            }
-        }
-    }
-    html += "<h2>Time of this run</h2>\n" + timings(report);
-    html += "<h2>Plan: computed and skipped</h2>\n" + decisions(report.plan);
-    write_whole_file(folder / "report.html", html + "</body></html>\n");
+    std::string html = page_begin(prepared.scene.title, {{"computed", "What was computed"},
+                                                         {"pictures", "Pictures"},
+                                                         {"courses", "Temperatures"},
+                                                         {"time", "Time of this run"},
+                                                         {"plan", "Plan"}});
+    html += fmt::format(
+        "<p class=\"key\">diurna {}, scene {}, {} to {}; clock times are {}; the sun stands "
+        "highest "
+        "at 12:00 solar time</p>\n",
+        DIURNA_VERSION, escaped(prepared.scene.file.filename().string()),
+        when(prepared, report.plan.steps.front()), when(prepared, report.plan.steps.back()),
+        clock_zone(prepared.scene.time.utc_offset));
+    html += "<section id=\"computed\"><h2>What was computed</h2>\n" + facts(prepared, report);
+    html += "</section><section id=\"pictures\"><h2>Pictures</h2>\n" + pictures(folder, prepared);
+    html += "</section><section id=\"courses\">" + courses(prepared, field);
+    html += "</section><section id=\"time\"><h2>Time of this run</h2>\n" + wide(timings(report));
+    html += "</section><section id=\"plan\"><h2>Plan: computed and skipped</h2>\n" +
+            wide(decisions(report.plan)) + "</section>\n";
+    write_whole_file(folder / "report.html", html + page_end());
 }
 
 }  // namespace diurna

@@ -47,7 +47,7 @@ std::string stacked_svg(const std::vector<Chart>& charts) {
     for (const Chart& chart : charts) {
         inner += fmt::format("<g transform=\"translate(0 {})\">\n{}</g>\n", height, svg(chart));
         width = std::max(width, chart.width);
-        height += chart.height + 12;
+        height += drawn_height(chart) + 12;
     }
     return fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace diurna {
+
+struct ChartLine {
+    std::string name;
+    std::string colour;        // "#rrggbb"
+    std::vector<double> x, y;  // equally long
+    bool dashed = false;
+};
+
+/// A place on a line worth a dot, and what is said where a pointer rests on it.
+struct ChartMark {
+    std::size_t line = 0;
+    double x = 0.0, y = 0.0;
+    std::string says;
+};
+
+/// What happens when, in a row of its own below the lines: (x, what stands beside the tick).
+struct ChartRow {
+    std::string name, colour;
+    std::vector<std::pair<double, std::string>> event;
+};
+
+struct Chart {
+    std::string title, x_title, y_title;
+    double x_first = 0.0, x_last = 1.0, x_tick = 1.0;
+    std::vector<ChartLine> lines;
+    int width = 860, height = 420;  // [px]; it is drawn higher where its names need room
+    std::vector<std::pair<double, std::string>> ticks{};  // of x, in place of every x_tick
+    std::vector<ChartMark> marks{};
+    std::string rows_title{};
+    std::vector<ChartRow> rows{};
+    bool outliers_apart = false;  // lines far from the others on a scale of their own
+};
+
+}  // namespace diurna

@@ -12,7 +12,7 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/page.hpp"
-#include "scenes/run/digest.hpp"
+#include "scenes/kept/digest.hpp"
 #include "scenes/run/job.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/ran.hpp"

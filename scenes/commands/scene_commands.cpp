@@ -56,7 +56,10 @@ void read_shard(const std::string& text, SweepOptions& options) {
 }
 
 void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle style) {
-    SweepOptions options{.out = run.job.out, .resume = run.job.resume, .max_memory = run.job.max_memory, .progress = style};
+    SweepOptions options{.out = run.job.out,
+                         .resume = run.job.resume,
+                         .max_memory = run.job.max_memory,
+                         .progress = style};
     if (!run.shard.empty()) read_shard(run.shard, options);
     const SweepReport report = run_sweep(sweep, options);
     fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
@@ -106,7 +109,8 @@ void check_verb(const SceneArguments& a) {
                prepared.world.surfaces().size(), prepared.sequences.size());
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
     if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
-        fmt::print(stderr, "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
+        fmt::print(stderr,
+                   "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
                    prepared.plan.memory / 1e9, most / 1e9);
     }
     for (const NetworkObject& network : networks) {

@@ -27,7 +27,7 @@ struct JobReport {
     std::vector<Progress::Stage> stages{};
     std::vector<std::string> remade{};  // what of earlier runs was not kept, and what was taken
                                         // from their store, a line each
-    std::vector<std::string> notes{};  // what was modelled for want of data
+    std::vector<std::string> notes{};   // what was modelled for want of data
 };
 
 }  // namespace diurna

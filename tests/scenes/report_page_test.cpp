@@ -10,9 +10,9 @@
 
 #include "materials/base/files.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/kept/digest.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/page.hpp"
-#include "scenes/kept/digest.hpp"
 #include "scenes/run/job.hpp"
 #include "tests/support/browser.hpp"
 #include "tests/support/ran.hpp"

@@ -1,5 +1,6 @@
 #include "terrain/ground/ring_index.hpp"
 
+#define BOOST_ALLOW_DEPRECATED_HEADERS  // those that it includes itself
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <utility>

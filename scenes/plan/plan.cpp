@@ -186,6 +186,8 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
     const auto standing =
         std::size_t(std::count_if(scene.observers.begin(), scene.observers.end(),
                                   [](const ObserverInput& o) { return !o.goes(); }));
+    const bool terms = std::any_of(scene.observers.begin(), scene.observers.end(),
+                                   [](const ObserverInput& o) { return o.terms; });
     return {
         {.what = "shadows",
          .computed = true,
@@ -231,9 +233,8 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
         {.what = "terms of the radiance as planes",
-         .computed = std::any_of(scene.observers.begin(), scene.observers.end(),
-                                 [](const ObserverInput& o) { return o.terms; }),
-         .why = "observer.terms or surfaces ask for them",
+         .computed = terms,
+         .why = terms ? "observer.terms asks for them" : "no observer.terms asks for them",
          .error = 0.0,
          .error_unit = "W m-2 sr-1"},
     };

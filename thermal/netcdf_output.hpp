@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 #include <netcdf_mem.h>
-#include <signal.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -21,6 +18,7 @@
 
 #include "materials/base/files.hpp"
 #include "materials/base/hdf5_file.hpp"
+#include "materials/base/unfinished.hpp"
 
 namespace diurna {
 
@@ -58,11 +56,8 @@ class NetcdfFile {
         const auto folder = target.has_parent_path() ? target.parent_path() : ".";
         std::error_code ignored;
         for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-            const std::string name = entry.path().filename().string();
-            if (!name.starts_with(begin) || entry.path().extension() != ".part") continue;
-            const long process = std::strtol(name.c_str() + begin.size(), nullptr, 10);
-            const bool lives = process <= 0 || kill(pid_t(process), 0) == 0 || errno != ESRCH;
-            if (!lives) std::filesystem::remove(entry.path(), ignored);
+            const bool own = entry.path().filename().string().starts_with(begin);
+            if (own && is_left_over(entry.path())) std::filesystem::remove(entry.path(), ignored);
         }
     }
 

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -118,6 +119,14 @@ fs::path temporary_beside(const fs::path& path) {
 
 bool is_temporary_name(const std::string& name) {
     return name.starts_with(".") && name.ends_with(".part");
+}
+
+bool is_left_over(const fs::path& file) {
+    const fs::path random = file.stem(), process = random.stem();  // ".NAME.PROCESS.RANDOM.part"
+    if (!is_temporary_name(file.filename().string())) return false;
+    const std::string number = process.extension().string();
+    const long id = number.empty() ? 0 : std::strtol(number.c_str() + 1, nullptr, 10);
+    return id > 0 && ::kill(pid_t(id), 0) != 0 && errno == ESRCH;
 }
 
 void remove_unfinished_at_signals() {

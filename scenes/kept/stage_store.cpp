@@ -96,6 +96,7 @@ void StageStore::make_room() const {
     std::uintmax_t sum = 0;
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(folder_, ignored)) {
+        if (is_left_over(entry.path())) fs::remove(entry.path(), ignored);
         if (entry.path().extension() != extension) continue;
         files.push_back({entry.last_write_time(ignored), entry.file_size(ignored), entry.path()});
         sum += files.back().size;

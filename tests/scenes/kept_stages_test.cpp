@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -148,6 +151,16 @@ TEST_CASE("a store keeps within its room, what was asked for last stays", "[scen
     CHECK_FALSE(store.find("sky", "bbbbbbbb").has_value());
     CHECK(store.find("sky", "cccccccc") == content);
     CHECK_FALSE(store.find("sun", "cccccccc").has_value());
+
+    // What a killed run has left goes with the next that keeps something; that of a live one stays.
+    const auto dead = store.folder() / ".sky-f.stage.4194305.0123456789abcdef.part";
+    const auto alive =
+        store.folder() / fmt::format(".sky-g.stage.{}.0123456789abcdef.part", ::getpid());
+    write_text(dead, "");
+    write_text(alive, "");
+    store.keep("sky", "ffffffff", content);
+    CHECK_FALSE(fs::exists(dead));
+    CHECK(fs::exists(alive));
 
     // Where nothing can be kept, nothing is, and nobody minds.
     write_text(folder.path / "file", "");

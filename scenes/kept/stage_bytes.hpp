@@ -1,9 +1,8 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "scenes/kept/told.hpp"
 #include "terrain/visibility/view_factors.hpp"
 #include "thermal/solve/solve_input.hpp"
 #include "thermal/temperature_field.hpp"
@@ -12,10 +11,10 @@
 /// read throws std::exception where it is too short.
 namespace diurna {
 
-/// Temperatures, and what is to be told of how they were found: by name.
+/// Temperatures, and what is to be told of how they were found.
 struct FoundHeat {
     TemperatureField temperature;
-    std::vector<std::pair<std::string, std::string>> told;
+    Told told;
 };
 
 std::string bytes_of(const FacetViews& views);

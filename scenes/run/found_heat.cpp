@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "scenes/kept/stage_bytes.hpp"
 #include "scenes/kept/stage_keys.hpp"
 #include "scenes/report/report.hpp"
 #include "scenes/run/heat.hpp"
@@ -34,9 +35,8 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
     return some;
 }
 
-decltype(FoundHeat::told) told_of(const SpanResult& result) {
-    decltype(FoundHeat::told) told{{"not converged", not_converged(result.report)},
-                                   {"start", result.start}};
+Told told_of(const SpanResult& result) {
+    Told told{{"not converged", not_converged(result.report)}, {"start", result.start}};
     for (const std::string& note : result.notes) told.emplace_back("note", note);
     for (const auto& [name, value] : heat_rows(result.report)) {
         told.emplace_back("row " + name, value);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "scenes/kept/inputs.hpp"
-#include "scenes/kept/stage_bytes.hpp"
+#include "scenes/kept/told.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
@@ -14,10 +14,11 @@ namespace diurna {
 /// A scene's heat as this run has solved it, or as an earlier one of the same matter, places,
 /// weather and steps has left it in the store.
 struct SceneHeat {
-    SpanResult result;               // its report, where it was solved
-    bool solved = true;              // by this run
-    decltype(FoundHeat::told) told;  // "not converged", "start", each "note", each "row ..." of the
-                                     // report's table: of whichever run has solved it
+    SpanResult result;   // its report, where it was solved
+    bool solved = true;  // by this run
+    /// "not converged", "start", each "note", each "row ..." of the report's table: of whichever
+    /// run has solved it.
+    Told told;
 };
 
 /// As solve_scene(). Taken from the store are temperatures whose instants are among those kept

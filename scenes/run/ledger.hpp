@@ -4,13 +4,11 @@
 #include <map>
 #include <mutex>
 #include <string>
-#include <utility>
 #include <vector>
 
-namespace diurna {
+#include "scenes/kept/told.hpp"
 
-/// What was told when files were made, for the report of a run that finds them there.
-using Told = std::vector<std::pair<std::string, std::string>>;
+namespace diurna {
 
 /// Which files of a folder are whole, and what they are: "ledger.jsonl". A line is added as soon as
 /// files that belong together are in place, so that of a run that was ended anywhere those are kept

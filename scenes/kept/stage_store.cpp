@@ -19,7 +19,12 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* extension = ".stage";
-constexpr std::size_t header_size = 64 + 1;  // the content's digest and a line's end
+
+/// What stands before the content: whose it is, so that a file under another's name is none, and
+/// its digest.
+std::string header_of(std::string_view stage, const std::string& key, std::string_view content) {
+    return fmt::format("{}-{}\n{}\n", stage, key, sha256(content));
+}
 
 std::string text_of(const char* variable) {
     const char* value = std::getenv(variable);
@@ -52,12 +57,13 @@ std::optional<std::string> StageStore::find(std::string_view stage, const std::s
     std::error_code ignored;
     if (!fs::is_regular_file(fs::symlink_status(path, ignored))) return std::nullopt;
     const std::uintmax_t size = fs::file_size(path, ignored);
-    if (ignored || size < header_size || size > limits_.most_bytes) return std::nullopt;
-    std::string header(header_size, '\0'), content(size - header_size, '\0');
+    std::string header = header_of(stage, key, "");
+    if (ignored || size < header.size() || size > limits_.most_bytes) return std::nullopt;
+    std::string content(size - header.size(), '\0');
     std::ifstream stream(path, std::ios::binary);
     stream.read(header.data(), std::streamsize(header.size()));
     stream.read(content.data(), std::streamsize(content.size()));
-    if (!stream || header != sha256(content) + "\n") return std::nullopt;
+    if (!stream || header != header_of(stage, key, content)) return std::nullopt;
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);  // asked for now
     return content;
 }
@@ -75,8 +81,7 @@ void StageStore::keep(std::string_view stage, const std::string& key,
             fs::permissions(folder_, fs::perms::owner_all);
         }
         UnfinishedFile whole(file(stage, key));
-        std::string header = sha256(content);
-        header += '\n';
+        const std::string header = header_of(stage, key, content);
         whole.write(std::as_bytes(std::span(header)));
         whole.write(std::as_bytes(std::span(content)));
         whole.rename();

@@ -12,10 +12,10 @@
 namespace diurna {
 
 /// What stages of earlier runs have found, each by a key of all that it was made of: a folder that
-/// runs of any scene share. A file in it counts only if its content is, by its digest, what was
-/// written for that key; whatever else stands there is passed over. Files that nobody has asked for
-/// longest go first where all take more room than they may; what killed runs have left, too. Safe
-/// from many threads and processes.
+/// runs of any scene share. A file in it counts only if it says that it is of that key, and its
+/// content is, by its digest, what was written; whatever else stands there is passed over. Files
+/// that nobody has asked for longest go first where all take more room than they may; what killed
+/// runs have left, too. Safe from many threads and processes.
 class StageStore {
  public:
     struct Limits {

@@ -152,6 +152,10 @@ TEST_CASE("a store keeps within its room, what was asked for last stays", "[scen
     CHECK(store.find("sky", "cccccccc") == content);
     CHECK_FALSE(store.find("sun", "cccccccc").has_value());
 
+    // Another's under its name is not taken.
+    fs::rename(store.folder() / "sky-aaaaaaaa.stage", store.folder() / "sky-hhhhhhhh.stage");
+    CHECK_FALSE(store.find("sky", "hhhhhhhh").has_value());
+
     // What a killed run has left goes with the next that keeps something; that of a live one stays.
     const auto dead = store.folder() / ".sky-f.stage.4194305.0123456789abcdef.part";
     const auto alive =

@@ -20,7 +20,7 @@ namespace diurna {
 
 struct JobOptions {
     std::filesystem::path out = "out";
-    std::vector<std::string> settings;           // "key=value" given on the command line
+    std::vector<std::string> settings{};         // "key=value" given on the command line
     std::shared_ptr<const StageStore> stages{};  // of what earlier runs have found; null: none
     bool resume = false;      // keep what an earlier run with the same inputs has left
     double max_memory = 0.0;  // [bytes] that the plan may need; 0: what the machine has free

@@ -20,6 +20,11 @@ struct JobOptions {
     ProgressStyle progress = ProgressStyle::silent;
 };
 
+/// A file that the results depend on (scenes/run/inputs.hpp).
+struct JobInput {
+    std::string name, sha256;
+};
+
 /// What a run did, for the report and for tests.
 struct JobReport {
     Plan plan{};
@@ -35,6 +40,8 @@ struct JobReport {
     std::vector<Progress::Stage> stages{};
     std::vector<std::string> remade{};  // what of earlier runs was not kept, a line each
     std::vector<std::string> notes{};   // what was modelled for want of data
+    std::vector<JobInput> inputs{};
+    std::vector<std::string> settings{};  // of the command line
 };
 
 }  // namespace diurna

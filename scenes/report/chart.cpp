@@ -95,20 +95,28 @@ class Drawing {
             path(panel, line);
             if (line.name.empty()) continue;
             named.push_back(&line);
-            end.push_back(y(panel, last_of(line)));
+            end.push_back(y(panel, line.y[last_of(line)]));
         }
         const std::vector<double> label =
             spread(end, label_gap, panel.top + 4, panel.top + panel.height);
         for (std::size_t k = 0; k < named.size(); ++k) {
+            const double last = x(named[k]->x[last_of(*named[k])]);
+            if (last < at_.left + at_.width - 3.0) {  // it ends before the frame does
+                out_ += fmt::format(
+                    "<path stroke=\"{}\" stroke-width=\"0.8\" stroke-dasharray=\"1 4\" "
+                    "d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n",
+                    named[k]->colour, last, end[k], at_.left + at_.width);
+            }
             name(named[k]->name, named[k]->colour, end[k], label[k]);
         }
     }
 
-    static double last_of(const ChartLine& line) {
+    /// The last place of a line that has a number.
+    static std::size_t last_of(const ChartLine& line) {
         for (std::size_t k = line.y.size(); k-- > 0;) {
-            if (std::isfinite(line.y[k])) return line.y[k];
+            if (std::isfinite(line.y[k])) return k;
         }
-        return 0.0;
+        return 0;
     }
 
     /// A gap where it has no number.

@@ -7,31 +7,30 @@
 #include <cmath>
 
 #include "materials/base/parallel.hpp"
-#include "scenes/report/chart.hpp"
+#include "scenes/report/chart_figure.hpp"
 #include "scenes/report/curves.hpp"
 #include "scenes/report/facet_groups.hpp"
 #include "scenes/report/html.hpp"
-#include "scenes/report/page.hpp"
 #include "scenes/report/time_axis.hpp"
 
 namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_charts = 16;
+constexpr std::size_t most_charts = 24;
 
 struct TermLine {
     const char *name, *colour;
 };
 /// (term) as a page calls them.
-constexpr std::array<TermLine, heat_terms> lines{{{"sunlight absorbed", "#c98a00"},
-                                                  {"longwave absorbed", "#d62728"},
-                                                  {"released at the surface", "#7b1fa2"},
-                                                  {"longwave emitted", "#1f5fa8"},
+constexpr std::array<TermLine, heat_terms> lines{{{"sunlight in", "#c98a00"},
+                                                  {"longwave in", "#d62728"},
+                                                  {"released", "#7b1fa2"},
+                                                  {"longwave out", "#1f5fa8"},
                                                   {"to the air", "#17a2b8"},
                                                   {"by vapour", "#4c9f38"},
                                                   {"by melting", "#7a7a7a"},
-                                                  {"into what lies below", "#8c564b"}}};
+                                                  {"to below", "#8c564b"}}};
 
 /// (term) (instant) [W m⁻²], positive towards the surface.
 using TermMeans = std::array<std::vector<double>, heat_terms>;
@@ -98,7 +97,7 @@ std::string chart_of(const std::string& name, const TermMeans& means, const Time
     }
     double worst = 0.0;
     for (const double left : sum) worst = std::max(worst, std::abs(left));
-    return wide(svg(chart)) +
+    return chart_figure(chart) +
            fmt::format("<p class=\"key\">{}Their sum is nought to {:.1g} W/m².</p>\n",
                        absent.empty() ? "" : "Not in it, below 0.05 W/m²: " + absent + ". ", worst);
 }
@@ -119,7 +118,11 @@ std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepare
     for (const Instant when : field.instant) x.push_back(axis.x(when));
     std::string out =
         "<h2>Heat balance over the day</h2>\n<p class=\"key\">Per square metre of facets' fronts, "
-        "mean over area; what brings heat to the surface is above nought.</p>\n";
+        "mean over area; what brings heat to the surface is above nought. In is what is absorbed, "
+        "out "
+        "what is emitted, released is heat of the surface itself, to below what lies under it "
+        "takes "
+        "and stores.</p>\n";
     for (std::size_t g = 0; g < groups.size(); ++g) {
         out += chart_of(groups[g].name, means[g], axis, x);
     }

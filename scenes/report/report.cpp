@@ -95,8 +95,7 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         {"studies", "Studies", study_plots(folder)},
         {"errors", "Errors", "<h2>Errors that are known</h2>\n" + errors_table(prepared, report)},
         {"time", "Time", "<h2>Time of this run</h2>\n" + timings_table(report)},
-        {"plan", "Plan",
-         "<h2>Plan: computed and skipped</h2>\n" + wide(decisions_table(report.plan))},
+        {"plan", "Plan", "<h2>Plan: computed and skipped</h2>\n" + decisions_table(report.plan)},
         {"notes", "Notes", "<h2>Notes</h2>\n" + notes_list(report)},
         {"inputs", "Inputs", "<h2>Inputs</h2>\n" + inputs_table(report)}};
     std::vector<std::pair<std::string, std::string>> links;

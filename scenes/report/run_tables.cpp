@@ -108,7 +108,8 @@ std::string errors_table(const Prepared& prepared, const JobReport& report) {
 
 std::string timings_table(const JobReport& report) {
     std::string out =
-        "<table>\n<tr><th>stage</th><th class=\"n\">planned, s</th><th class=\"n\">taken, s</th>"
+        "<table class=\"figures\">\n<tr><th>stage</th><th class=\"n\">planned, s</th><th "
+        "class=\"n\">taken, s</th>"
         "<th class=\"n\">rays, at most</th><th class=\"n\">million rays a second</th></tr>\n";
     double taken = 0.0;
     for (const Progress::Stage& stage : report.stages) taken += stage.seconds;
@@ -119,7 +120,8 @@ std::string timings_table(const JobReport& report) {
 }
 
 std::string decisions_table(const Plan& plan) {
-    std::string out = "<table>\n<tr><th></th><th>what</th><th>why</th><th>error</th></tr>\n";
+    std::string out =
+        "<table class=\"stack\">\n<tr><th></th><th>what</th><th>why</th><th>error</th></tr>\n";
     for (const Decision& decision : plan.decisions) {
         out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                            decision.computed ? "computed" : "<strong>skipped</strong>",

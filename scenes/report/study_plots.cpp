@@ -131,7 +131,7 @@ std::string answers(const Json& study) {
     if (kind == "contrast") rows = contrast_rows(study);
     if (kind == "signature") rows = signature_rows(study);
     if (kind == "detection") rows = detection_rows(study);
-    return rows.empty() ? "" : wide("<table>\n" + rows + "</table>");
+    return rows.empty() ? "" : wide("<table class=\"figures\">\n" + rows + "</table>");
 }
 
 /// As a picture: whatever stands in the file, a browser runs nothing of it.

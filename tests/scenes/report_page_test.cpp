@@ -269,6 +269,10 @@ TEST_CASE("without scripts and on paper a page is whole", "[scenes][report][brow
     browser.call("Emulation.setEmulatedMedia", {{"media", "print"}});
     CHECK(browser.evaluate("document.querySelector('.player').offsetHeight") == 0);
     CHECK(browser.evaluate(shown) == true);
+    // A4 between margins of 1 cm is 718 pixels wide.
+    browser.call("Emulation.setDeviceMetricsOverride",
+                 {{"width", 718}, {"height", 1000}, {"deviceScaleFactor", 1}, {"mobile", false}});
+    CHECK(browser.evaluate("document.documentElement.scrollWidth") <= 718);
     const std::string pdf = browser.call("Page.printToPDF", {{"printBackground", false}})["data"];
     CHECK(bytes_of(pdf).size() > 20000);
 }

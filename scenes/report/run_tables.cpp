@@ -36,7 +36,7 @@ std::string timed(const TimeRow& of) {
     return fmt::format(
         "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
         "<td class=\"n\">{}</td></tr>\n",
-        escaped(of.name), seconds(of.planned), seconds(of.taken),
+        escaped(of.name), seconds(of.planned), of.taken < 0.0 ? "not run" : seconds(of.taken),
         of.rays > 0.0 ? fmt::format("{:.3g}", of.rays) : "",
         of.rays > 0.0 && of.taken > 0.0 ? fmt::format("{:.1f}", of.rays / of.taken / 1e6) : "");
 }

@@ -124,10 +124,7 @@ std::vector<std::vector<std::size_t>> scales_apart(const std::vector<Extent>& li
 ChartLayout layout_of(const Chart& chart) {
     ChartLayout layout;
     if (chart.title.empty()) layout.top = 12.0;
-    if (chart.narrow) {
-        layout.left = 52.0;
-        layout.letters = 14;
-    }
+    if (chart.narrow) layout.letters = 14;
     std::size_t longest = 0;
     for (const ChartLine& line : chart.lines) longest = std::max(longest, letters_of(line.name));
     for (const ChartRow& row : chart.rows) longest = std::max(longest, letters_of(row.name));

@@ -99,22 +99,23 @@ std::string signature_rows(const Json& study) {
     return out;
 }
 
-/// Ranges of the first probability, "detection 8450, recognition 2210".
+/// Ranges of the first probability, "0.5: detection 8450, recognition 2210".
 std::string ranges(const Json& of, const char* key) {
     std::string out;
     const Json tasks = of.value(key, Json::object());
     for (const auto& [task, range] : tasks.items()) {
         if (!range.is_object() || range.empty() || !range.begin()->is_number()) continue;
-        out += fmt::format("{}{} {:.0f}", out.empty() ? "" : ", ", escaped(task),
-                           range.begin()->get<double>());
+        out += out.empty() ? escaped(range.begin().key()) + ": " : ", ";
+        out += fmt::format("{} {:.0f}", escaped(task), range.begin()->get<double>());
     }
     return out;
 }
 
 std::string detection_rows(const Json& study) {
-    std::string out = cells({"time", "contrast K", "area m²", "ranges by Johnson's cycles, m",
-                             "by the targeting task metric, m"},
-                            "th");
+    std::string out =
+        cells({"time", "contrast K", "area m²", "range of a probability by Johnson's cycles, m",
+               "by the targeting task metric, m"},
+              "th");
     for (const Json& one : study.at("instants")) {
         out += cells({moment(one), told(one, "rss_contrast_K"), told(one, "projected_area_m2"),
                       ranges(one, "johnson_range_m"), ranges(one, "ttp_range_m")},

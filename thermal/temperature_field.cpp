@@ -51,25 +51,6 @@ struct Variables {
     std::array<int, 3> cover{-1, -1, -1};  // likewise, where water or snow lies on any facet
 };
 
-/// What is written of a term. CF names fluxes away from the ground "upward"; here that is away from
-/// the facet.
-struct TermName {
-    const char *name, *standard_name, *long_name;
-};
-constexpr std::array<TermName, heat_terms> term_names{{
-    {"absorbed_sunlight", "surface_net_downward_shortwave_flux",
-     "sunlight absorbed by the facet, without what it lets through"},
-    {"absorbed_longwave", "", "longwave of sky and other facets absorbed by the facet"},
-    {"internal_heat", "", "heat released at the facet's surface"},
-    {"emitted_longwave", "", "longwave emitted by the facet"},
-    {"sensible_heat", "surface_upward_sensible_heat_flux", "heat given to the air"},
-    {"latent_heat", "surface_upward_latent_heat_flux", "heat carried away by vapour"},
-    {"melting_heat", "",
-     "heat taken by frost melting on the surface; negative: given by water freezing there"},
-    {"conducted_heat", "",
-     "heat taken by what lies below, its storage included, as the conduction's own solution has "
-     "it"},
-}};
 constexpr const char* heat_equation =
     "absorbed_sunlight + absorbed_longwave + internal_heat = emitted_longwave + sensible_heat + "
     "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "

@@ -56,4 +56,10 @@ void save_temperature_field(const std::filesystem::path& file, const Temperature
 /// file, or holds temperatures that are not finite and positive.
 TemperatureField load_temperature_field(const std::filesystem::path& file);
 
+/// One term of the heat balance that the file of `field` holds beside it: (instant, facet)
+/// [W m⁻²], empty where it holds none. Throws InputError where it is of another shape or not
+/// finite.
+std::vector<float> load_heat_term(const std::filesystem::path& file, HeatTerm term,
+                                  const TemperatureField& field);
+
 }  // namespace diurna

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "thermal/heat_flux_field.hpp"
 #include "thermal/surface/surface_cover.hpp"
 
 /// Names in files of temperatures that their writer and their reader share.
@@ -19,6 +20,26 @@ inline constexpr std::array<CoverName, 3> cover_names{{
      &SurfaceCover::snow},
     {"snow_albedo", "", "broadband albedo of that snow; 0 where none lies",
      &SurfaceCover::snow_albedo},
+}};
+
+/// What is written of a term. CF names fluxes away from the ground "upward"; here that is away from
+/// the facet.
+struct TermName {
+    const char *name, *standard_name, *long_name;
+};
+inline constexpr std::array<TermName, heat_terms> term_names{{
+    {"absorbed_sunlight", "surface_net_downward_shortwave_flux",
+     "sunlight absorbed by the facet, without what it lets through"},
+    {"absorbed_longwave", "", "longwave of sky and other facets absorbed by the facet"},
+    {"internal_heat", "", "heat released at the facet's surface"},
+    {"emitted_longwave", "", "longwave emitted by the facet"},
+    {"sensible_heat", "surface_upward_sensible_heat_flux", "heat given to the air"},
+    {"latent_heat", "surface_upward_latent_heat_flux", "heat carried away by vapour"},
+    {"melting_heat", "",
+     "heat taken by frost melting on the surface; negative: given by water freezing there"},
+    {"conducted_heat", "",
+     "heat taken by what lies below, its storage included, as the conduction's own solution has "
+     "it"},
 }};
 
 inline constexpr const char* solved_as_name = "solved_as";

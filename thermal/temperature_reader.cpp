@@ -135,4 +135,31 @@ TemperatureField load_temperature_field(const fs::path& path) {
     return field;
 }
 
+std::vector<float> load_heat_term(const fs::path& path, HeatTerm term,
+                                  const TemperatureField& field) {
+    const std::string name = term_names[static_cast<std::size_t>(term)].name;
+    int id = -1, variable = -1, rank = 0;
+    note_file_read(path);
+    check_values_are_its_own(path);
+    if (const int status = nc_open(path.c_str(), NC_NOWRITE, &id); status != NC_NOERR) {
+        throw InputError(path.string(), fmt::format("is no netCDF file ({})", nc_strerror(status)));
+    }
+    const NetcdfFile file(path, id);
+    if (nc_inq_varid(id, name.c_str(), &variable) != NC_NOERR) return {};
+    std::array<int, NC_MAX_VAR_DIMS> dims{};
+    std::size_t instants = 0, facets = 0;
+    const bool fits = nc_inq_varndims(id, variable, &rank) == NC_NOERR && rank == 2 &&
+                      nc_inq_vardimid(id, variable, dims.data()) == NC_NOERR &&
+                      nc_inq_dimlen(id, dims[0], &instants) == NC_NOERR &&
+                      nc_inq_dimlen(id, dims[1], &facets) == NC_NOERR &&
+                      instants == field.instant.size() && facets == field.facets;
+    if (!fits) throw InputError(path.string(), name + " is not of the temperatures' shape");
+    std::vector<float> watts(instants * facets);
+    if (nc_get_var_float(id, variable, watts.data()) != NC_NOERR ||
+        !std::all_of(watts.begin(), watts.end(), [](float w) { return std::isfinite(w); })) {
+        throw InputError(path.string(), name + " is not readable or not finite");
+    }
+    return watts;
+}
+
 }  // namespace diurna

@@ -11,12 +11,14 @@ namespace diurna {
 
 void add_movie_verb(CLI::App& app) {
     const auto options = std::make_shared<MovieOptions>();
-    CLI::App* verb = app.add_subcommand("movie", "a run's pictures as MP4, by ffmpeg");
+    CLI::App* verb = app.add_subcommand("movie", "a run's pictures as MP4 or GIF, by ffmpeg");
     verb->add_option("FOLDER", options->folder, "of a run")->required();
     verb->add_option("--observer", options->observer, "whose pictures; needed of several");
     verb->add_option("--band", options->band, "as in the names of the pictures; needed of several");
-    verb->add_option("--out", options->file, "MP4 (default: OBSERVER_BAND.mp4 in the folder)");
-    verb->add_option("--fps", options->pictures_per_second, "pictures a second (default: 10)")
+    verb->add_option("--out", options->file,
+                     "FILE.mp4 or FILE.gif (default: OBSERVER_BAND.mp4 in the folder)");
+    verb->add_option("--fps", options->pictures_per_second,
+                     "pictures a second (default: 10; of a GIF 50 at most)")
         ->check(CLI::Range(0.1, 240.0));
     verb->callback([options] {
         const MovieReport report = write_movie(*options);

@@ -12,6 +12,11 @@
 
 namespace diurna {
 
+/// A file that the results depend on (scenes/kept/inputs.hpp).
+struct JobInput {
+    std::string name, sha256;
+};
+
 /// What a run did, for the report and for tests.
 struct JobReport {
     Plan plan{};
@@ -28,6 +33,8 @@ struct JobReport {
     std::vector<std::string> remade{};  // what of earlier runs was not kept, and what was taken
                                         // from their store, a line each
     std::vector<std::string> notes{};   // what was modelled for want of data
+    std::vector<JobInput> inputs{};
+    std::vector<std::string> settings{};  // of the command line
 };
 
 }  // namespace diurna

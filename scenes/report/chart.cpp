@@ -12,7 +12,6 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_letters = 30;
 constexpr double leader = 14.0;  // [px] from a line's end to its name
 
 /// Draws one chart, part by part.
@@ -27,8 +26,11 @@ class Drawing {
         out_ = fmt::format(
             "<svg viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
             "class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\">\n"
-            "<text x=\"{2}\" y=\"20\" class=\"t\">{3}</text>\n",
-            chart_.width, at_.height, at_.left, escaped(chart_.title));
+            "{2}",
+            chart_.width, at_.height,
+            chart_.title.empty() ? ""
+                                 : fmt::format("<text x=\"{}\" y=\"20\" class=\"t\">{}</text>\n",
+                                               at_.left, escaped(chart_.title)));
         for (const Panel& panel : at_.panel) scale(panel);
         x_axis();
         for (const Panel& panel : at_.panel) lines(panel);
@@ -61,13 +63,7 @@ class Drawing {
     }
 
     void x_axis() {
-        std::vector<std::pair<double, std::string>> ticks = chart_.ticks;
-        if (ticks.empty()) {
-            for (double t = chart_.x_first; t <= chart_.x_last + 1e-9; t += chart_.x_tick) {
-                ticks.emplace_back(t, fmt::format("{:g}", t));
-            }
-        }
-        for (const auto& [t, says] : ticks) {
+        for (const auto& [t, says] : ticks_of(chart_, at_.width)) {
             for (const Panel& panel : at_.panel) {
                 out_ += fmt::format("<path class=\"g\" d=\"M{:.1f} {:.1f}v{:.1f}\"/>", x(t),
                                     panel.top, panel.height);
@@ -83,8 +79,9 @@ class Drawing {
         out_ += fmt::format(
             "<text class=\"m\" x=\"{:.1f}\" y=\"{}\">{}</text>\n<text class=\"m\" "
             "transform=\"translate(16 {:.1f}) rotate(-90)\">{}</text>\n",
-            at_.left + at_.width / 2, at_.height - 8, escaped(chart_.x_title),
-            (first.top + last.top + last.height) / 2, escaped(chart_.y_title));
+            chart_.narrow ? chart_.width / 2.0 : at_.left + at_.width / 2, at_.height - 8,
+            escaped(chart_.x_title), (first.top + last.top + last.height) / 2,
+            escaped(chart_.y_title));
     }
 
     void lines(const Panel& panel) {
@@ -92,23 +89,31 @@ class Drawing {
         std::vector<double> end;
         for (const std::size_t i : panel.line) {
             const ChartLine& line = chart_.lines[i];
-            path(panel, line);
+            path(panel, thinned(line, chart_, at_.width));
             if (line.name.empty()) continue;
             named.push_back(&line);
-            end.push_back(y(panel, last_of(line)));
+            end.push_back(y(panel, line.y[last_of(line)]));
         }
         const std::vector<double> label =
             spread(end, label_gap, panel.top + 4, panel.top + panel.height);
         for (std::size_t k = 0; k < named.size(); ++k) {
+            const double last = x(named[k]->x[last_of(*named[k])]);
+            if (last < at_.left + at_.width - 3.0) {  // it ends before the frame does
+                out_ += fmt::format(
+                    "<path stroke=\"{}\" stroke-width=\"0.8\" stroke-dasharray=\"1 4\" "
+                    "d=\"M{:.1f} {:.1f}H{:.1f}\"/>\n",
+                    named[k]->colour, last, end[k], at_.left + at_.width);
+            }
             name(named[k]->name, named[k]->colour, end[k], label[k]);
         }
     }
 
-    static double last_of(const ChartLine& line) {
+    /// The last place of a line that has a number.
+    static std::size_t last_of(const ChartLine& line) {
         for (std::size_t k = line.y.size(); k-- > 0;) {
-            if (std::isfinite(line.y[k])) return line.y[k];
+            if (std::isfinite(line.y[k])) return k;
         }
-        return 0.0;
+        return 0;
     }
 
     /// A gap where it has no number.
@@ -138,8 +143,8 @@ class Drawing {
             "<path fill=\"none\" stroke=\"{0}\" stroke-width=\"0.8\" d=\"M{1:.1f} {2:.1f}L{3:.1f} "
             "{4:.1f}\"/><text x=\"{5:.1f}\" y=\"{6:.1f}\" fill=\"{0}\">{7}{8}</text>\n",
             colour, from + 2, end, from + leader, label, from + leader + 4, label + 4,
-            letters_of(text) > most_letters ? "<title>" + escaped(text) + "</title>" : "",
-            escaped(shortened(text, most_letters)));
+            letters_of(text) > at_.letters ? "<title>" + escaped(text) + "</title>" : "",
+            escaped(shortened(text, at_.letters)));
     }
 
     void dot(const ChartMark& mark) {
@@ -171,10 +176,13 @@ class Drawing {
             const std::vector<EventText> text = event_texts(at, width, at_.left + at_.width);
             for (std::size_t k = 0; k < at.size(); ++k) {
                 const std::string says = escaped(row.event[k].second);
+                // As high as the line of its text, so that it strikes no other through.
+                const double from = top + (text[k].level == 1 ? 17.0 : 4.0);
                 out_ += fmt::format(
                     "<path stroke=\"{}\" stroke-width=\"3\" d=\"M{:.1f} {:.1f}v{:.1f}\"><title>{} "
                     "{}</title></path>\n",
-                    row.colour, at[k], top + 4, at_.row_height - 6, escaped(row.name), says);
+                    row.colour, at[k], from, text[k].level < 0 ? 24.0 : 11.0, escaped(row.name),
+                    says);
                 if (text[k].level < 0) continue;
                 const bool leftward = text[k].leftward;
                 out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\"{}>{}</text>\n",

@@ -1,5 +1,7 @@
 #include "scenes/report/chart_layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,7 +11,6 @@ namespace diurna {
 namespace {
 
 constexpr double bottom = 46.0, between_panels = 16.0, least_panel = 78.0;
-constexpr std::size_t most_letters = 30;
 
 Extent extent_of(const ChartLine& line) {
     Extent all{1e300, -1e300};
@@ -122,10 +123,12 @@ std::vector<std::vector<std::size_t>> scales_apart(const std::vector<Extent>& li
 
 ChartLayout layout_of(const Chart& chart) {
     ChartLayout layout;
+    if (chart.title.empty()) layout.top = 12.0;
+    if (chart.narrow) layout.letters = 14;
     std::size_t longest = 0;
     for (const ChartLine& line : chart.lines) longest = std::max(longest, letters_of(line.name));
     for (const ChartRow& row : chart.rows) longest = std::max(longest, letters_of(row.name));
-    layout.right = 28.0 + letter * double(std::min(longest, most_letters));
+    layout.right = 28.0 + letter * double(std::min(longest, layout.letters));
     layout.width = chart.width - layout.left - layout.right;
 
     std::vector<Extent> extent;
@@ -177,6 +180,46 @@ ChartLayout layout_of(const Chart& chart) {
     return layout;
 }
 
+std::vector<std::pair<double, std::string>> ticks_of(const Chart& chart, double width) {
+    std::vector<std::pair<double, std::string>> all = chart.ticks;
+    if (all.empty()) {
+        for (double t = chart.x_first; t <= chart.x_last + 1e-9; t += chart.x_tick) {
+            all.emplace_back(t, fmt::format("{:g}", t));
+        }
+    }
+    std::size_t longest = 0;
+    for (const auto& [t, says] : all) longest = std::max(longest, letters_of(says));
+    const double need = (letter * double(longest) + 8.0) * double(all.size());
+    const auto every = static_cast<std::size_t>(std::max(1.0, std::ceil(need / (width + 30.0))));
+    std::vector<std::pair<double, std::string>> some;
+    for (std::size_t i = 0; i < all.size(); i += every) some.push_back(all[i]);
+    return some;
+}
+
+ChartLine thinned(const ChartLine& line, const Chart& chart, double width) {
+    const double span = chart.x_last - chart.x_first;
+    if (double(line.x.size()) <= 4.0 * width || !(span > 0.0)) return line;
+    ChartLine thin{
+        .name = line.name, .colour = line.colour, .x = {}, .y = {}, .dashed = line.dashed};
+    const auto column = [&](std::size_t k) {
+        return std::floor(2.0 * width * (line.x[k] - chart.x_first) / span);
+    };
+    for (std::size_t from = 0; from < line.x.size();) {
+        std::size_t to = from, least = from, most = from;
+        for (; to < line.x.size() && column(to) == column(from); ++to) {
+            if (line.y[to] < line.y[least]) least = to;
+            if (line.y[to] > line.y[most]) most = to;
+        }
+        for (const std::size_t k : {std::min(least, most), std::max(least, most)}) {
+            thin.x.push_back(line.x[k]);
+            thin.y.push_back(line.y[k]);
+            if (least == most) break;
+        }
+        from = to;
+    }
+    return thin;
+}
+
 std::vector<EventText> event_texts(const std::vector<double>& x, const std::vector<double>& width,
                                    double end) {
     std::vector<EventText> texts(x.size());
@@ -188,10 +231,10 @@ std::vector<EventText> event_texts(const std::vector<double>& x, const std::vect
             if (texts[i].level >= 0 || from < taken[level]) continue;
             texts[i].level = level;
         }
-        // A tick is as high as both.
-        for (double& to : taken) to = std::max(to, x[i] + 3.0);
-        if (texts[i].level >= 0 && !texts[i].leftward) {
-            taken[texts[i].level] = x[i] + width[i];
+        if (texts[i].level < 0) {  // its tick is as high as both
+            for (double& to : taken) to = std::max(to, x[i] + 3.0);
+        } else {
+            taken[texts[i].level] = texts[i].leftward ? x[i] + 3.0 : x[i] + width[i];
         }
     }
     return texts;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/report/chart_parts.hpp"
@@ -39,6 +40,7 @@ struct Panel {
 
 struct ChartLayout {
     double left = 62.0, right = 150.0, top = 34.0;  // margins
+    std::size_t letters = 30;                       // of a name at most
     double width = 0.0;                             // of the frame
     std::vector<Panel> panel;
     double rows_top = 0.0, row_height = 0.0;
@@ -46,6 +48,13 @@ struct ChartLayout {
     int height = 0;     // of the whole
 };
 ChartLayout layout_of(const Chart& chart);
+
+/// The ticks of x: fewer where the frame has no room for their words.
+std::vector<std::pair<double, std::string>> ticks_of(const Chart& chart, double width);
+
+/// What is to be seen of a line in a frame so wide: of points nearer to each other than half a
+/// pixel the least and the greatest.
+ChartLine thinned(const ChartLine& line, const Chart& chart, double width);
 
 /// Where the text of a row's events stands, from left to right: beside its tick, to the right or
 /// where that is beyond `end` to the left, in one of two levels, -1 where both are taken: then its

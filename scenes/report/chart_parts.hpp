@@ -28,7 +28,7 @@ struct ChartRow {
 };
 
 struct Chart {
-    std::string title, x_title, y_title;
+    std::string title /* "": none */, x_title, y_title;
     double x_first = 0.0, x_last = 1.0, x_tick = 1.0;
     std::vector<ChartLine> lines;
     int width = 860, height = 420;  // [px]; it is drawn higher where its names need room
@@ -37,6 +37,7 @@ struct Chart {
     std::string rows_title{};
     std::vector<ChartRow> rows{};
     bool outliers_apart = false;  // lines far from the others on a scale of their own
+    bool narrow = false;          // small margins, short names, fewer ticks: for phones
 };
 
 }  // namespace diurna

@@ -44,42 +44,52 @@ pid_t start(std::vector<std::string> words, int input) {
     throw std::runtime_error(fmt::format("ffmpeg cannot be started: {}", std::strerror(code)));
 }
 
+/// Between the pictures that come and the file's name. The pictures have 250 colours; a GIF's
+/// palette is of all of them together, and no dots stand for colours in between.
+std::vector<std::string> output_words(MovieKind kind) {
+    if (kind == MovieKind::gif) {
+        return {"-filter_complex",
+                "[0:v]split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=none",
+                "-loop",
+                "0",
+                "-f",
+                "gif"};
+    }
+    return {"-vf",       "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+            "-c:v",      "libx264",
+            "-crf",      "16",
+            "-pix_fmt",  "yuv420p",
+            "-movflags", "+faststart",
+            "-f",        "mp4"};
+}
+
 }  // namespace
 
-FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, double pictures_per_second)
+FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, MovieKind kind,
+                         double pictures_per_second)
     : part_(file) {
     std::signal(SIGPIPE, SIG_IGN);  // a pipe that nobody reads is an error of write()
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category());
     pipe_ = ends[1];
+    std::vector<std::string> words{"ffmpeg",
+                                   "-hide_banner",
+                                   "-loglevel",
+                                   "error",
+                                   "-y",
+                                   "-f",
+                                   "image2pipe",
+                                   "-c:v",
+                                   "png",
+                                   "-framerate",
+                                   fmt::format("{:g}", pictures_per_second),
+                                   "-i",
+                                   "-"};
+    const std::vector<std::string> wanted = output_words(kind);
+    words.insert(words.end(), wanted.begin(), wanted.end());
+    words.push_back(std::filesystem::absolute(part_.path()).string());
     try {
-        child_ = start({"ffmpeg",
-                        "-hide_banner",
-                        "-loglevel",
-                        "error",
-                        "-y",
-                        "-f",
-                        "image2pipe",
-                        "-c:v",
-                        "png",
-                        "-framerate",
-                        fmt::format("{:g}", pictures_per_second),
-                        "-i",
-                        "-",
-                        "-vf",
-                        "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                        "-c:v",
-                        "libx264",
-                        "-crf",
-                        "16",
-                        "-pix_fmt",
-                        "yuv420p",
-                        "-movflags",
-                        "+faststart",
-                        "-f",
-                        "mp4",
-                        std::filesystem::absolute(part_.path()).string()},
-                       ends[0]);
+        child_ = start(std::move(words), ends[0]);
     } catch (...) {
         ::close(ends[0]);
         ::close(ends[1]);

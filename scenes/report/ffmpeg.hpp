@@ -10,13 +10,17 @@
 
 namespace diurna {
 
-/// An MP4 that ffmpeg makes of pictures as they come. It stands under its name once finish() has
+/// What ffmpeg can make of pictures here.
+enum class MovieKind { mp4, gif };
+
+/// A movie that ffmpeg makes of pictures as they come: MP4 (H.264), or a GIF that repeats, of a
+/// palette chosen for all its pictures. It stands under its name once finish() has
 /// returned; before that, or if the program is interrupted, there is nothing of it, and what was
 /// there stays.
 class FfmpegMovie {
  public:
     /// Starts ffmpeg. Throws std::runtime_error where there is none on the PATH.
-    FfmpegMovie(const std::filesystem::path& file, double pictures_per_second);
+    FfmpegMovie(const std::filesystem::path& file, MovieKind kind, double pictures_per_second);
     ~FfmpegMovie();
     FfmpegMovie(const FfmpegMovie&) = delete;
     FfmpegMovie& operator=(const FfmpegMovie&) = delete;

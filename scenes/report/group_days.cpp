@@ -8,7 +8,7 @@
 #include <map>
 
 #include "materials/base/units.hpp"
-#include "scenes/report/chart.hpp"
+#include "scenes/report/chart_figure.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/page.hpp"
 #include "scenes/report/time_axis.hpp"
@@ -92,7 +92,7 @@ std::string chart_of(const GroupDays& days, const std::string& title,
         add_line(days, axis, curves[i], air.x, chart);
     }
     chart.lines.push_back(std::move(air));
-    std::string out = wide(svg(chart));
+    std::string out = chart_figure(chart);
     if (curves.size() > most_lines) {
         out += fmt::format("<p class=\"key\">The first {} of {}.</p>\n", most_lines, curves.size());
     }
@@ -109,7 +109,8 @@ std::string table_of(const GroupDays& days, const std::string& what,
     const TimeAxis axis =
         time_axis(days.instants.front(), days.instants.back(), days.prepared.scene.time.utc_offset);
     std::string out = fmt::format(
-        "<table>\n<tr><th>{}</th><th class=\"n\">facets</th><th class=\"n\">area</th>"
+        "<table class=\"figures\">\n<tr><th>{}</th><th class=\"n\">facets</th><th "
+        "class=\"n\">area</th>"
         "<th class=\"n\">coldest<br>mean °C</th><th>at</th><th class=\"n\">warmest<br>mean °C</th>"
         "<th>at</th><th class=\"n\">spread then,<br>10 to 90 %, K</th><th>{}</th></tr>\n",
         what, days.around ? "as warm as " + escaped(days.around->name) + " at" : "");

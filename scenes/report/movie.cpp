@@ -71,6 +71,20 @@ std::string plane_of(const std::string& band) {
     }
 }
 
+MovieKind kind_of(const fs::path& file, double pictures_per_second) {
+    // GIF counts hundredths of a second (89a, 23), and viewers show what is below two as ten.
+    constexpr double fastest_gif = 50.0;
+    if (file.extension() == ".mp4") return MovieKind::mp4;
+    if (file.extension() != ".gif") {
+        throw InputError(file.string(), "expected a name that ends in .mp4 or .gif");
+    }
+    if (pictures_per_second > fastest_gif) {
+        throw InputError("--fps", fmt::format("found {:g}, expected at most {:g} for a GIF",
+                                              pictures_per_second, fastest_gif));
+    }
+    return MovieKind::gif;
+}
+
 }  // namespace
 
 MovieReport write_movie(const MovieOptions& options) {
@@ -83,11 +97,9 @@ MovieReport write_movie(const MovieOptions& options) {
     if (report.file.empty()) {
         report.file = options.folder / fmt::format("{}_{}.mp4", key.first, key.second);
     }
-    if (report.file.extension() != ".mp4") {
-        throw InputError(report.file.string(), "expected a name that ends in .mp4");
-    }
+    const MovieKind kind = kind_of(report.file, options.pictures_per_second);
     check_output_file(report.file);
-    FfmpegMovie movie(report.file, options.pictures_per_second);
+    FfmpegMovie movie(report.file, kind, options.pictures_per_second);
     const std::array<std::string, 2> wanted = {report.plane, "temperature"};
     std::vector<ColourScale> scales(files.size());
     for_each_index(

@@ -11,7 +11,7 @@ namespace diurna {
 struct MovieOptions {
     std::filesystem::path folder;  // of a run
     std::string observer, band;    // "": the only one
-    std::filesystem::path file;    // "": OBSERVER_BAND.mp4 in the folder
+    std::filesystem::path file;    // .mp4 or .gif; "": OBSERVER_BAND.mp4 in the folder
     double pictures_per_second = 10.0;
 };
 
@@ -22,9 +22,10 @@ struct MovieReport {
     std::string plane, unit;
 };
 
-/// The pictures of an observer in a band one after the other as MP4, all on one scale of colours:
-/// the widest of theirs. Throws InputError where the folder has no such pictures, or several
-/// observers or bands and none is said; std::runtime_error without ffmpeg.
+/// The pictures of an observer in a band one after the other as MP4 or GIF, all on one scale of
+/// colours: the widest of theirs. Throws InputError where the folder has no such pictures, or
+/// several observers or bands and none is said; where a GIF is to be faster than viewers show it;
+/// std::runtime_error without ffmpeg.
 MovieReport write_movie(const MovieOptions& options);
 
 }  // namespace diurna

@@ -13,11 +13,13 @@ constexpr const char* style = R"(
 *{box-sizing:border-box}
 body{font:15px/1.5 system-ui,sans-serif;color:#1c2330;background:#fff;max-width:1180px;margin:1.5em auto;padding:0 1em;overflow-wrap:anywhere}
 h1{font-size:1.6em;line-height:1.25;margin:.4em 0 .1em}h2{margin-top:2em;border-bottom:1px solid #d5dae3;padding-bottom:.2em}
-h3{margin:1.6em 0 .5em}nav{display:flex;flex-wrap:wrap;gap:.2em 1.2em;margin:.8em 0}a{color:#1f5fa8}
+h3{margin:1.6em 0 .5em}h4{margin:1.4em 0 .2em}nav{display:flex;flex-wrap:wrap;gap:.2em 1.2em;margin:.8em 0}a{color:#1f5fa8}
 table{border-collapse:collapse;font-variant-numeric:tabular-nums}td,th{padding:.2em .8em;text-align:left;vertical-align:top;border-bottom:1px solid #e6e9ef}
-td.n,th.n{text-align:right;white-space:nowrap;overflow-wrap:normal}td.key{min-width:9em}.key{color:#566}
+td,th{overflow-wrap:normal}.facts td{overflow-wrap:anywhere}td.n,th.n{text-align:right;white-space:nowrap}td.key{min-width:9em}.key{color:#566}
 .facts{width:100%}.hash{font:12px/1.7 ui-monospace,monospace;color:#566}
-.wide{overflow-x:auto;margin:.6em 0}.wide td,.wide th{overflow-wrap:normal}.wide svg,.wide img{display:block;max-width:none}
+.wide{overflow-x:auto;margin:.6em 0}.wide img{display:block;max-width:none}
+.figures td,.figures th{white-space:nowrap}.figures td:last-child{white-space:normal;min-width:13em}
+svg.chart{display:block;max-width:100%;height:auto}.phone{display:none}
 .sheet{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(46%,210px),1fr));gap:8px}
 figure{margin:0;break-inside:avoid}.sheet img{width:100%;display:block;image-rendering:pixelated}
 figcaption{font-size:.8em;line-height:1.35;color:#566;padding-top:.2em}figcaption b{color:#1c2330;font-size:1.15em}
@@ -30,9 +32,12 @@ label.pick{margin-right:.9em;display:inline-block}
 input.each:checked~.scale.common,input.each:checked~.sheet .common,input.one:checked~.scale.each,input.one:checked~.sheet .each{display:none}
 svg text{font:12px system-ui,sans-serif}svg .t{font-size:14px;font-weight:600}svg .e{text-anchor:end;fill:#566}
 svg .m{text-anchor:middle;fill:#566}svg .g{stroke:#e3e7ee;fill:none}
-@media(max-width:600px){body{margin:.5em auto;padding:0 .7em}h1{font-size:1.3em}td,th{padding:.2em .45em}td.key{min-width:6.5em}}
+@media(max-width:600px){body{margin:.5em auto;padding:0 .7em}h1{font-size:1.3em}td,th{padding:.2em .45em}td.key{min-width:6.5em}
+.desk{display:none}.phone{display:block}
+.stack td:first-child{color:#566}.stack tr,.stack td{display:block;border:0;padding:.05em .2em}.stack tr{border-bottom:1px solid #e6e9ef;padding:.4em 0}.stack tr:first-child{display:none}}
 @media print{body{font-size:10pt;max-width:none;margin:0;padding:0}nav,.pick,.player{display:none!important}
-.sheet{grid-template-columns:repeat(4,1fr)}figure.shown{outline:0}.wide{overflow:visible}.wide svg,.wide img{width:100%;height:auto}
+.sheet{grid-template-columns:repeat(4,1fr)}figure.shown{outline:0}.wide{overflow:visible}.wide img{width:100%;height:auto}.figures{width:100%;font-size:8pt}.figures td,.figures th{white-space:normal;padding:.15em .3em}.figures td:last-child{min-width:0}
+.scale.each .ticks{display:none}.desk{display:block}.phone{display:none}
 h2,h3{break-after:avoid}tr,.chart{break-inside:avoid}a{color:inherit;text-decoration:none}}
 )";
 

@@ -41,8 +41,8 @@ std::string figure(const PictureSeries& series, const SeriesPicture& picture,
 
 /// What the two scales are called, and which is chosen to begin with.
 std::string choice(std::size_t number) {
-    constexpr std::pair<const char*, const char*> scales[] = {
-        {"each", "each picture its own scale"}, {"one", "one scale for all"}};
+    constexpr std::pair<const char*, const char*> scales[] = {{"each", "its own scale"},
+                                                              {"one", "one scale for all"}};
     std::string out;
     for (const auto& [name, says] : scales) {
         out += fmt::format(

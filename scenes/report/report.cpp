@@ -2,19 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/base/files.hpp"
-#include "materials/base/parallel.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/report/clock_names.hpp"
 #include "scenes/report/contact_sheet.hpp"
 #include "scenes/report/courses.hpp"
+#include "scenes/report/heat_terms.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/instrument_sheet.hpp"
 #include "scenes/report/page.hpp"
 #include "scenes/report/picture_series.hpp"
+#include "scenes/report/run_tables.hpp"
+#include "scenes/report/study_plots.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -27,34 +27,6 @@ namespace {
 std::string when(const Prepared& prepared, Instant instant) {
     return fmt::format("{} ({} solar)", format_local(instant, prepared.scene.time.utc_offset),
                        format_solar_time(prepared.world.site, instant));
-}
-
-std::string facts(const Prepared& prepared, const JobReport& report) {
-    const Plan& plan = report.plan;
-    const Site& site = prepared.world.site;
-    const auto row = [](const std::string& key, const std::string& value) {
-        return "<tr><td class=\"key\">" + key + "</td><td>" + value + "</td></tr>\n";
-    };
-    std::string out = "<table class=\"facts\">\n";
-    out +=
-        row("place", fmt::format("{:.5f}° {}, {:.5f}° {}, {:.0f} m above the sea",
-                                 std::abs(site.latitude_deg), site.latitude_deg < 0.0 ? 'S' : 'N',
-                                 std::abs(site.longitude_deg), site.longitude_deg < 0.0 ? 'W' : 'E',
-                                 prepared.world.sea_level_height));
-    out += row("facets", fmt::format("{} ({} of the ground, from {} posts)", plan.facets,
-                                     prepared.world.ground_facets, report.posts));
-    out +=
-        row("worst vertical error of the mesh",
-            fmt::format("{:.3f} m (rms {:.3f} m, allowed {:g} m)", report.ground_check.worst_error,
-                        report.ground_check.rms_error, prepared.scene.terrain.tolerance));
-    for (const auto& [key, value] : report.heat) out += row(key, escaped(value));
-    if (!report.not_converged.empty()) {
-        out += row("<strong>not converged</strong>", escaped(report.not_converged));
-    }
-    if (!report.start.empty()) out += row("start of the heat balance", escaped(report.start));
-    out += row("frames", fmt::format("{} instants", plan.frames.size()));
-    for (const std::string& note : report.notes) out += row("modelled", escaped(note));
-    return out + "</table>\n";
 }
 
 /// Of the pictures of an observer, those that a page has room for, the first and the last too.
@@ -95,43 +67,6 @@ std::string pictures(const fs::path& folder, const Prepared& prepared) {
     return html;
 }
 
-std::string timings(const JobReport& report) {
-    const auto rays_of = [&](const std::string& stage) -> double {
-        if (stage == "sky view") return static_cast<double>(report.plan.sky_rays);
-        if (stage == "shadows") return static_cast<double>(report.plan.sun_rays);
-        if (stage.starts_with("cast view")) return static_cast<double>(report.plan.view_rays);
-        return 0.0;
-    };
-    std::string out =
-        "<table>\n<tr><th>stage</th><th class=\"n\">seconds</th><th class=\"n\">rays, at most</th>"
-        "<th class=\"n\">million rays a second</th></tr>\n";
-    double sum = 0.0;
-    for (const Progress::Stage& stage : report.stages) {
-        sum += stage.seconds;
-        const double rays = rays_of(stage.name);
-        out += fmt::format(
-            "<tr><td>{}</td><td class=\"n\">{:.2f}</td><td class=\"n\">{}</td>"
-            "<td class=\"n\">{}</td></tr>\n",
-            escaped(stage.name), stage.seconds, rays > 0 ? fmt::format("{:.3g}", rays) : "",
-            rays > 0 ? fmt::format("{:.1f}", rays / stage.seconds / 1e6) : "");
-    }
-    return out +
-           fmt::format("<tr><th>all, {} threads</th><th class=\"n\">{:.2f}</th></tr></table>\n",
-                       thread_count(), sum);
-}
-
-std::string decisions(const Plan& plan) {
-    std::string out =
-        "<table>\n<tr><th></th><th>what</th><th>why</th><th class=\"n\">error</th></tr>\n";
-    for (const Decision& decision : plan.decisions) {
-        out +=
-            fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"n\">{:g} {}</td></tr>\n",
-                        decision.computed ? "computed" : "skipped", escaped(decision.what),
-                        escaped(decision.why), decision.error, decision.error_unit);
-    }
-    return out + "</table>\n";
-}
-
 }  // namespace
 
 std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& solve) {
@@ -147,11 +82,27 @@ std::vector<std::pair<std::string, std::string>> heat_rows(const SolveReport& so
 
 void write_report(const fs::path& folder, const Prepared& prepared, const JobReport& report,
                   const TemperatureField& field) {
-    std::string html = page_begin(prepared.scene.title, {{"computed", "What was computed"},
-                                                         {"pictures", "Pictures"},
-                                                         {"courses", "Temperatures"},
-                                                         {"time", "Time of this run"},
-                                                         {"plan", "Plan"}});
+    struct Chapter {
+        const char *id, *name;
+        std::string html;
+    };
+    const std::vector<Chapter> sections = {
+        {"computed", "What was computed",
+         "<h2>What was computed</h2>\n" + facts_table(prepared, report)},
+        {"pictures", "Pictures", "<h2>Pictures</h2>\n" + pictures(folder, prepared)},
+        {"courses", "Temperatures", courses(prepared, field)},
+        {"heat", "Heat balance", heat_terms_of_day(folder, prepared, field)},
+        {"studies", "Studies", study_plots(folder)},
+        {"errors", "Errors", "<h2>Errors that are known</h2>\n" + errors_table(prepared, report)},
+        {"time", "Time", "<h2>Time of this run</h2>\n" + timings_table(report)},
+        {"plan", "Plan", "<h2>Plan: computed and skipped</h2>\n" + decisions_table(report.plan)},
+        {"notes", "Notes", "<h2>Notes</h2>\n" + notes_list(report)},
+        {"inputs", "Inputs", "<h2>Inputs</h2>\n" + inputs_table(report)}};
+    std::vector<std::pair<std::string, std::string>> links;
+    for (const Chapter& section : sections) {
+        if (!section.html.empty()) links.emplace_back(section.id, section.name);
+    }
+    std::string html = page_begin(prepared.scene.title, links);
     html += fmt::format(
         "<p class=\"key\">diurna {}, scene {}, {} to {}; clock times are {}; the sun stands "
         "highest "
@@ -159,12 +110,10 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
         DIURNA_VERSION, escaped(prepared.scene.file.filename().string()),
         when(prepared, report.plan.steps.front()), when(prepared, report.plan.steps.back()),
         clock_zone(prepared.scene.time.utc_offset));
-    html += "<section id=\"computed\"><h2>What was computed</h2>\n" + facts(prepared, report);
-    html += "</section><section id=\"pictures\"><h2>Pictures</h2>\n" + pictures(folder, prepared);
-    html += "</section><section id=\"courses\">" + courses(prepared, field);
-    html += "</section><section id=\"time\"><h2>Time of this run</h2>\n" + wide(timings(report));
-    html += "</section><section id=\"plan\"><h2>Plan: computed and skipped</h2>\n" +
-            wide(decisions(report.plan)) + "</section>\n";
+    for (const Chapter& section : sections) {
+        if (section.html.empty()) continue;
+        html += fmt::format("<section id=\"{}\">{}</section>\n", section.id, section.html);
+    }
     write_whole_file(folder / "report.html", html + page_end());
 }
 

@@ -112,7 +112,11 @@ JobReport run_job(Scene scene, const JobOptions& options) {
                      .ground_check = prepared.world.ground_check,
                      .posts = prepared.world.posts,
                      .files = heat_files(prepared.scene),
-                     .notes = prepared.notes};
+                     .notes = prepared.notes,
+                     .settings = options.settings};
+    for (const RunInput& input : manifest.inputs) {
+        report.inputs.push_back({input.name, input.sha256});
+    }
     const FolderLock lock(out);
     Ledger ledger(out, manifest.key, options.resume);
     begin_folder(prepared, out, ledger, report);

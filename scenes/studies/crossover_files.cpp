@@ -163,13 +163,13 @@ std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& re
                                    .y = {edge, edge},
                                    .dashed = true});
         }
+        ChartRow row{.name = "crossings", .colour = "#2166ac", .event = {}};
         for (const TimedCrossing& one : day.crossing) {
-            const double at = hours(one.when), tick = 0.06 * (high - low);
-            chart.lines.push_back({.name = "",
-                                   .colour = "#b2182b",
-                                   .x = {at, at},
-                                   .y = {one.least - tick, one.least + tick}});
+            const std::string when = format_local(one.when, utc_offset).substr(0, 16);
+            row.event.emplace_back(hours(one.when), when.substr(11));
+            chart.marks.push_back({.line = 0, .x = hours(one.when), .y = one.least, .says = when});
         }
+        if (!row.event.empty()) chart.rows.push_back(std::move(row));
         charts.push_back(std::move(chart));
     }
     return stacked_svg(charts);

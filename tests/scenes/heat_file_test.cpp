@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/stages.hpp"
 #include "tests/support/every_kind_scene.hpp"
 #include "tests/support/small_scene.hpp"
 #include "thermal/solve/heat_state_file.hpp"
+#include "thermal/temperature_field.hpp"
 
 // What a third party reads in temperatures.nc, with netCDF alone.
 
@@ -130,6 +132,17 @@ TEST_CASE("the heat balance of every facet closes from the file alone", "[scenes
     CHECK(file.text(NC_GLOBAL, "heat_balance").find("conducted_heat") != std::string::npos);
     CHECK(file.text(file.variable("sensible_heat"), "standard_name") ==
           "surface_upward_sensible_heat_flux");
+
+    const TemperatureField field = load_temperature_field(folder.path / "temperatures.nc");
+    const std::vector<float> read =
+        load_heat_term(folder.path / "temperatures.nc", HeatTerm::sensible, field);
+    const std::vector<double> sensible =
+        file.doubles(file.variable("sensible_heat"), instants * facets);
+    CHECK(std::vector<double>(read.begin(), read.end()) == sensible);
+    TemperatureField fewer = field;
+    fewer.facets -= 1;
+    CHECK_THROWS_AS(load_heat_term(folder.path / "temperatures.nc", HeatTerm::sensible, fewer),
+                    InputError);
 
     // Stefan and Boltzmann's emission of the file's own temperatures, CODATA 2018; on ground under
     // leaves temperatures are what a radiometer sees, between steps the fourth power is no line.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -116,6 +118,48 @@ TEST_CASE("without ffmpeg, or where it fails, a movie is told of and not there",
         movie(folder.bin, false, folder.argument(), "timeout --foreground -s HUP 1 nohup");
     CHECK(goes_on.code == 124);  // timeout's own word for having sent it
     CHECK(fs::exists(folder.made()));
+}
+
+// GIF89a: its signature, and by the Graphic Control Extension (23) hundredths of a second from each
+// picture to the next.
+TEST_CASE("a movie whose name ends in .gif is one", "[scenes][movie]") {
+    const RunFolder folder;
+    const fs::path made = folder.run / "day.gif";
+    const std::string out = fmt::format(" --out '{}'", made.string());
+    folder.ffmpeg("echo \"$@\" > '" + folder.folder.path.string() + "/asked'; cat > \"$last\"");
+    CHECK(movie(folder.bin, false, folder.argument() + out).code == 0);
+    CHECK(read_text(folder.folder.path / "asked").find("palettegen") != std::string::npos);
+    fs::remove(made);
+    CHECK(movie(folder.bin, false, folder.argument() + out + " --fps 60").code == 2);
+    Ran ran = movie(folder.bin, false, folder.argument() + " --out day.webm");
+    CHECK(ran.code == 2);
+    CHECK(ran.out.find("expected a name that ends in .mp4 or .gif") != std::string::npos);
+    CHECK(folder.nothing());
+    fs::remove(folder.bin / "ffmpeg");
+    if (::system("ffmpeg -version >/dev/null 2>&1") != 0) {
+        WARN("passed over: no ffmpeg");
+        return;
+    }
+    REQUIRE(movie(folder.bin, false, folder.argument() + out + " --fps 4").code == 0);
+    const std::string gif = read_text(made);
+    REQUIRE(gif.size() > 13);
+    CHECK(gif.starts_with("GIF89a"));
+    const auto two = [&](std::size_t at) {
+        return std::uint8_t(gif[at]) + 256 * std::uint8_t(gif[at + 1]);
+    };
+    CHECK(two(6) == 64);
+    CHECK(two(8) == 48);
+    const std::string control("\x21\xf9\x04", 3);
+    std::size_t pictures = 0;
+    for (std::size_t at = 0; (at = gif.find(control, at)) != std::string::npos; at += 8) {
+        ++pictures;
+        CHECK(two(at + 4) == 25);
+    }
+    CHECK(pictures == 3);
+    // The same pictures, the same bytes.
+    fs::remove(made);
+    REQUIRE(movie(folder.bin, false, folder.argument() + out + " --fps 4").code == 0);
+    CHECK(read_text(made) == gif);
 }
 
 TEST_CASE("a movie of several observers asks which", "[scenes][movie]") {

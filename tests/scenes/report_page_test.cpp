@@ -33,6 +33,26 @@ const PrivateTempFolder temp;
 const std::string hostile =
     R"(\"'><script>window.pwned=1</script><img src=x onerror=\"window.pwned=1\">)";
 
+/// What studies might have left: a crossover whose plot holds a script, one in a folder of its own
+/// that is no JSON, one of a kind that the page has no table for.
+void leave_studies(const fs::path& out) {
+    const std::string plot =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"300\" height=\"100\"><script>"
+        "window.pwned=1;parent.pwned=1</script><rect width=\"300\" height=\"100\"/></svg>";
+    const std::string head =
+        R"({"study": "crossover", "name": ")" + hostile + R"(", "first": "pond",
+ "second": "meadow", "observer": "east", "threshold_K": 1.0, "bands": [{"band_um": "8-12",
+ "hours": 24.0, "hours_below_threshold": 2.5, "least_contrast_K": 0.0, "crossings": [)";
+    write_text(out / "pond.json", head + R"({"time": "2026-07-15T10:30:29-04:00", "kind": "crosses",
+ "warmer_after": "meadow", "sigma_s": 924.0, "least_K": 0.0}]}]})");
+    fs::create_directories(out / "contrast");
+    write_text(out / "contrast/broken.json", "{\"study\": \"contrast\", ");
+    write_text(out / "odd.json", R"({"study": "oddity", "name": "odd"})");
+    for (const char* name : {"pond.svg", "contrast/broken.svg", "odd.svg"}) {
+        write_text(out / name, plot);
+    }
+}
+
 /// The page of a run that has been made once.
 const fs::path& page() {
     static const ScratchFolder folder("page");
@@ -42,8 +62,14 @@ const fs::path& page() {
         std::string text = with(small_scene(), "name = \"small\"\n",
                                 fmt::format("name = \"small\"\ntitle = {}\n", quoted));
         text = with(text, "\"concrete_wall\"", quoted);
-        write_text(scene, text + fmt::format("[material.{}]\nlike = \"concrete_wall\"\n", quoted));
-        run_job(read_scene(scene), {.out = folder.path / "out", .settings = {}});
+        write_text(
+            scene,
+            text + fmt::format("[output]\nfluxes = true\n[material.{}]\nlike = \"concrete_wall\"\n",
+                               quoted));
+        const JobOptions options{.out = folder.path / "out", .settings = {}, .resume = true};
+        run_job(read_scene(scene), options);
+        leave_studies(options.out);
+        run_job(read_scene(scene), options);
         return folder.path / "out/report.html";
     }();
     return file;
@@ -197,6 +223,32 @@ TEST_CASE("a page's slider goes through the day, together with the others",
     CHECK(browser.complaints == std::vector<std::string>{});
 }
 
+TEST_CASE("a page has all sections, studies left in its folder too", "[scenes][report]") {
+    const std::string text = read_text(page());
+    std::size_t at = 0;
+    for (const char* title :
+         {"What was computed", "Pictures", "Temperatures over the day", "Heat balance over the day",
+          "Studies", "Errors that are known", "Time of this run", "Plan: computed and skipped",
+          "Notes", "Inputs"}) {
+        CAPTURE(title);
+        const std::size_t found = text.find(fmt::format("<h2>{}</h2>", title));
+        REQUIRE(found != std::string::npos);
+        CHECK(found > at);
+        at = found;
+    }
+    // 924 s are 15.4 min.
+    CHECK(text.find("<td>2026-07-15 10:30</td><td>crosses</td><td>meadow</td><td>15.4</td><td>2.5 "
+                    "of 24</td>") != std::string::npos);
+    CHECK(text.find("contrast/broken.json is left out: ") != std::string::npos);
+    CHECK(text.find("<h3>oddity odd</h3>") != std::string::npos);
+    CHECK(text.find("<script>window") == std::string::npos);
+    // What a run was made of, with what it held.
+    const std::string scene = read_text(page().parent_path().parent_path() / "scene.toml");
+    CHECK(text.find(sha256(scene)) != std::string::npos);
+    // Of the balance's terms nothing is left over: their sum is told with each chart.
+    CHECK(text.find("Their sum is nought to ") != std::string::npos);
+}
+
 TEST_CASE("without scripts and on paper a page is whole", "[scenes][report][browser]") {
     if (no_browser()) return;
     Browser browser;
@@ -217,6 +269,10 @@ TEST_CASE("without scripts and on paper a page is whole", "[scenes][report][brow
     browser.call("Emulation.setEmulatedMedia", {{"media", "print"}});
     CHECK(browser.evaluate("document.querySelector('.player').offsetHeight") == 0);
     CHECK(browser.evaluate(shown) == true);
+    // A4 between margins of 1 cm is 718 pixels wide.
+    browser.call("Emulation.setDeviceMetricsOverride",
+                 {{"width", 718}, {"height", 1000}, {"deviceScaleFactor", 1}, {"mobile", false}});
+    CHECK(browser.evaluate("document.documentElement.scrollWidth") <= 718);
     const std::string pdf = browser.call("Page.printToPDF", {{"printBackground", false}})["data"];
     CHECK(bytes_of(pdf).size() > 20000);
 }

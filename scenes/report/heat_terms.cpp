@@ -1,0 +1,138 @@
+#include "scenes/report/heat_terms.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "materials/base/parallel.hpp"
+#include "scenes/report/chart_figure.hpp"
+#include "scenes/report/curves.hpp"
+#include "scenes/report/facet_groups.hpp"
+#include "scenes/report/html.hpp"
+#include "scenes/report/time_axis.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_charts = 24;
+
+struct TermLine {
+    const char *name, *colour;
+};
+/// (term) as a page calls them.
+constexpr std::array<TermLine, heat_terms> lines{{{"sunlight in", "#c98a00"},
+                                                  {"longwave in", "#d62728"},
+                                                  {"released", "#7b1fa2"},
+                                                  {"longwave out", "#1f5fa8"},
+                                                  {"to the air", "#17a2b8"},
+                                                  {"by vapour", "#4c9f38"},
+                                                  {"by melting", "#7a7a7a"},
+                                                  {"to below", "#8c564b"}}};
+
+/// (term) (instant) [W m⁻²], positive towards the surface.
+using TermMeans = std::array<std::vector<double>, heat_terms>;
+
+/// Whose balance is told: each object, then the parts of those that have several.
+std::vector<FacetGroup> told_groups(const Prepared& prepared) {
+    std::vector<FacetGroup> groups = object_groups(prepared);
+    for (ObjectParts& object : part_groups(prepared)) {
+        for (FacetGroup& part : object.part) {
+            groups.push_back({object.object + ": " + part.name, std::move(part.facet)});
+        }
+    }
+    return groups;
+}
+
+/// (group); empty where the file has no terms. One term after the other, each as large as the
+/// temperatures.
+std::vector<TermMeans> read_means(const std::filesystem::path& file, const TemperatureField& field,
+                                  const std::vector<FacetGroup>& groups,
+                                  const std::vector<float>& area) {
+    std::vector<TermMeans> means(groups.size());
+    for (std::size_t k = 0; k < heat_terms; ++k) {
+        const std::vector<float> watts = load_heat_term(file, static_cast<HeatTerm>(k), field);
+        if (watts.empty()) return {};
+        const double sign = k < heat_sources ? 1.0 : -1.0;
+        for (TermMeans& of : means) of[k].resize(field.instant.size());
+        for_each_index(
+            field.instant.size(),
+            [&](std::size_t i) {
+                const std::span<const float> row{watts.data() + i * field.facets, field.facets};
+                for (std::size_t g = 0; g < groups.size(); ++g) {
+                    means[g][k][i] = sign * area_mean(groups[g], area, row);
+                }
+            },
+            1);
+    }
+    return means;
+}
+
+std::string chart_of(const std::string& name, const TermMeans& means, const TimeAxis& axis,
+                     const std::vector<double>& x) {
+    constexpr double least = 0.05;  // [W m⁻²] what is never more is left out, and told
+    Chart chart{.title = name,
+                .x_title = axis.title,
+                .y_title = "W/m² towards the surface",
+                .x_last = axis.hours,
+                .lines = {},
+                .height = 340,
+                .ticks = axis.ticks};
+    std::string absent;
+    std::vector<double> sum(x.size(), 0.0);
+    for (std::size_t k = 0; k < heat_terms; ++k) {
+        double most = 0.0;
+        for (std::size_t i = 0; i < x.size(); ++i) {
+            sum[i] += means[k][i];
+            most = std::max(most, std::abs(means[k][i]));
+        }
+        if (most < least) {
+            absent += (absent.empty() ? "" : ", ") + std::string(lines[k].name);
+            continue;
+        }
+        chart.lines.push_back(
+            {.name = lines[k].name, .colour = lines[k].colour, .x = x, .y = means[k]});
+    }
+    double worst = 0.0;
+    for (const double left : sum) worst = std::max(worst, std::abs(left));
+    return chart_figure(chart) +
+           fmt::format("<p class=\"key\">{}Their sum is nought to {:.1g} W/m².</p>\n",
+                       absent.empty() ? "" : "Not in it, below 0.05 W/m²: " + absent + ". ", worst);
+}
+
+}  // namespace
+
+std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepared& prepared,
+                              const TemperatureField& field) {
+    std::vector<FacetGroup> groups = told_groups(prepared);
+    const std::size_t all = groups.size();
+    groups.resize(std::min(all, most_charts));
+    const std::vector<TermMeans> means =
+        read_means(folder / "temperatures.nc", field, groups, prepared.world.surfaces().area);
+    if (means.empty()) return "";
+    const TimeAxis axis =
+        time_axis(field.instant.front(), field.instant.back(), prepared.scene.time.utc_offset);
+    std::vector<double> x;
+    for (const Instant when : field.instant) x.push_back(axis.x(when));
+    std::string out =
+        "<h2>Heat balance over the day</h2>\n<p class=\"key\">Per square metre of facets' fronts, "
+        "mean over area; what brings heat to the surface is above nought. In is what is absorbed, "
+        "out "
+        "what is emitted, released is heat of the surface itself, to below what lies under it "
+        "takes "
+        "and stores.</p>\n";
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        out += chart_of(groups[g].name, means[g], axis, x);
+    }
+    if (all > groups.size()) {
+        out += fmt::format(
+            "<p class=\"key\">The first {} of {} objects and parts; temperatures.nc has every "
+            "facet's.</p>\n",
+            groups.size(), all);
+    }
+    return out;
+}
+
+}  // namespace diurna

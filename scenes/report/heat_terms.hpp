@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "scenes/plan/prepared.hpp"
+#include "thermal/temperature_field.hpp"
+
+namespace diurna {
+
+/// The terms of the heat balance of ground, objects and parts over the day, means over area, as a
+/// section of a page in HTML: of what temperatures.nc of a run's folder holds beside `field`. ""
+/// where it holds none.
+std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepared& prepared,
+                              const TemperatureField& field);
+
+}  // namespace diurna

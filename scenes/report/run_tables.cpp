@@ -1,0 +1,167 @@
+#include "scenes/report/run_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "materials/base/parallel.hpp"
+#include "scenes/report/html.hpp"
+#include "scenes/report/page.hpp"
+
+namespace diurna {
+
+namespace {
+
+std::string row(const std::string& key, const std::string& value) {
+    return "<tr><td class=\"key\">" + key + "</td><td>" + value + "</td></tr>\n";
+}
+
+/// Whether a stage that ran is one of those that the plan has under one name.
+bool belongs(const std::string& stage, const std::string& planned) {
+    if (planned == "views") return stage.starts_with("cast view of ");
+    if (planned == "frames" || planned == "instruments") return stage.starts_with(planned + " of ");
+    return stage == (planned == "report" ? "labels" : planned);
+}
+
+struct TimeRow {
+    std::string name;
+    double planned = -1.0, taken = -1.0;  // [s]; below 0: none
+    double rays = 0.0;                    // at most
+};
+
+std::string timed(const TimeRow& of) {
+    const auto seconds = [](double s) { return s < 0.0 ? "" : fmt::format("{:.2f}", s); };
+    return fmt::format(
+        "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td>"
+        "<td class=\"n\">{}</td></tr>\n",
+        escaped(of.name), seconds(of.planned), of.taken < 0.0 ? "not run" : seconds(of.taken),
+        of.rays > 0.0 ? fmt::format("{:.3g}", of.rays) : "",
+        of.rays > 0.0 && of.taken > 0.0 ? fmt::format("{:.1f}", of.rays / of.taken / 1e6) : "");
+}
+
+/// What the plan has names for, then what it has none for.
+std::vector<TimeRow> time_rows(const JobReport& report) {
+    std::vector<TimeRow> rows;
+    std::set<std::string> told;
+    for (const PlannedStage& planned : report.plan.stages) {
+        TimeRow one{.name = planned.name, .planned = planned.seconds};
+        if (planned.name == "sky view") one.rays = double(report.plan.sky_rays);
+        if (planned.name == "shadows") one.rays = double(report.plan.sun_rays);
+        if (planned.name == "views") one.rays = double(report.plan.view_rays);
+        if (planned.name == "report") one.name = "labels, and this page (not counted)";
+        for (const Progress::Stage& stage : report.stages) {
+            if (!belongs(stage.name, planned.name)) continue;
+            one.taken = std::max(0.0, one.taken) + stage.seconds;
+            told.insert(stage.name);
+        }
+        rows.push_back(std::move(one));
+    }
+    for (const Progress::Stage& stage : report.stages) {
+        if (!told.contains(stage.name))
+            rows.push_back({.name = stage.name, .taken = stage.seconds});
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string facts_table(const Prepared& prepared, const JobReport& report) {
+    const Plan& plan = report.plan;
+    const Site& site = prepared.world.site;
+    std::string out = "<table class=\"facts\">\n";
+    out +=
+        row("place", fmt::format("{:.5f}° {}, {:.5f}° {}, {:.0f} m above the sea",
+                                 std::abs(site.latitude_deg), site.latitude_deg < 0.0 ? 'S' : 'N',
+                                 std::abs(site.longitude_deg), site.longitude_deg < 0.0 ? 'W' : 'E',
+                                 prepared.world.sea_level_height));
+    out += row("facets", fmt::format("{} ({} of the ground, from {} posts)", plan.facets,
+                                     prepared.world.ground_facets, report.posts));
+    out += row("frames", fmt::format("{} instants", plan.frames.size()));
+    if (!report.not_converged.empty()) {
+        out += row("<strong>not converged</strong>", escaped(report.not_converged));
+    }
+    if (!report.start.empty()) out += row("start of the heat balance", escaped(report.start));
+    return out + "</table>\n";
+}
+
+std::string errors_table(const Prepared& prepared, const JobReport& report) {
+    std::string out = "<table class=\"facts\">\n";
+    out += row("vertical error of the mesh",
+               fmt::format("{:.3f} m at the worst post, rms {:.3f} m, {:g} m allowed",
+                           report.ground_check.worst_error, report.ground_check.rms_error,
+                           prepared.scene.terrain.tolerance));
+    for (const auto& [key, value] : report.heat) out += row(escaped(key), escaped(value));
+    for (const Decision& decision : report.plan.decisions) {
+        if (!(decision.error > 0.0)) continue;
+        out += row(escaped(decision.what),
+                   fmt::format("{:g} {}: {}", decision.error, escaped(decision.error_unit),
+                               escaped(decision.why)));
+    }
+    return out +
+           "</table>\n<p class=\"key\">They are of different kinds and not added up. What the "
+           "noise "
+           "of rays, the size of facets and the step add, a run does not know of itself; the notes "
+           "tell bounds of what was left out.</p>\n";
+}
+
+std::string timings_table(const JobReport& report) {
+    std::string out =
+        "<table class=\"figures\">\n<tr><th>stage</th><th class=\"n\">planned, s</th><th "
+        "class=\"n\">taken, s</th>"
+        "<th class=\"n\">rays, at most</th><th class=\"n\">million rays a second</th></tr>\n";
+    double taken = 0.0;
+    for (const Progress::Stage& stage : report.stages) taken += stage.seconds;
+    for (const TimeRow& one : time_rows(report)) out += timed(one);
+    return wide(out + fmt::format("<tr><th>all, {} threads</th><th class=\"n\">{:.2f}</th>"
+                                  "<th class=\"n\">{:.2f}</th></tr></table>",
+                                  thread_count(), report.plan.seconds, taken));
+}
+
+std::string decisions_table(const Plan& plan) {
+    std::string out =
+        "<table class=\"stack\">\n<tr><th></th><th>what</th><th>why</th><th>error</th></tr>\n";
+    for (const Decision& decision : plan.decisions) {
+        out += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                           decision.computed ? "computed" : "<strong>skipped</strong>",
+                           escaped(decision.what), escaped(decision.why),
+                           decision.error > 0.0 ? fmt::format("{:g} {}", decision.error,
+                                                              escaped(decision.error_unit))
+                                                : "none");
+    }
+    return out + "</table>\n";
+}
+
+std::string notes_list(const JobReport& report) {
+    std::string out = "<ul>\n";
+    for (const std::string& note : report.notes) out += "<li>" + escaped(note) + "</li>\n";
+    return out + "</ul>\n";
+}
+
+std::string inputs_table(const JobReport& report) {
+    std::string own, program;
+    for (const JobInput& input : report.inputs) {
+        std::string& rows = input.name.starts_with("data/") ? program : own;
+        rows += fmt::format("<tr><td>{}<br><span class=\"hash\">{}</span></td></tr>\n",
+                            escaped(input.name), escaped(input.sha256));
+    }
+    std::string out =
+        "<p class=\"key\">With SHA-256 of what they held. The same files and settings make the "
+        "same "
+        "results.</p>\n<table class=\"facts\">\n" +
+        own +
+        "</table>\n<details><summary>The program's own data</summary>\n<table "
+        "class=\"facts\">\n" +
+        program + "</table></details>\n";
+    if (!report.settings.empty()) {
+        out += "<p>Settings of the command line:</p>\n<ul>\n";
+        for (const std::string& setting : report.settings) {
+            out += "<li>" + escaped(setting) + "</li>\n";
+        }
+        out += "</ul>\n";
+    }
+    return out;
+}
+
+}  // namespace diurna

@@ -87,9 +87,9 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/plan/progress.cpp", "scenes/run/manifest.cpp", "scenes/run/ledger.cpp",
       "scenes/run/listed_outputs.cpp", "scenes/sweep/records.cpp", "scenes/sweep/merged_labels.cpp",
       "scenes/studies/contrast_files.cpp", "scenes/studies/crossover_files.cpp",
-      "scenes/studies/detection_files.cpp", "scenes/studies/signature_files.cpp",
-      "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp",
-      "terrain/objects/gltf_json.hpp"}},
+      "scenes/studies/detection_files.cpp", "scenes/studies/sensitivity_files.cpp",
+      "scenes/studies/signature_files.cpp", "materials/modtran/modtran6.cpp",
+      "materials/modtran/deck.cpp", "terrain/objects/gltf_json.hpp"}},
     {"boost/math/", {"scenes/studies/crossings.cpp"}},
     {"CLI/",
      {"scenes/commands/main.cpp", "scenes/commands/column_command.cpp",
@@ -99,8 +99,9 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/path_command.cpp", "scenes/commands/raster_commands.cpp",
       "scenes/commands/scene_arguments.cpp", "scenes/commands/scene_commands.cpp",
       "scenes/commands/contrast_command.cpp", "scenes/commands/crossover_command.cpp",
-      "scenes/commands/detection_command.cpp", "scenes/commands/signature_command.cpp",
-      "scenes/commands/sun_command.cpp", "scenes/commands/verify_command.cpp"}},
+      "scenes/commands/detection_command.cpp", "scenes/commands/sensitivity_command.cpp",
+      "scenes/commands/signature_command.cpp", "scenes/commands/sun_command.cpp",
+      "scenes/commands/verify_command.cpp"}},
 };
 
 struct Include {

@@ -28,6 +28,7 @@
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
 #include "scenes/commands/scene_commands.hpp"
+#include "scenes/commands/sensitivity_command.hpp"
 #include "scenes/commands/signature_command.hpp"
 #include "scenes/commands/sun_command.hpp"
 #include "scenes/commands/verify_command.hpp"
@@ -40,12 +41,12 @@ enum ExitCode { done = 0, failed = 1, bad_input = 2 };
 
 /// The verbs in the order of `diurna --help`.
 constexpr void (*verbs[])(CLI::App&) = {
-    add_check_verb,     add_plan_verb,       add_run_verb,       add_solve_verb,
-    add_render_verb,    add_column_verb,     add_path_verb,      add_sun_verb,
-    add_mesh_verb,      add_visibility_verb, add_materials_verb, add_model_verb,
-    add_movie_verb,     add_verify_verb,     add_keys_verb,      add_doctor_verb,
-    add_signature_verb, add_detection_verb,  add_crossover_verb, add_contrast_verb,
-    add_new_verb,
+    add_check_verb,     add_plan_verb,        add_run_verb,       add_solve_verb,
+    add_render_verb,    add_column_verb,      add_path_verb,      add_sun_verb,
+    add_mesh_verb,      add_visibility_verb,  add_materials_verb, add_model_verb,
+    add_movie_verb,     add_verify_verb,      add_keys_verb,      add_doctor_verb,
+    add_signature_verb, add_detection_verb,   add_crossover_verb, add_contrast_verb,
+    add_new_verb,       add_sensitivity_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

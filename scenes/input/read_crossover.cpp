@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/input/read_signature.hpp"
+#include "scenes/input/read_uncertain.hpp"
 
 namespace diurna {
 
@@ -104,28 +105,12 @@ std::vector<UncertainInput> read_uncertain(const Section& section) {
     for (const Section& one : section.sections(
              "uncertain", "a number of the scene that is not known better, and moves the hours")) {
         found.push_back(
-            {.key = one.text("key", "its path: \"weather.changed.wind_factor\""),
+            {.key = read_uncertain_key(one),
              .one_sigma = one.number(
                  "one_sigma", "its value a standard deviation away from what the scene has now"),
              .where = one.where()});
-        const std::string& key = found.back().key;
-        for (const char* own : {"crossover", "sweep", "detection", "signature", "observer"}) {
-            if (key.starts_with(std::string(own) + ".")) {
-                one.mistake("key", fmt::format("found a key of [{}], expected one that light or "
-                                               "heat depend on",
-                                               own));
-            }
-        }
     }
     return found;
-}
-
-/// Fit for a file's name.
-std::string plain(std::string name) {
-    for (char& c : name) {
-        if (c == ' ' || c == '/' || c == ':') c = '_';
-    }
-    return name;
 }
 
 }  // namespace
@@ -148,7 +133,8 @@ std::vector<CrossoverInput> read_crossovers(const Section& root, const TerrainIn
             section.mistake("second", "the same as first");
         }
         input.name = study_name(
-            section, {plain(input.first.name + "-" + input.second.name), "FIRST-SECOND"}, names);
+            section, {plain_name(input.first.name + "-" + input.second.name), "FIRST-SECOND"},
+            names);
         read_bands(section, bands, observer, input);
         input.threshold = section.number_or("threshold_K",
                                             "of apparent temperature, below which contrast is lost",

@@ -19,6 +19,7 @@
 #include "scenes/input/read_observer.hpp"
 #include "scenes/input/read_output.hpp"
 #include "scenes/input/read_plumes.hpp"
+#include "scenes/input/read_sensitivity.hpp"
 #include "scenes/input/read_signature.hpp"
 #include "scenes/input/read_sweep.hpp"
 #include "scenes/input/read_terrain.hpp"
@@ -67,6 +68,7 @@ struct Scene {
     std::vector<DetectionInput> detections;
     std::vector<CrossoverInput> crossovers;
     std::vector<ContrastInput> contrasts;
+    std::vector<SensitivityInput> sensitivities;
     SweepInput sweep;
     double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
     int sky_rays = 64;          // per facet of the ground

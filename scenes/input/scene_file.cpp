@@ -188,6 +188,8 @@ Scene read_scene(const Document& document) {
         read_crossovers(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
     scene.contrasts =
         read_contrasts(root, scene.terrain, scene.materials.names(), scene.bands, scene.observers);
+    scene.sensitivities = read_sensitivities(root, scene.terrain, scene.materials.names(),
+                                             scene.bands, scene.observers, scene.time);
     scene.sweep = read_sweep(
         root.section("sweep", "variants of the scene, which `diurna run` runs in place of it"));
     scene.texture_uses = std::move(reading.texture_uses);

@@ -156,6 +156,13 @@ first_pixels = [0, 0, 1, 1]
 second_pixels = [1, 0, 1, 1]
 bands = ["8-12"]
 [[contrast]]
+[[sensitivity]]
+uncertain = [{ key = "weather.changed.wind_factor", low = 0.9, high = 1.1 }]
+[[sensitivity.output]]
+[[sensitivity.output]]
+figure = "contrast"
+[[sensitivity.output]]
+figure = "crossover"
 [sweep]
 draw = 1
 [[sweep.axis]]

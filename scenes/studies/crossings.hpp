@@ -28,6 +28,11 @@ struct CrossingSearch {
     double jumping = 1e300;  // a step within `width` above it counts as a jump
 };
 
+// Of apparent temperatures of a scene.
+inline constexpr double found_to = 0.5;               // [s]
+inline constexpr double jump = 0.05;                  // [K] within that
+inline constexpr double farthest_shift = 3.0 * 3600;  // [s] that a changed number may move one by
+
 /// All of them, ascending. Between two times of other sign one is found by a bracketed search
 /// (Alefeld, Potra and Shi 1995, ACM Trans. Math. Softw. 21: its error is below `width`); about a
 /// least magnitude it is followed to its minimum, which gives two crossings, one that touches, or

@@ -10,17 +10,12 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
-#include "scenes/run/heat.hpp"
 #include "scenes/studies/seen_regions.hpp"
 #include "scenes/world/stepping.hpp"
 
 namespace diurna {
 
 namespace {
-
-constexpr double found_to = 0.5;               // [s]
-constexpr double jump = 0.05;                  // [K] within that
-constexpr double farthest_shift = 3.0 * 3600;  // [s]
 
 /// Crossovers of one observer and the same bands, by their numbers.
 struct Group {
@@ -143,35 +138,6 @@ void follow(const SeenRegions& seen, const Group& group, const std::vector<Cross
     }
 }
 
-/// A scene that differs in numbers, solved.
-struct OtherScene {
-    Prepared prepared;
-    Stages stages;
-    TemperatureField field;
-    std::string not_converged;
-
-    OtherScene(Scene scene, const Study& study, Progress& progress)
-        : prepared(prepare(std::move(scene))), stages(prepared) {
-        if (prepared.world.facets.size() != study.stages().scene().world.facets.size()) {
-            throw InputError(prepared.scene.file.string(),
-                             "a number that is uncertain changes the ground's facets: crossings "
-                             "would move for that alone");
-        }
-        SpanResult result = solve_scene(stages, progress);
-        not_converged = diurna::not_converged(result.report);
-        field = std::move(result.temperature);
-    }
-};
-
-std::string setting(const std::string& key, double value) {
-    return fmt::format("{}={}", key, value);
-}
-
-Scene every_step(Scene scene) {
-    scene.time.every_step = true;
-    return scene;
-}
-
 }  // namespace
 
 void check_crossovers(const Study& study, const SceneWith& scene_with) {
@@ -186,13 +152,7 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
                                                                   : "objects that go"));
         }
         for (const UncertainInput& one : input.uncertain) {
-            try {
-                scene_with({setting(one.key, one.one_sigma)});
-            } catch (const InputError& error) {
-                const Mistake& found = error.mistakes().front();
-                throw InputError(one.where, fmt::format("{}: {}", found.where, found.problem),
-                                 found.hint);
-            }
+            check_settings(scene_with, {setting(one.key, one.one_sigma)}, one.where);
         }
     }
     for (const Group& group : groups(scene.crossovers)) {
@@ -225,7 +185,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
     }
     const auto in_other = [&](const std::vector<std::string>& settings, int more_samples,
                               const auto& concerns, const auto& told) {
-        const OtherScene other(every_step(scene_with(settings)), study, progress);
+        const OtherScene other(scene_with(settings), study);
         if (!other.not_converged.empty()) {
             answer.notes.push_back(
                 fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));

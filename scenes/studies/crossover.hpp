@@ -1,14 +1,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scenes/input/read_crossover.hpp"
 #include "scenes/studies/crossings.hpp"
-#include "scenes/studies/signature_scene.hpp"
+#include "scenes/studies/other_scene.hpp"
 
 namespace diurna {
 
@@ -47,9 +46,6 @@ struct CrossoverAnswer {
     std::vector<CrossoverReport> report;  // (crossover of the scene)
     std::vector<std::string> notes;       // of the scenes that were solved beside it
 };
-
-/// The scene as it is, with settings "key=value".
-using SceneWith = std::function<Scene(const std::vector<std::string>&)>;
 
 /// All crossovers of a scene: those that are asked of one observer share its pictures. Throws
 /// InputError for regions that fill no pixel, and where an object or the observer goes.

@@ -76,6 +76,18 @@ View first_seen(const Prepared& prepared, const Series& series) {
     return cast_view(prepared.rays, prepared.world.surfaces(), series.observer, series.sampling);
 }
 
+std::vector<FacetId> facets_of(const Prepared& prepared, const RegionInput& region) {
+    std::vector<FacetId> found;
+    if (region.kind == RegionInput::Kind::pixels) return found;
+    const Membership member(prepared, region);
+    const std::size_t facets = prepared.world.surfaces().size();
+    for (std::size_t f = 0; f < facets; ++f) {
+        const FacetId facet{static_cast<std::uint32_t>(f)};
+        if (member.has(facet, no_copy, prepared.world.copies)) found.push_back(facet);
+    }
+    return found;
+}
+
 std::vector<float> region_cover(const View& view, const Prepared& prepared,
                                 const RegionInput& region) {
     std::vector<float> cover(view.pixels(), 0.0f);

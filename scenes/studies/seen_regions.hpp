@@ -17,6 +17,10 @@ namespace diurna {
 /// pane, a mirror or a plume: their rays are followed (render/rays/follow_rays.hpp).
 View first_seen(const Prepared& prepared, const Series& series);
 
+/// Facets of the surfaces that a region is made of, ascending; pixels have none, and copies that of
+/// the object they are copies of.
+std::vector<FacetId> facets_of(const Prepared& prepared, const RegionInput& region);
+
 /// (pixel) share of a view's pixels that a region fills.
 std::vector<float> region_cover(const View& view, const Prepared& prepared,
                                 const RegionInput& region);

@@ -15,7 +15,7 @@
 #include "materials/base/files.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/studies/crossover_files.hpp"
-#include "tests/support/black_plain.hpp"
+#include "tests/support/heated_plate.hpp"
 
 using namespace diurna;
 
@@ -198,18 +198,7 @@ TEST_CASE(
     // h: equal at 9 and 15 h. With 320 in the plain, a standard deviation away, 36 minutes nearer
     // noon.
     const ScratchFolder folder("crossover_schedule");
-    std::string weather =
-        "time,air_temperature_K,shortwave_down_W_m2,direct_normal_W_m2,"
-        "diffuse_W_m2,longwave_down_W_m2\n";
-    for (int h = 0; h <= 48; ++h) {
-        weather +=
-            fmt::format("2026-07-{:02}T{:02}:00:00-04:00,290,0,0,0,0\n", 14 + h / 24, h % 24);
-    }
-    write_text(folder.path / "dark.csv", weather);
-    std::string text = plate_on_plain(R"(
-[material.heated]
-like = "black"
-internal_schedule = [[6.0, 200.0], [12.0, 400.0], [18.0, 200.0]]
+    lay_heated_plate(folder, R"(
 [[crossover]]
 name = "plates"
 first = "plate"
@@ -217,17 +206,6 @@ second = "ground"
 bands = ["8-12"]
 uncertain = [{ key = "material.black.internal_heat_W_m2", one_sigma = 320.0 }]
 )");
-    text = with(text, "name = \"plate\"\nmaterial = \"black\"",
-                "name = \"plate\"\nmaterial = \"heated\"");
-    text = with(text, DIURNA_SOURCE_DIR "/scenes/jacksboro/weather.csv", "dark.csv");
-    text = with(text, "albedo = 0.0",
-                "albedo = 0.0\ninternal_heat_W_m2 = 300.0\n"
-                "convection = { kind = \"constant\", value_W_m2K = 0.0 }\n"
-                "evaporation = { kind = \"none\" }\nstore = { capacity_mm = 0 }\n"
-                "bottom = { kind = \"flux\", value_W_m2 = 0.0 }\n"
-                "layers = [{ thickness_m = 0.001, conductivity_W_mK = 1.0, density_kg_m3 = 10.0, "
-                "heat_capacity_J_kgK = 1000.0 }]");
-    lay(folder, text);
     const int code = crossover(folder.path / "scene.toml", folder.path / "out");
     INFO(read_text(folder.path / "out.txt"));
     REQUIRE(code == 0);

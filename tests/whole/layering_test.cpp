@@ -89,8 +89,9 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/run/ledger.cpp", "scenes/run/listed_outputs.cpp", "scenes/sweep/records.cpp",
       "scenes/sweep/merged_labels.cpp", "scenes/studies/contrast_files.cpp",
       "scenes/studies/crossover_files.cpp", "scenes/studies/detection_files.cpp",
-      "scenes/studies/signature_files.cpp", "materials/modtran/modtran6.cpp",
-      "materials/modtran/deck.cpp", "terrain/objects/gltf_json.hpp"}},
+      "scenes/studies/sensitivity_files.cpp", "scenes/studies/signature_files.cpp",
+      "materials/modtran/modtran6.cpp", "materials/modtran/deck.cpp",
+      "terrain/objects/gltf_json.hpp"}},
     {"cereal/", {"scenes/kept/stage_bytes.cpp"}},
     {"boost/geometry", {"terrain/ground/ring_index.cpp"}},
     {"boost/math/", {"scenes/studies/crossings.cpp"}},
@@ -102,8 +103,9 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/path_command.cpp", "scenes/commands/raster_commands.cpp",
       "scenes/commands/scene_arguments.cpp", "scenes/commands/scene_commands.cpp",
       "scenes/commands/contrast_command.cpp", "scenes/commands/crossover_command.cpp",
-      "scenes/commands/detection_command.cpp", "scenes/commands/signature_command.cpp",
-      "scenes/commands/sun_command.cpp", "scenes/commands/verify_command.cpp"}},
+      "scenes/commands/detection_command.cpp", "scenes/commands/sensitivity_command.cpp",
+      "scenes/commands/signature_command.cpp", "scenes/commands/sun_command.cpp",
+      "scenes/commands/verify_command.cpp"}},
 };
 
 struct Include {

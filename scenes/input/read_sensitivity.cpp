@@ -1,0 +1,181 @@
+#include "scenes/input/read_sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "materials/base/error.hpp"
+#include "scenes/input/read_signature.hpp"
+#include "scenes/input/read_uncertain.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Figure = SensitivityOutput::Figure;
+
+/// What outputs may name.
+struct Known {
+    RegionNames regions;
+    const std::vector<BandInput>& bands;
+    const std::vector<ObserverInput>& observers;
+    double hours;  // of the span
+};
+
+std::vector<RangedInput> read_ranges(const Section& section) {
+    std::vector<RangedInput> found;
+    std::set<std::string> keys;
+    for (const Section& one :
+         section.sections("uncertain", "a number of the scene that is not known well")) {
+        found.push_back({.key = read_uncertain_key(one),
+                         .low = one.number("low", "the least that it may be"),
+                         .high = one.number("high", "the most that it may be"),
+                         .where = one.where()});
+        const RangedInput& input = found.back();
+        if (!one.amiss() && !(input.low < input.high)) {
+            one.mistake("high", fmt::format("found {:g}, expected above low = {:g}", input.high,
+                                            input.low));
+        }
+        if (!keys.insert(input.key).second) {
+            one.mistake("key", fmt::format("\"{}\" twice", input.key));
+        }
+    }
+    if (found.empty()) section.mistake("uncertain", "missing, expected at least one");
+    return found;
+}
+
+RegionInput read_region(const Section& section, const char* key, const char* says,
+                        const Known& known) {
+    RegionInput region = region_named(section.name(key, says, known.regions.all), known.regions);
+    region.where = section.where(key);
+    return region;
+}
+
+/// What is beyond 3 µm and which the observer has, or any that it could have.
+void read_band(const Section& section, const Known& known, SensitivityOutput& output) {
+    const auto warm = [&](const std::string& name) {
+        return named_band(known.bands, name).from_um() >= heat_begins_um;
+    };
+    const bool given = section.has("band");
+    output.band = section.text_or("band", "a range beyond 3 µm, a word or a name of [[bands]]",
+                                  {std::string(), "the observer's first beyond 3 µm"});
+    try {
+        if (given) {
+            if (!warm(output.band)) {
+                section.mistake("band", fmt::format("\"{}\" begins below 3 um, where there is "
+                                                    "nothing to see at night",
+                                                    output.band));
+            }
+            return;
+        }
+        for (const std::string& band : known.observers[output.observer].bands) {
+            if (!output.band.empty() || !warm(band)) continue;
+            output.band = band;
+        }
+    } catch (const InputError& error) {
+        if (!given) return;  // told where the observer names it
+        section.mistake("band", error.mistakes().front().problem, error.mistakes().front().hint);
+        return;
+    }
+    if (output.band.empty()) {
+        section.mistake("band", "missing: the observer has none beyond 3 um");
+    }
+}
+
+void read_eye(const Section& section, const Known& known, SensitivityOutput& output) {
+    Names names{.what = "observer", .known = {}, .where = " in [[observer]]"};
+    for (const ObserverInput& one : known.observers) names.known.push_back(one.name);
+    const bool only = names.known.size() == 1;
+    const std::string name =
+        section.name_or("observer", "to whom they look so; needed of several",
+                        {only ? names.known.front() : std::string(), "the only one"}, names);
+    if (!only && !section.has("observer")) {
+        section.mistake("observer", "missing, expected the name of an [[observer]]");
+    }
+    const auto at = std::find(names.known.begin(), names.known.end(), name);
+    if (at == names.known.end()) return;
+    output.observer = std::size_t(at - names.known.begin());
+    read_band(section, known, output);
+}
+
+SensitivityOutput read_one_output(const Section& section, const Known& known, Instant start) {
+    SensitivityOutput output;
+    output.where = section.where();
+    output.figure =
+        section.choice_or("figure",
+                          "mean temperature of first over its area; apparent temperature of first "
+                          "less that of second; hour at which these are equal",
+                          Figure::temperature,
+                          {{"temperature", Figure::temperature},
+                           {"contrast", Figure::contrast},
+                           {"crossover", Figure::crossover}});
+    output.first = read_region(section, "first", region_says, known);
+    std::string usual = output.first.name;
+    if (output.figure != Figure::temperature) {
+        output.second =
+            read_region(section, "second", "likewise, what first is compared with", known);
+        if (output.first.name == output.second.name && !output.first.name.empty()) {
+            section.mistake("second", "the same as first");
+        }
+        usual += " - " + output.second.name;
+        read_eye(section, known, output);
+    }
+    if (output.figure == Figure::crossover) {
+        output.number = section.integer_or("number", "which one of the span's crossovers",
+                                           output.number, {1, 1000});
+        usual += fmt::format(" crossover {}", output.number);
+    } else {
+        const double hour = section.number("at_h", "after the span's start", {0.0, 8784.0});
+        if (hour > known.hours) {
+            section.mistake("at_h", fmt::format("found {:g}, expected within the span of {:g} h",
+                                                hour, known.hours));
+        }
+        output.at = later(start, 3600.0 * hour);
+        usual += fmt::format(" at {:g} h", hour);
+    }
+    output.name = section.text_or("name", "in the results", {usual, "FIRST - SECOND at N h"});
+    return output;
+}
+
+}  // namespace
+
+std::vector<SensitivityInput> read_sensitivities(const Section& root, const TerrainInput& terrain,
+                                                 const std::vector<std::string>& materials,
+                                                 const std::vector<BandInput>& bands,
+                                                 const std::vector<ObserverInput>& observers,
+                                                 const TimeInput& time) {
+    std::vector<SensitivityInput> found;
+    std::vector<std::string> names;
+    const Known known{region_names(terrain, materials), bands, observers, time.duration / 3600.0};
+    for (const Section& section :
+         root.sections("sensitivity",
+                       "what numbers that are not known well do to figures of the scene: diurna "
+                       "sensitivity")) {
+        SensitivityInput input;
+        input.where = section.where();
+        input.name = study_name(section, {"sensitivity", "sensitivity"}, names);
+        input.uncertain = read_ranges(section);
+        std::set<std::string> outputs;
+        for (const Section& one : section.sections("output", "a figure that is asked for")) {
+            input.outputs.push_back(read_one_output(one, known, time.start));
+            if (!outputs.insert(input.outputs.back().name).second) {
+                one.mistake("name", fmt::format("two of the name \"{}\"",  //
+                                                input.outputs.back().name));
+            }
+        }
+        if (input.outputs.empty()) section.mistake("output", "missing, expected at least one");
+        input.trajectories = std::size_t(section.integer_or(
+            "trajectories",
+            "of Morris's screening, each of one scene more than there are uncertain numbers; 0: "
+            "one at a time alone",
+            static_cast<int>(input.trajectories), {0, 1000}));
+        input.levels =
+            section.integer_or("levels", "of every number in it, even", input.levels, {2, 100});
+        if (input.levels % 2 != 0) section.mistake("levels", "expected an even number");
+        found.push_back(std::move(input));
+    }
+    return found;
+}
+
+}  // namespace diurna

@@ -1,0 +1,214 @@
+#include "scenes/studies/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "materials/base/error.hpp"
+#include "scenes/studies/crossings.hpp"
+#include "scenes/studies/seen_regions.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Figure = SensitivityOutput::Figure;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+/// Which of the span's crossings an output is about, as the scene has it; none where there is none.
+using Likes = std::vector<std::optional<ZeroCrossing>>;
+
+double mean_temperature(const Prepared& prepared, const RegionInput& region,
+                        const TemperatureField& field, Instant when) {
+    const FacetSet& surfaces = prepared.world.surfaces();
+    const std::vector<float> kelvin = field.interpolate(when);
+    double sum = 0.0, area = 0.0;
+    for (const FacetId facet : facets_of(prepared, region)) {
+        sum += double{surfaces.area[index(facet)]} * double{kelvin[index(facet)]};
+        area += double{surfaces.area[index(facet)]};
+    }
+    return sum / area;
+}
+
+/// The figure of one scene. Without `like` the crossing is searched for among all, and `like` takes
+/// it; with it the one nearest to it.
+double figure_of(const SensitivityOutput& output, const Stages& stages,
+                 const TemperatureField& field, bool base, std::optional<ZeroCrossing>& like) {
+    const Prepared& prepared = stages.scene();
+    if (output.figure == Figure::temperature) {
+        return mean_temperature(prepared, output.first, field, output.at);
+    }
+    if (output.figure == Figure::crossover && !base && !like) return nan;
+    const SeenRegions seen(stages.at(0), output.observer, {output.first, output.second},
+                           {output.band}, field, prepared.scene.observers[output.observer].samples);
+    const auto contrast = [&](Instant when) {
+        const std::vector<double>& kelvin = seen.apparent(when);
+        return kelvin[0] - kelvin[1];
+    };
+    if (output.figure == Figure::contrast) return contrast(output.at);
+    const Instant start = field.instant.front();
+    const Difference difference = [&](double seconds) { return contrast(later(start, seconds)); };
+    if (!base) {
+        const auto found = nearest_crossing(*like, difference, farthest_shift, 0.0,
+                                            seconds_between(start, field.instant.back()), found_to);
+        return found ? *found / 3600.0 : nan;
+    }
+    std::vector<double> time, value;
+    for (const Instant when : field.instant) {
+        time.push_back(seconds_between(start, when));
+        value.push_back(contrast(when));
+    }
+    int number = 0;
+    for (const ZeroCrossing& one :
+         find_crossings(time, value, difference, {.width = found_to, .jumping = jump})) {
+        if (one.kind == ZeroCrossing::Kind::touches || ++number != output.number) continue;
+        like = one;
+        return one.at / 3600.0;
+    }
+    return nan;
+}
+
+/// (output)
+std::vector<double> figures_of(const SensitivityInput& input, const Stages& stages,
+                               const TemperatureField& field, bool base, Likes& likes) {
+    std::vector<double> found;
+    for (std::size_t o = 0; o < input.outputs.size(); ++o) {
+        found.push_back(figure_of(input.outputs[o], stages, field, base, likes[o]));
+    }
+    return found;
+}
+
+MorrisDesign design_of(const SensitivityInput& input, const Scene& scene) {
+    return morris_design(input.uncertain.size(), input.trajectories, input.levels, scene.seed);
+}
+
+/// - point: (uncertain) 0 at the low end, 1 at the high one
+std::vector<std::string> settings_at(const SensitivityInput& input,
+                                     const std::vector<double>& point) {
+    std::vector<std::string> settings;
+    for (std::size_t u = 0; u < point.size(); ++u) {
+        const RangedInput& one = input.uncertain[u];
+        settings.push_back(setting(one.key, one.low + point[u] * (one.high - one.low)));
+    }
+    return settings;
+}
+
+void check_output(const Prepared& prepared, const SensitivityOutput& output) {
+    if (!prepared.movement.none()) {
+        throw InputError(output.where,
+                         "expected a scene in which nothing goes, found objects that go");
+    }
+    if (output.figure == Figure::temperature) {
+        if (!facets_of(prepared, output.first).empty()) return;
+        throw InputError(output.first.where,
+                         fmt::format("\"{}\" has no surface", output.first.name));
+    }
+    if (prepared.sequences[output.observer].goes) {
+        throw InputError(output.where, "expected an observer that stands, found one that goes");
+    }
+    filled_pixels(prepared, output.observer, {output.first, output.second},
+                  prepared.scene.observers[output.observer].samples);
+}
+
+/// What is to be told of the numbers' effects.
+void add_notes(const SensitivityInput& input, SensitivityReport& report) {
+    for (std::size_t o = 0; o < input.outputs.size(); ++o) {
+        const OutputSensitivity& one = report.output[o];
+        const std::string& name = input.outputs[o].name;
+        if (std::isnan(one.base)) {
+            report.notes.push_back(
+                fmt::format("{}: no such crossover in the scene as it is", name));
+            continue;
+        }
+        for (std::size_t u = 0; u < input.uncertain.size(); ++u) {
+            for (const auto& [word, value] :
+                 {std::pair{"low", one.alone[u].low}, std::pair{"high", one.alone[u].high}}) {
+                if (!std::isnan(value)) continue;
+                report.notes.push_back(fmt::format("{}: the crossover is gone with {} {}", name,
+                                                   word, input.uncertain[u].key));
+            }
+            if (one.effect.empty() || one.effect[u].count == input.trajectories) continue;
+            report.notes.push_back(fmt::format(
+                "{}: {} of {} elementary effects of {} are known, the crossover is gone in others",
+                name, one.effect[u].count, input.trajectories, input.uncertain[u].key));
+        }
+    }
+    for (std::size_t u = 0; u < input.uncertain.size(); ++u) {
+        const bool idle = std::all_of(
+            report.output.begin(), report.output.end(), [&](const OutputSensitivity& one) {
+                const bool none = std::isnan(one.base) ||
+                                  (one.alone[u].low == one.base && one.alone[u].high == one.base);
+                return none && (one.effect.empty() || one.effect[u].count == 0 ||
+                                one.effect[u].mean_size == 0.0);
+            });
+        if (idle) {
+            report.notes.push_back(fmt::format("{} changes nothing", input.uncertain[u].key));
+        }
+    }
+}
+
+}  // namespace
+
+void check_sensitivity(const Study& study, const SensitivityInput& input,
+                       const SceneWith& scene_with) {
+    for (const SensitivityOutput& output : input.outputs) {
+        check_output(study.stages().scene(), output);
+    }
+    for (const RangedInput& one : input.uncertain) {
+        check_settings(scene_with, {setting(one.key, one.low)}, one.where);
+        check_settings(scene_with, {setting(one.key, one.high)}, one.where);
+    }
+    for (const std::vector<double>& point : design_of(input, study.scene()).point) {
+        check_settings(scene_with, settings_at(input, point), input.where);
+    }
+}
+
+SensitivityReport sensitivity_of(Study& study, const SensitivityInput& input,
+                                 const TemperatureField& field, const SceneWith& scene_with) {
+    const std::size_t outputs = input.outputs.size();
+    SensitivityReport report{.output = std::vector<OutputSensitivity>(outputs)};
+    Likes likes(outputs);
+    study.progress().stage("sensitivity");
+    const std::vector<double> base = figures_of(input, study.stages(), field, true, likes);
+    const auto solved_with = [&](const std::vector<std::string>& settings) {
+        const OtherScene other(scene_with(settings), study);
+        ++report.scenes;
+        if (!other.not_converged.empty()) {
+            report.converged = false;
+            report.notes.push_back(
+                fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
+        }
+        return figures_of(input, other.stages, other.field, false, likes);
+    };
+    for (std::size_t o = 0; o < outputs; ++o) report.output[o].base = base[o];
+    for (const RangedInput& one : input.uncertain) {
+        const std::vector<double> low = solved_with({setting(one.key, one.low)});
+        const std::vector<double> high = solved_with({setting(one.key, one.high)});
+        for (std::size_t o = 0; o < outputs; ++o) {
+            const double change = high[o] - low[o];
+            report.output[o].alone.push_back(
+                {.low = low[o], .high = high[o], .slope = change / (one.high - one.low)});
+            report.output[o].deviation =
+                std::hypot(report.output[o].deviation, change / std::sqrt(12.0));
+        }
+    }
+    if (input.trajectories > 0) {
+        const MorrisDesign design = design_of(input, study.scene());
+        std::vector<std::vector<double>> result(outputs);
+        for (const std::vector<double>& point : design.point) {
+            const std::vector<double> found = solved_with(settings_at(input, point));
+            for (std::size_t o = 0; o < outputs; ++o) result[o].push_back(found[o]);
+        }
+        for (std::size_t o = 0; o < outputs; ++o) {
+            report.output[o].effect = elementary_effects(design, result[o]);
+        }
+    }
+    add_notes(input, report);
+    return report;
+}
+
+}  // namespace diurna

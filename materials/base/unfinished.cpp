@@ -51,10 +51,7 @@ void forget(int slot) {
 }
 
 extern "C" void end_by_signal(int signal) {
-    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
-    for (const Slot& slot : slots) {
-        if (slot.state == Slot::named) ::unlink(slot.path.data());
-    }
+    remove_unfinished();
     std::signal(signal, SIG_DFL);
     ::raise(signal);
 }
@@ -118,6 +115,13 @@ fs::path temporary_beside(const fs::path& path) {
 
 bool is_temporary_name(const std::string& name) {
     return name.starts_with(".") && name.ends_with(".part");
+}
+
+void remove_unfinished() {
+    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
+    for (const Slot& slot : slots) {
+        if (slot.state == Slot::named) ::unlink(slot.path.data());
+    }
 }
 
 void remove_unfinished_at_signals() {

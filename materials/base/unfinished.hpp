@@ -42,6 +42,10 @@ std::filesystem::path temporary_beside(const std::filesystem::path& path);
 /// Whether a file's name is one that unfinished files have: ".NAME.PROCESS.RANDOM.part".
 bool is_temporary_name(const std::string& name);
 
+/// Removes what is unfinished and ends a child process, where the program has to end at once.
+/// Neither locks nor allocates.
+void remove_unfinished();
+
 /// From here on SIGINT, SIGTERM and SIGHUP remove what is unfinished and end a child process, and
 /// then the program as they do by themselves (128 + number to a shell). One that the program was
 /// started without (nohup) stays ignored.

@@ -75,7 +75,7 @@ const Fit& zenith_fit() {
 const Fit& sunlit_fit() {
     static const Fit fit = [] {
         Fit f;
-        const SkyDirections& half = half_sky();
+        const HalfSky& half = half_sky();
         f.up.assign(half.up.begin(), half.up.end());
         f.azimuth.assign(half.azimuth.begin(), half.azimuth.end());
         for (std::size_t i = 0; i < sky_directions; ++i) {
@@ -197,7 +197,7 @@ namespace {
 /// The sky without its aureole in the directions of half_sky, (direction)(node).
 std::vector<std::vector<double>> smooth_sky(const SunField& field, double height_km,
                                             const Aureole& aureole) {
-    const SkyDirections& half = half_sky();
+    const HalfSky& half = half_sky();
     std::vector<double> azimuth_deg;
     for (std::size_t j = 0; j < sky_sectors; ++j) azimuth_deg.push_back(degrees(half.azimuth[j]));
     std::vector<std::vector<double>> smooth;

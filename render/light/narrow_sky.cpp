@@ -23,7 +23,7 @@ struct WholeSky {
     Columns at;
 
     WholeSky() {
-        const SkyDirections& half = half_sky();
+        const HalfSky& half = half_sky();
         for (Eigen::Index i = 0; i < whole; ++i) {
             const std::size_t k = std::size_t(i) % sky_directions;
             const double side = std::size_t(i) < sky_directions ? 1.0 : -1.0;
@@ -40,9 +40,9 @@ struct WholeSky {
 
 }  // namespace
 
-const SkyDirections& half_sky() {
-    static const SkyDirections directions = [] {
-        SkyDirections half;
+const HalfSky& half_sky() {
+    static const HalfSky directions = [] {
+        HalfSky half;
         const Quadrature rings = gauss_legendre(int(sky_rings), 0.0, 1.0);
         for (std::size_t i = 0; i < sky_rings; ++i) {
             for (std::size_t j = 0; j < sky_sectors; ++j) {

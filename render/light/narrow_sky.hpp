@@ -22,13 +22,13 @@ namespace diurna {
 /// sine of the elevation, each of sectors in azimuth from 0 to π.
 inline constexpr std::size_t sky_rings = 6, sky_sectors = 12,
                              sky_directions = sky_rings * sky_sectors;
-struct SkyDirections {
+struct HalfSky {
     std::array<double, sky_directions> up;           // sine of the elevation
     std::array<double, sky_directions> azimuth;      // [rad] 0 to π
     std::array<double, sky_directions> ring_weight;  // of the ring in ∫ d up
 };
 /// (ring, sector)
-const SkyDirections& half_sky();
+const HalfSky& half_sky();
 
 /// Shares of a facet's view by direction of half_sky, both halves together; their sum is the sky
 /// view.

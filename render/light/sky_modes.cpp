@@ -88,8 +88,10 @@ SkyModes sky_modes(const Band& band, const std::array<IncidentLight, 3>& inciden
     for (const Eigen::Index k : kept) {
         const Eigen::VectorXd way = parts.eigenvectors().col(k), spectrum = light * way;
         const auto row = Eigen::Index(modes.spectrum.size());
-        modes.narrow.row(row) =
-            (spectrum.transpose() * left_light / spectrum.squaredNorm()).cast<float>();
+        if (left) {
+            modes.narrow.row(row) =
+                (spectrum.transpose() * left_light / spectrum.squaredNorm()).cast<float>();
+        }
         for (Eigen::Index i = 0; i < way.size(); ++i) {
             const double scale = i % Eigen::Index(numbers) == 0 ? 1.0 : 1.0 / usual_uneven;
             modes.share(row, i) = static_cast<float>(scale * way[i]);

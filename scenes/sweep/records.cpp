@@ -55,7 +55,7 @@ fs::path variant_folder(const fs::path& out, const std::string& variant) {
     return out / "variants" / variant;
 }
 
-HeatRecord read_heat_record(const fs::path& folder) {
+SweptHeat read_heat_record(const fs::path& folder) {
     const Json json = read_json(folder / "done.json");
     if (!json.contains("key")) return {};
     return {.key = json.value("key", ""),
@@ -74,7 +74,7 @@ VariantRecord read_variant_record(const fs::path& folder) {
             .notes = json.value("notes", std::vector<std::string>{})};
 }
 
-void write_heat_record(const fs::path& folder, const HeatRecord& record) {
+void write_heat_record(const fs::path& folder, const SweptHeat& record) {
     const Json json = {{"key", record.key},
                        {"temperatures_sha256", record.sha256},
                        {"start", record.start},
@@ -113,7 +113,7 @@ void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
     std::set<std::string> heats;
     for (const Variant& variant : sweep.variants) heats.insert(variant.heat);
     for (const std::string& heat : heats) {
-        const HeatRecord record = read_heat_record(heat_folder(out, heat));
+        const SweptHeat record = read_heat_record(heat_folder(out, heat));
         Json entry = {{"name", heat},
                       {"temperatures", "heat/" + heat + "/temperatures.nc"},
                       {"sha256", record.sha256},

@@ -12,7 +12,7 @@
 namespace diurna {
 
 /// "heat/h2/done.json"
-struct HeatRecord {
+struct SweptHeat {
     std::string key;     // of all it depends on
     std::string sha256;  // of its temperatures.nc
     std::string start, not_converged;
@@ -30,10 +30,10 @@ std::filesystem::path heat_folder(const std::filesystem::path& out, const std::s
 std::filesystem::path variant_folder(const std::filesystem::path& out, const std::string& variant);
 
 /// Empty where there is none.
-HeatRecord read_heat_record(const std::filesystem::path& folder);
+SweptHeat read_heat_record(const std::filesystem::path& folder);
 VariantRecord read_variant_record(const std::filesystem::path& folder);
 
-void write_heat_record(const std::filesystem::path& folder, const HeatRecord& record);
+void write_heat_record(const std::filesystem::path& folder, const SweptHeat& record);
 /// With the variant's values.
 void write_variant_record(const std::filesystem::path& folder, const Sweep& sweep,
                           const Variant& variant, const VariantRecord& record);

@@ -75,7 +75,7 @@ void tell_once(std::vector<std::string>& notes, const std::string& note) {
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
 }
 
-void tell(const HeatRecord& record, const std::string& heat, SweepReport& report) {
+void tell(const SweptHeat& record, const std::string& heat, SweepReport& report) {
     if (!record.not_converged.empty()) {
         report.not_converged.push_back(fmt::format("heat {}: {}", heat, record.not_converged));
     }
@@ -86,7 +86,7 @@ void tell(const HeatRecord& record, const std::string& heat, SweepReport& report
 TemperatureField temperatures(const Group& group, const Stages& stages, Progress& progress,
                               SweepReport& report) {
     const fs::path folder = group.folder(), file = folder / "temperatures.nc";
-    HeatRecord record = read_heat_record(folder);
+    SweptHeat record = read_heat_record(folder);
     std::optional<TemperatureField> field;
     if (group.options.resume && record.key == group.key && !record.sha256.empty() &&
         is_whole(folder, {{"temperatures.nc", record.sha256}})) {

@@ -57,7 +57,7 @@ void add_obstacle(const World& world, const BodyBox& box, std::uint32_t body,
                      lee_reach * height + std::hypot(box.half_length, box.half_width)});
 }
 
-std::vector<Obstacle> obstacles(const World& world, const ObjectParts& parts) {
+std::vector<Obstacle> obstacles(const World& world, const ObjectBodies& parts) {
     std::vector<Obstacle> found;
     for (std::uint32_t b = 0; b < parts.body.size(); ++b) {
         add_obstacle(world, parts.body[b], b, found);
@@ -172,7 +172,7 @@ std::vector<FilmPart> parts_in_wind(const World& world, const MaterialLibrary& m
                                     double wind_height) {
     const FacetSet& solid = world.facets;
     if (world.ground_facets >= solid.size()) return {};
-    const ObjectParts parts = object_parts(solid, world.ground_facets);
+    const ObjectBodies parts = object_parts(solid, world.ground_facets);
     std::vector<Obstacle> standing = obstacles(world, parts);
     add_copies(world, standing);
     const Reached reached(standing, solid);

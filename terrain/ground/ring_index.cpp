@@ -17,7 +17,7 @@ std::vector<Entry> entries(const std::vector<Ring>& rings) {
     std::vector<Entry> all;
     for (std::size_t i = 0; i < rings.size(); ++i) {
         if (rings[i].empty()) continue;
-        const Extent extent(rings[i]);
+        const RingExtent extent(rings[i]);
         all.push_back({{{extent.low.x(), extent.low.y()}, {extent.high.x(), extent.high.y()}},
                        std::int32_t(i)});
     }

@@ -11,7 +11,7 @@ namespace {
 /// Distance [posts] within which a ring runs through a post instead of beside it, so that no sliver
 /// arises: little to what is cut, too, where posts are far apart.
 double snapping_distance(const Ring& ring, double largest_edge, const Eigen::Vector2d& spacing) {
-    const Extent extent(ring);
+    const RingExtent extent(ring);
     const double size = (extent.high - extent.low).cwiseProduct(spacing).minCoeff();
     return std::min(
         {0.005, 0.2 * largest_edge / spacing.maxCoeff(), 0.02 * size / spacing.maxCoeff()});
@@ -51,14 +51,14 @@ double distance_to_ring(const Ring& ring, const Eigen::Vector2d& p,
 
 }  // namespace
 
-Extent::Extent(const Ring& ring) : low(ring.front()), high(ring.front()) {
+RingExtent::RingExtent(const Ring& ring) : low(ring.front()), high(ring.front()) {
     for (const auto& p : ring) {
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
 }
 
-bool Extent::contains(const Eigen::Vector2d& p) const {
+bool RingExtent::contains(const Eigen::Vector2d& p) const {
     return (p.array() >= low.array()).all() && (p.array() <= high.array()).all();
 }
 
@@ -138,7 +138,7 @@ Ring lattice_inside(const Ring& corners, const Ring& border, double largest_edge
         }
     }
     const Eigen::Vector2d across(-along.y(), along.x());
-    const Extent extent(border);
+    const RingExtent extent(border);
     const Eigen::Vector2d centre = 0.5 * (extent.low + extent.high);
     const int reach = static_cast<int>(
         std::ceil(0.5 * (extent.high - extent.low).cwiseProduct(spacing).norm() / step));

@@ -18,9 +18,9 @@ auto turn(const Point& a, const Point& b, const Point& c) {
 }
 
 /// The smallest upright rectangle round a ring.
-struct Extent {
+struct RingExtent {
     Eigen::Vector2d low, high;
-    explicit Extent(const Ring& ring);
+    explicit RingExtent(const Ring& ring);
     bool contains(const Eigen::Vector2d& p) const;
 };
 

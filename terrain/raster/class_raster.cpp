@@ -89,7 +89,7 @@ std::vector<std::int32_t> classes_at(const ClassRaster& raster, std::span<const 
         x.push_back(place.longitude_deg);
         y.push_back(place.latitude_deg);
     }
-    const Projection& projection = projection_of(raster.crs_wkt, raster.source);
+    const GeoProjection& projection = projection_of(raster.crs_wkt, raster.source);
     const std::vector<int> good = transform(*projection.from_geodetic, x, y);
     std::vector<std::int32_t> found(places.size(), no_class);
     for (std::size_t i = 0; i < places.size(); ++i) {

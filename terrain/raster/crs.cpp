@@ -41,14 +41,14 @@ std::vector<int> transform(OGRCoordinateTransformation& shift, std::vector<doubl
     return good;
 }
 
-const Projection& projection_of(const std::string& wkt, const std::string& source) {
-    thread_local Projection last;
+const GeoProjection& projection_of(const std::string& wkt, const std::string& source) {
+    thread_local GeoProjection last;
     if (last.wkt == wkt && last.to_geodetic) return last;
     const OGRSpatialReference reference = reference_of(wkt), geodetic = wgs84();
-    Projection made{.wkt = wkt,
-                    .geographic = reference.IsGeographic() != 0,
-                    .to_geodetic = transformation(reference, geodetic),
-                    .from_geodetic = transformation(geodetic, reference)};
+    GeoProjection made{.wkt = wkt,
+                       .geographic = reference.IsGeographic() != 0,
+                       .to_geodetic = transformation(reference, geodetic),
+                       .from_geodetic = transformation(geodetic, reference)};
     if (!made.to_geodetic || !made.from_geodetic) {
         throw InputError(source,
                          "its coordinate reference system cannot be brought to latitude and "

@@ -24,14 +24,14 @@ std::vector<int> transform(OGRCoordinateTransformation& shift, std::vector<doubl
                            std::vector<double>& y);
 
 /// A CRS to longitude and latitude of WGS84 [°] and back.
-struct Projection {
+struct GeoProjection {
     std::string wkt;
     bool geographic = false;
     Transformation to_geodetic, from_geodetic;
 };
 /// Made once per CRS and thread; valid until the thread asks for another. Throws InputError(source)
 /// where PROJ knows no way.
-const Projection& projection_of(const std::string& wkt, const std::string& source);
+const GeoProjection& projection_of(const std::string& wkt, const std::string& source);
 
 bool same_reference(const std::string& wkt, const std::string& other);
 

@@ -25,7 +25,7 @@ std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vec
         x[i] = at.x();
         y[i] = at.y();
     }
-    const Projection& projection = projection_of(dem.crs_wkt, dem.source);
+    const GeoProjection& projection = projection_of(dem.crs_wkt, dem.source);
     const std::vector<int> good = transform(*projection.to_geodetic, x, y);
     std::vector<Geodetic> geodetic(place.size());
     for (std::size_t i = 0; i < place.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vec
 
 std::vector<Eigen::Vector2d> raster_places(const Dem& dem, std::span<const Geodetic> places) {
     const QuietGdal gdal;
-    const Projection& projection = projection_of(dem.crs_wkt, dem.source);
+    const GeoProjection& projection = projection_of(dem.crs_wkt, dem.source);
     std::vector<double> x(places.size()), y(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
         x[i] = places[i].longitude_deg;

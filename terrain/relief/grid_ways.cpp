@@ -53,10 +53,10 @@ std::vector<Found> crossings(const Eigen::Vector2d& towards, double reach) {
 }
 
 /// Starts at a post and goes on for `reach` metres.
-Way way(const HeightField& field, const Eigen::Vector2d& towards, double reach) {
+GridWay way(const HeightField& field, const Eigen::Vector2d& towards, double reach) {
     const std::vector<Found> found = crossings(towards, reach);
     const double per_step = 1.0 / towards.lpNorm<Eigen::Infinity>();  // [m] per grid line
-    Way result;
+    GridWay result;
     result.crossing.reserve(found.size());
     const auto pitch = static_cast<int>(field.pitch());
     std::size_t i = 0;
@@ -83,7 +83,7 @@ Way way(const HeightField& field, const Eigen::Vector2d& towards, double reach) 
 
 }  // namespace
 
-Ways::Ways(const HeightField& field, const Eigen::Vector2d& east_north)
+GridWays::GridWays(const HeightField& field, const Eigen::Vector2d& east_north)
     : field_(field), east_north_(east_north.normalized()) {
     const double right = field.columns() - 1, bottom = field.rows() - 1;
     const Eigen::Vector2d first = towards(0.0, 0.0);
@@ -95,7 +95,7 @@ Ways::Ways(const HeightField& field, const Eigen::Vector2d& east_north)
                 (std::max(right, bottom) + march_steps) / first.lpNorm<Eigen::Infinity>());
 }
 
-const Way& Ways::at(int row, int column, Way& room) const {
+const GridWay& GridWays::at(int row, int column, GridWay& room) const {
     if (even_) return *even_;
     const double right = field_.columns() - 1, bottom = field_.rows() - 1;
     const Eigen::Vector2d to =
@@ -110,7 +110,7 @@ const Way& Ways::at(int row, int column, Way& room) const {
     return room;
 }
 
-Eigen::Vector2d Ways::towards(double column, double row) const {
+Eigen::Vector2d GridWays::towards(double column, double row) const {
     return field_.jacobian({column, row}).inverse() * east_north_;
 }
 

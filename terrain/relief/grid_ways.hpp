@@ -13,7 +13,7 @@ inline constexpr int tile_side = 64;  // posts, each way, that share one way
 
 /// A straight way in plan: its crossings with the grid's lines and diagonals, in order, seen from
 /// whatever post it starts at.
-struct Way {
+struct GridWay {
     std::vector<Crossing> crossing;
     std::vector<Stretch> stretch;
 
@@ -24,13 +24,13 @@ struct Way {
 
 /// The ways of one azimuth: one for all posts where the plan is even; else one for each tile, found
 /// when it is needed, since all of them at once would be gigabytes on a large raster.
-class Ways {
+class GridWays {
  public:
     /// The field is kept by reference.
-    Ways(const HeightField& field, const Eigen::Vector2d& east_north);
+    GridWays(const HeightField& field, const Eigen::Vector2d& east_north);
 
     /// Of the tile that begins at a post; `room` holds it if it is not for all.
-    const Way& at(int row, int column, Way& room) const;
+    const GridWay& at(int row, int column, GridWay& room) const;
 
  private:
     /// Columns and rows per metre of plan.
@@ -38,7 +38,7 @@ class Ways {
 
     const HeightField& field_;
     Eigen::Vector2d east_north_;
-    std::optional<Way> even_;
+    std::optional<GridWay> even_;
 };
 
 }  // namespace diurna

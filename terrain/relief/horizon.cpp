@@ -14,7 +14,7 @@ namespace {
 void march_all(const HeightField& field, const Eigen::Vector2d& east_north,
                const HorizonRequest& request, std::span<float> tangent) {
     assert(tangent.size() == field.size());
-    const Ways found(field, east_north);
+    const GridWays found(field, east_north);
     for_each_tile_row(field, [&](int row, std::size_t first, std::size_t posts) {
         march_tiles(field, found, row, request, tangent.subspan(first, posts));
     });

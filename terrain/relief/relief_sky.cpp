@@ -14,12 +14,12 @@ void sky_view(const HeightField& field, int azimuths, std::span<float> sky_view)
     assert(sky_view.size() == field.size() && azimuths > 0);
     struct Look {
         Eigen::Vector2f towards;
-        Ways ways;
+        GridWays ways;
     };
     std::vector<Look> looks;
     for (int k = 0; k < azimuths; ++k) {
         const Eigen::Vector2d towards = direction(360.0 * (k + 0.5) / azimuths, 0.0).head<2>();
-        looks.push_back({towards.cast<float>(), Ways(field, towards)});
+        looks.push_back({towards.cast<float>(), GridWays(field, towards)});
     }
     const int columns = field.columns();
     for_each_tile_row(field, [&](int tile_row, std::size_t first, std::size_t posts) {

@@ -12,12 +12,12 @@ MarchFunction* const march_posts =
 
 }  // namespace
 
-void march_tiles(const HeightField& field, const Ways& ways, int tile_row,
+void march_tiles(const HeightField& field, const GridWays& ways, int tile_row,
                  const HorizonRequest& request, std::span<float> tangent) {
     const MarchField heights = field.march_field();
     const int first_row = tile_row * tile_side;
     const int last_row = std::min(field.rows(), first_row + tile_side);
-    Way room;
+    GridWay room;
     for (int column = 0; column < field.columns(); column += tile_side) {
         const MarchPart part{.first_row = first_row,
                              .last_row = last_row,

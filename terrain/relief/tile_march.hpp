@@ -17,7 +17,7 @@ struct HorizonRequest {
 };
 
 /// Tangents of the horizon of one row of tiles, of 64 rows of posts; `tangent` of its posts alone.
-void march_tiles(const HeightField& field, const Ways& ways, int tile_row,
+void march_tiles(const HeightField& field, const GridWays& ways, int tile_row,
                  const HorizonRequest& request, std::span<float> tangent);
 
 /// Calls body(row of tiles, its first post, its posts), in parallel.

@@ -187,9 +187,9 @@ BodyBox measure_body(const Corners& corners, const std::vector<std::uint32_t>& f
 
 }  // namespace
 
-ObjectParts object_parts(const FacetSet& facets, std::size_t first) {
+ObjectBodies object_parts(const FacetSet& facets, std::size_t first) {
     const Corners corners(facets, first);
-    ObjectParts parts{.first = first, .size = std::vector<PartSize>(corners.size()), .body = {}};
+    ObjectBodies parts{.first = first, .size = std::vector<PartSize>(corners.size()), .body = {}};
     for (const auto& [root, part] : members(connected(corners, true))) {
         measure_even_part(corners, part, parts.size);
     }

@@ -16,7 +16,7 @@ struct PartSize {
     float breadth = 0.0f;    // its area over its perimeter
     float chord = 0.0f;      // its mean length along all directions: π · breadth, as if convex
     float across = 0.0f;     // of the body: the geometric mean of its two lesser sizes
-    std::uint32_t body = 0;  // into ObjectParts::body
+    std::uint32_t body = 0;  // into ObjectBodies::body
 };
 
 /// A body as the upright box about it with the least plan.
@@ -26,13 +26,13 @@ struct BodyBox {
     double bottom, top;  // up, in the frame of the facets
 };
 
-struct ObjectParts {
+struct ObjectBodies {
     std::size_t first = 0;       // facet that `size` begins with
     std::vector<PartSize> size;  // (facet − first)
     std::vector<BodyBox> body;
 };
 
 /// first  of the facets of objects; those before it are ground
-ObjectParts object_parts(const FacetSet& facets, std::size_t first);
+ObjectBodies object_parts(const FacetSet& facets, std::size_t first);
 
 }  // namespace diurna

@@ -56,7 +56,7 @@ TEST_CASE("walls and roof of a box are as large as they are", "[terrain][parts]"
                        .heading_deg = heading,
                        .sunk = 0.0}),
                   ObjectId{1});
-    const ObjectParts parts = object_parts(facets, 1);
+    const ObjectBodies parts = object_parts(facets, 1);
     REQUIRE(parts.size.size() == facets.size() - 1);
     REQUIRE(parts.body.size() == 1);
     for (std::size_t f = 0; f < parts.size.size(); ++f) {
@@ -88,7 +88,7 @@ TEST_CASE("a pipe is as wide as its diameter, and not part of what stands beside
     append_facets(facets, pipe(0.05, 2.0, 32), ObjectId{1});
     const std::size_t pipe_end = facets.size();
     append_facets(facets, pipe(0.5, 3.0, 8), ObjectId{2});
-    const ObjectParts parts = object_parts(facets, 1);
+    const ObjectBodies parts = object_parts(facets, 1);
     CHECK(parts.body.size() == 2);
     CHECK(parts.size.front().across == Approx(0.1).epsilon(1e-3));
     CHECK(parts.size.back().across == Approx(1.0).epsilon(1e-3));
@@ -108,7 +108,7 @@ TEST_CASE("a sheet's sides are parts of their own, however it is tilted", "[terr
     append_facets(facets, vertex, triangle, material, ObjectId{1});
     const std::vector<std::uint32_t> front{1, 2};
     append_backs(facets, front, material);
-    const ObjectParts parts = object_parts(facets, 1);
+    const ObjectBodies parts = object_parts(facets, 1);
     REQUIRE(parts.size.size() == 4);
     for (const PartSize& size : parts.size) {
         CHECK(size.rise == Approx(2.0).epsilon(1e-5));

@@ -57,7 +57,7 @@ class BoxMaker {
             places.push_back(low + in);
             places.push_back(high - in);
         }
-        for (const Panel& panel : box_.panels) {
+        for (const BoxPanel& panel : box_.panels) {
             const auto [across, up] = axes_of(static_cast<int>(panel.side));
             if (axis == across) places.insert(places.end(), {panel.across_from, panel.across_to});
             if (axis == up) places.insert(places.end(), {panel.up_from, panel.up_to});
@@ -88,7 +88,7 @@ class BoxMaker {
 
     int panel_at(int side, double across, double up) const {
         for (std::size_t p = 0; p < box_.panels.size(); ++p) {
-            const Panel& panel = box_.panels[p];
+            const BoxPanel& panel = box_.panels[p];
             if (static_cast<int>(panel.side) == side && across > panel.across_from &&
                 across < panel.across_to && up > panel.up_from && up < panel.up_to) {
                 return static_cast<int>(p);

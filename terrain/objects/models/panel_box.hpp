@@ -15,7 +15,7 @@ enum class Side { left, right, back, front, bottom, top };
 
 /// A rectangle of one side that is another part: a window, a door. Across and up are (y, z) on left
 /// and right, (x, z) on back and front, (x, y) on bottom and top. It lies on the flat of its side.
-struct Panel {
+struct BoxPanel {
     Side side;
     double across_from, across_to, up_from, up_to;  // [m]
     std::string part;
@@ -27,7 +27,7 @@ struct PanelBox {
     std::string part;
     Eigen::Vector3d low, high;
     double radius = 0.0;  // [m] of edges and corners; Fineness may leave it sharp
-    std::vector<Panel> panels{};
+    std::vector<BoxPanel> panels{};
     std::array<std::string, 6> side_part{};              // (Side) "": `part`
     std::array<std::vector<double>, 3> further_lines{};  // (axis) places that get a lattice line
     /// Where a point of the box goes: continuous, one to one, keeps the sense of turning.

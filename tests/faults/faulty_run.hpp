@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "tests/corpus/yard.hpp"
+#include "tests/support/differing.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 /// Runs of the corpus's yard in which a call of the system fails (tests/faults/fault_shim.cpp) or
@@ -125,18 +126,6 @@ class Stage {
     }
     ScratchFolder scratch_;
 };
-
-/// Names of files that differ, or that only one of them has.
-inline std::vector<std::string> differing(const Contents& a, const Contents& b) {
-    std::vector<std::string> names;
-    for (const auto& [name, text] : a) {
-        if (!b.contains(name) || b.at(name) != text) names.push_back(name);
-    }
-    for (const auto& [name, text] : b) {
-        if (!a.contains(name)) names.push_back(name);
-    }
-    return names;
-}
 
 /// Of files that stand there, those that are not to the byte what the whole run leaves; the ledger
 /// grows line by line.

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that diurna is built from; with --tests also the programs that some tests drive, which they
-# pass over where there are none. Without root it names what is missing and stops.
+# pass over where there are none; with --fuzz also clang, for .ci/fuzz. Without root it names what is missing and stops.
 set -euo pipefail
 
 packages=(
@@ -16,6 +16,7 @@ packages=(
     catch2 libsundials-dev libbenchmark-dev
 )
 [ "${1:-}" != --tests ] || packages+=(chromium ffmpeg python3)
+[ "${1:-}" != --fuzz ] || packages+=(clang libclang-rt-14-dev)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -53,7 +53,7 @@ void save_temperature_field(const std::filesystem::path& file, const Temperature
                             const FacetSet& facets, const Site& site, const FieldNotes& notes = {});
 
 /// Reads what save_temperature_field wrote. Throws InputError if the file is missing, is no such
-/// file, or holds temperatures that are not finite and positive.
+/// file, counts time in another way, or holds temperatures that are not from 1 to 5000 K.
 TemperatureField load_temperature_field(const std::filesystem::path& file);
 
 /// One term of the heat balance that the file of `field` holds beside it: (instant, facet)
@@ -61,5 +61,10 @@ TemperatureField load_temperature_field(const std::filesystem::path& file);
 /// finite.
 std::vector<float> load_heat_term(const std::filesystem::path& file, HeatTerm term,
                                   const TemperatureField& field);
+
+/// Throws InputError where the field, read from `file`, is not of these instants: where one lies
+/// beyond its ends by more than its instants are apart.
+void check_covers(const TemperatureField& field, std::span<const Instant> wanted,
+                  const std::filesystem::path& file);
 
 }  // namespace diurna

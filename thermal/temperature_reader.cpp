@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <string_view>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
@@ -72,7 +73,40 @@ CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size
     return all.kept();
 }
 
+/// Seconds since 1970 in UTC, in one of the ways in which programs that change such files put it.
+bool counts_from_1970(const NetcdfFile& file, int time) {
+    std::size_t length = 0;
+    if (nc_inq_attlen(file.id(), time, "units", &length) != NC_NOERR || length > 100) return false;
+    std::string units(length, ' ');
+    if (nc_get_att_text(file.id(), time, "units", units.data()) != NC_NOERR) return false;
+    const std::string_view begin = "seconds since 1970-01-01";
+    if (!units.starts_with(begin)) return false;
+    static constexpr std::array<std::string_view, 8> ends{
+        "",          "T00:00:00Z", " 00:00:00",       " 00:00:00Z",
+        "T00:00:00", " 00:00:0.0", " 00:00:00+00:00", " 00:00:00 UTC"};
+    return std::find(ends.begin(), ends.end(), std::string_view(units).substr(begin.size())) !=
+           ends.end();
+}
+
 }  // namespace
+
+void check_covers(const TemperatureField& field, std::span<const Instant> wanted,
+                  const fs::path& file) {
+    double apart = 0.0;
+    for (std::size_t i = 1; i < field.instant.size(); ++i) {
+        apart = std::max(apart, seconds_between(field.instant[i - 1], field.instant[i]));
+    }
+    for (const Instant when : wanted) {
+        if (seconds_between(when, field.instant.front()) <= apart &&
+            seconds_between(field.instant.back(), when) <= apart) {
+            continue;
+        }
+        throw InputError(file.string(),
+                         fmt::format("holds temperatures from {} to {}, expected some at {}",
+                                     format_instant(field.instant.front()),
+                                     format_instant(field.instant.back()), format_instant(when)));
+    }
+}
 
 TemperatureField load_temperature_field(const fs::path& path) {
     const auto fail = [&](const std::string& problem) -> InputError {
@@ -103,6 +137,9 @@ TemperatureField load_temperature_field(const fs::path& path) {
     int time_rank, time_of_time;
     must(nc_inq_varndims(id, time, &time_rank), "times");
     if (time_rank != 1) throw fail("time is not (time)");
+    if (!counts_from_1970(file, time)) {
+        throw fail("its time is not in 'seconds since 1970-01-01T00:00:00Z'");
+    }
     must(nc_inq_vardimid(id, time, &time_of_time), "times");
     if (dims[0] != time_dim || dims[1] != facet_dim || time_of_time != time_dim) {
         throw fail("surface_temperature is not (time, facet)");
@@ -127,8 +164,8 @@ TemperatureField load_temperature_field(const fs::path& path) {
         throw fail("holds times that do not ascend");
     }
     if (std::any_of(field.kelvin.begin(), field.kelvin.end(),
-                    [](float t) { return !(std::isfinite(t) && t > 0.0f); })) {
-        throw fail("holds temperatures that are not finite and positive");
+                    [](float t) { return !(t >= 1.0f && t <= 5000.0f); })) {
+        throw fail("holds temperatures that are not from 1 to 5000 K");
     }
     field.solved_as = read_solved_as(file, facets, facet_dim, path);
     field.water = read_cover(file, instants, facets, {dims[0], dims[1]}, path);

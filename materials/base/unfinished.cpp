@@ -52,10 +52,7 @@ void forget(int slot) {
 }
 
 extern "C" void end_by_signal(int signal) {
-    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
-    for (const Slot& slot : slots) {
-        if (slot.state == Slot::named) ::unlink(slot.path.data());
-    }
+    remove_unfinished();
     std::signal(signal, SIG_DFL);
     ::raise(signal);
 }
@@ -127,6 +124,13 @@ bool is_left_over(const fs::path& file) {
     const std::string number = process.extension().string();
     const long id = number.empty() ? 0 : std::strtol(number.c_str() + 1, nullptr, 10);
     return id > 0 && ::kill(pid_t(id), 0) != 0 && errno == ESRCH;
+}
+
+void remove_unfinished() {
+    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
+    for (const Slot& slot : slots) {
+        if (slot.state == Slot::named) ::unlink(slot.path.data());
+    }
 }
 
 void remove_unfinished_at_signals() {

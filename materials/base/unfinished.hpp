@@ -45,6 +45,10 @@ bool is_temporary_name(const std::string& name);
 /// Whether it has such a name, of a process that lives no more.
 bool is_left_over(const std::filesystem::path& file);
 
+/// Removes what is unfinished and ends a child process, where the program has to end at once.
+/// Neither locks nor allocates.
+void remove_unfinished();
+
 /// From here on SIGINT, SIGTERM and SIGHUP remove what is unfinished and end a child process, and
 /// then the program as they do by themselves (128 + number to a shell). One that the program was
 /// started without (nohup) stays ignored.

@@ -27,11 +27,20 @@ struct ColumnArguments {
     bool allow_outside = false;
 };
 
+PointResult followed(const PointJob& job, const std::filesystem::path& file) {
+    try {
+        return run_column(job);
+    } catch (const std::runtime_error& error) {
+        throw std::runtime_error(
+            fmt::format("{}: the facet of its [material]: {}", file.string(), error.what()));
+    }
+}
+
 void column_verb(const ColumnArguments& a) {
     const FilesRead opened;
     const PointJob job = read_column_job(a.file, a.allow_outside);
     if (!a.out.empty()) check_output_file(a.out, opened.files());
-    const PointResult result = run_column(job);
+    const PointResult result = followed(job, a.file);
     const std::string text = column_csv(result);
     if (a.out.empty()) {
         fmt::print("{}", text);

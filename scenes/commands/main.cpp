@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -78,6 +80,18 @@ void run_program(int argc, char** argv) {
     }
 }
 
+/// Where no one catches: one line, no file half done, an exit code and no core.
+[[noreturn]] void end_uncaught() {
+    constexpr char line[] = "diurna: there is not enough memory, or a defect of the program\n";
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line, sizeof line - 1);
+    remove_unfinished();
+    ::_exit(failed);
+}
+
+/// Before any library begins: what they set up before main() needs memory too.
+void begin() { std::set_terminate(end_uncaught); }
+[[gnu::section(".preinit_array"), gnu::used]] void (*const at_first)() = begin;
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -97,6 +111,9 @@ int main(int argc, char** argv) {
     } catch (const InputError& error) {
         error.print(stderr);
         return bad_input;
+    } catch (const std::bad_alloc&) {
+        std::fputs("diurna: there is not enough memory\n", stderr);
+        return failed;
     } catch (const std::exception& error) {
         std::istringstream lines(error.what());
         for (std::string line; std::getline(lines, line);) {

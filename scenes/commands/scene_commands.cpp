@@ -219,6 +219,7 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
                          fmt::format("found temperatures of {} facets, expected {} as in the scene",
                                      field.facets, prepared.world.surfaces().size()));
     }
+    check_covers(field, prepared.plan.frames, temperatures);
     const FolderLock lock(out);
     const std::size_t gone = clear_run_folder(out, {}, frame_files(prepared.scene));
     if (gone > 0) fmt::print(stderr, "note: {} files of earlier runs removed\n", gone);

@@ -56,6 +56,9 @@ LandCoverInput read_land_cover(const Section& section, const Reading& reading) {
         }
         input.material[value] = table.name(key, "of ground of this class", reading.materials);
     }
+    if (table.free_keys().empty()) {
+        section.mistake("material", "names no class, expected one or more: 1 = \"sand\"");
+    }
     return input;
 }
 

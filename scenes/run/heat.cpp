@@ -86,6 +86,7 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
 
 std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
+    if (!report.unsolved.empty()) return "the heat balance has failed: " + report.unsolved;
     std::string told = fmt::format(
         "the heat balance has not converged in {} passes: periodic to {:.1e} K (tolerance {:.0e} "
         "K), estimated error {:.1e} K",

@@ -60,6 +60,9 @@ TemperatureField Study::heat(const std::filesystem::path& file,
         }
     }
     TemperatureField field = heat(file);
+    if (!file.empty()) {
+        check_covers(field, std::vector<Instant>(wanted.begin(), wanted.end()), file);
+    }
     for (const Instant when : wanted) {
         if (std::binary_search(field.instant.begin(), field.instant.end(), when)) continue;
         const bool within = when > field.instant.front() && when < field.instant.back();

@@ -103,8 +103,9 @@ std::vector<std::uint8_t> open_pieces(const ObjectMesh& mesh) {
     std::vector<std::uint8_t> open(mesh.triangle.size(), 0);
     for (const auto& [piece, its] : rims_of) {
         const bool closed = its.size() <= most_compared &&
-                            std::all_of(its.begin(), its.end(),
-                                        [&](const Rim& rim) { return is_mended(rim, its); });
+                            std::all_of(its.begin(), its.end(), [&, &its = its](const Rim& rim) {
+                                return is_mended(rim, its);
+                            });
         open[piece] = closed ? 0 : 1;
     }
     for (std::uint32_t t = 0; t < open.size(); ++t) open[t] = open[pieces.of(t)];

@@ -37,13 +37,12 @@ void check_ascii_grid(const std::filesystem::path& file, std::size_t posts) {
         in_header = false;
         ++heights;
         if (!is_finite_number(word)) {
-            throw InputError(file.string(),
-                             fmt::format("found '{}' as height {}; expected a number",
-                                         word.substr(0, 40), heights));
+            throw InputError(file.string(), fmt::format("found '{}' as value {}; expected a number",
+                                                        word.substr(0, 40), heights));
         }
     }
     if (heights != posts) {
-        throw InputError(file.string(), fmt::format("has {} heights; expected {}", heights, posts));
+        throw InputError(file.string(), fmt::format("has {} values; expected {}", heights, posts));
     }
 }
 

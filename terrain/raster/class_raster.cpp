@@ -5,8 +5,10 @@
 #include <ogr_spatialref.h>
 
 #include <cmath>
+#include <string_view>
 
 #include "materials/base/error.hpp"
+#include "terrain/raster/ascii_grid.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
@@ -68,10 +70,14 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
     }
     const OGRSpatialReference* reference = data->GetSpatialRef();
     if (data->GetGeoTransform(raster.transform.data()) != CE_None ||
-        std::abs(pixel_area(raster.transform)) <= 0.0 || !reference || reference->IsEmpty()) {
+        !(std::abs(pixel_area(raster.transform)) > 0.0) ||  // of nan, too
+        !std::isfinite(pixel_area(raster.transform)) || !reference || reference->IsEmpty()) {
         throw InputError(raster.source, "has no georeference or names no CRS");
     }
     raster.crs_wkt = wkt_of(*reference);
+    if (std::string_view(data->GetDriverName()) == "AAIGrid") {
+        check_ascii_grid(file, std::size_t(cells));
+    }
     raster.value = read_classes(band, raster);
     return raster;
 }

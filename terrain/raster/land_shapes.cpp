@@ -20,6 +20,11 @@ namespace {
 constexpr std::size_t most_corners = 1'000'000;
 const char* const drivers[] = {"GeoJSON", "ESRI Shapefile", "GPKG", nullptr};
 
+struct NoPlace {
+    std::string corner;
+};
+
+/// Throws NoPlace for a corner that is none on Earth: without it, the shape would be another.
 std::vector<Geodetic> corners_of(const OGRLineString& line, OGRCoordinateTransformation& shift) {
     std::vector<double> x, y;
     for (int i = 0; i < line.getNumPoints(); ++i) {
@@ -29,9 +34,12 @@ std::vector<Geodetic> corners_of(const OGRLineString& line, OGRCoordinateTransfo
     const std::vector<int> good = transform(shift, x, y);
     std::vector<Geodetic> corners;
     for (std::size_t i = 0; i < x.size(); ++i) {
-        if (good[i] && std::isfinite(x[i]) && std::abs(y[i]) <= 90.0) {
-            corners.push_back({y[i], x[i], 0.0});
+        const bool on_earth = good[i] && std::abs(x[i]) <= 360.0 && std::abs(y[i]) <= 90.0;
+        if (!on_earth) {
+            const int k = static_cast<int>(i);
+            throw NoPlace{fmt::format("{:g}, {:g}", line.getX(k), line.getY(k))};
         }
+        corners.push_back({y[i], x[i], 0.0});
     }
     return corners;
 }
@@ -129,12 +137,23 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
                 like.height = feature->GetFieldAsDouble(height);
             }
             const std::size_t before = shapes.size();
-            append(shapes, *feature->GetGeometryRef(), like, *shift);
+            try {
+                append(shapes, *feature->GetGeometryRef(), like, *shift);
+            } catch (const NoPlace& none) {
+                throw InputError(file.string(),
+                                 fmt::format("shape {} has a corner at {}, which is no place on "
+                                             "Earth",
+                                             features, none.corner));
+            }
             for (std::size_t i = before; i < shapes.size(); ++i) corners += shapes[i].ring.size();
             if (corners > most_corners) {
                 throw InputError(file.string(), "has more than a million corners");
             }
         }
+    }
+    if (shapes.empty()) {
+        throw InputError(file.string(),
+                         fmt::format("holds no polygon or line ({} features)", features));
     }
     return shapes;
 }

@@ -17,6 +17,7 @@
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/run/listed_outputs.hpp"
+#include "tests/support/differing.hpp"
 #include "tests/support/small_scene.hpp"
 
 // What a run finds in its folder counts only if it is what a run of the same inputs has written
@@ -82,19 +83,6 @@ std::map<std::string, std::string> untimed(std::map<std::string, std::string> fi
     std::string& manifest = files.at("manifest.json");
     manifest.erase(manifest.find("\"outputs\""));  // the page's digest, then seconds
     return files;
-}
-
-/// The names of files that differ.
-std::vector<std::string> differing(const std::map<std::string, std::string>& a,
-                                   const std::map<std::string, std::string>& b) {
-    std::vector<std::string> names;
-    for (const auto& [name, text] : a) {
-        if (!b.contains(name) || b.at(name) != text) names.push_back(name);
-    }
-    for (const auto& [name, text] : b) {
-        if (!a.contains(name)) names.push_back(name);
-    }
-    return names;
 }
 
 std::string find_file(const fs::path& folder, const std::string& extension, std::size_t number) {

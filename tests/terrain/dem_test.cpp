@@ -204,8 +204,8 @@ TEST_CASE("what cannot be used is refused in one clear line", "[terrain][dem][st
     says(refusal(word.file()), "found 'abc'");
     says(refusal(comma.file()), "found '1,5'");
     const AsciiGrid few(grid(2, 2, "1 2 3")), many(grid(2, 2, "1 2 3 4 5"));
-    says(refusal(few.file()), "has 3 heights; expected 4");
-    says(refusal(many.file()), "has 5 heights; expected 4");
+    says(refusal(few.file()), "has 3 values; expected 4");
+    says(refusal(many.file()), "has 5 values; expected 4");
     const AsciiGrid no_crs(grid(2, 2, "1 2 3 4"), "");
     says(refusal(no_crs.file()), "names no coordinate reference system");
     const AsciiGrid negative(grid(2, 2, "1 2 3 4", -0.1));

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "materials/base/units.hpp"
 #include "thermal/column/nonlinear_column.hpp"
@@ -15,6 +16,10 @@ double sum_of(double a, double b, double c, double& rest) {
     const double add = b + c, sum = a + add, back = sum - a;
     rest = (a - (sum - back)) + (add - back);
     return sum;
+}
+
+bool all_finite(const std::vector<double>& values) {
+    return std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); });
 }
 
 }  // namespace
@@ -53,7 +58,8 @@ BoundaryFlux NonlinearColumn::from_below(const Way& way, double by, const Bounda
             -below_link_.per_width * potential(below_link_, here).slope};
 }
 
-/// How far the surface node goes: one monotone equation, whatever stands above.
+/// How far the surface node goes: one monotone equation, whatever stands above. No number where it
+/// has no solution from `coldest` to `hottest`.
 double NonlinearColumn::solve_surface_node(const Stage& stage, const Below& below, const Way& way,
                                            int& iterations) const {
     constexpr double rounding = 1e-15, settled = 1e-13;  // of the terms' magnitudes; [K]
@@ -62,7 +68,9 @@ double NonlinearColumn::solve_surface_node(const Stage& stage, const Below& belo
     const double begin = way.begin[0], rest = way.by[0];
     const Link* down = size() > 1 ? &link_[0] : nullptr;
     const double resting = temperature(0, begin + rest), warmed_rest = warmed(0, begin, rest);
-    double low = coldest - node.zero - begin, high = hottest - node.zero - begin, at = rest;
+    const double coldest_by = coldest - node.zero - begin;
+    const double hottest_by = hottest - node.zero - begin;
+    double low = coldest_by, high = hottest_by, at = rest;
     for (int i = 0; i < 200; ++i) {
         const double u = begin + at, t = temperature(0, u), bend = temperature_slope(0, u);
         const BoundaryFlux above = stage.top(t);
@@ -78,6 +86,7 @@ double NonlinearColumn::solve_surface_node(const Stage& stage, const Below& belo
         }
         const double stored = (gain(0, begin, at) - target) / tau;
         const double excess = above.flux + from_under - stored;
+        if (!std::isfinite(excess)) return excess;  // there is no such way
         const double terms = std::abs(above.flux) + std::abs(from_under) + std::abs(stored);
         if (std::abs(excess) <= rounding * terms) break;
         const double slope = heat_slope(0, u) / tau - above.slope * bend - under_slope;
@@ -92,7 +101,11 @@ double NonlinearColumn::solve_surface_node(const Stage& stage, const Below& belo
         if (!(next > low && next < high) || i > 60) next = 0.5 * (low + high);
         ++iterations;
         at = next;
-        if (high - low < 1e-12) break;
+        if (high - low < 1e-12) {
+            // At an end of all that is looked at, nothing is in balance.
+            const bool beyond = at - coldest_by < 1e-9 || hottest_by - at < 1e-9;
+            return beyond ? std::numeric_limits<double>::quiet_NaN() : at;
+        }
     }
     return at;
 }
@@ -171,8 +184,8 @@ bool NonlinearColumn::solve_stage(const Stage& stage, Way& way, int& iterations)
         const double rest = way.by[0];
         way.by[0] = solve_surface_node(stage, below, way, iterations);
         const double worst = follow_downward(below, rest, pass < most_passes - 10, way);
+        if (!all_finite(way.by)) return false;
         if (once || worst < settled) return true;
-        if (!std::isfinite(worst)) return false;
     }
     return false;
 }

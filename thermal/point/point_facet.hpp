@@ -57,7 +57,8 @@ class PointFacet {
 
     /// Steps of SDIRK2 twice over its halves; once over its whole, for the error it is chosen by.
     /// Returns the heat that melted snow or frost [J m⁻²]. `steps` takes down the steps chosen;
-    /// `map` carries the linearised span along.
+    /// `map` carries the linearised span along. Throws std::runtime_error, which says when, where
+    /// the equations ask for so many steps that no end is in sight.
     double advance(Instant from, Instant to, std::vector<double>* steps = nullptr,
                    Eigen::MatrixXd* map = nullptr);
     /// The same steps again.
@@ -91,6 +92,9 @@ class PointFacet {
     struct Count {
         long long steps = 0, rejected = 0;
         int limited = 0;
+        /// Steps that no halving solved: nothing moved in them; and when the first began.
+        int unsolved = 0;
+        Instant first_unsolved{};
         /// |stored − in| over the magnitudes of all fluxes times the step and of what the nodes
         /// gained or lost; of any step.
         double worst_closure = 0.0;
@@ -138,6 +142,7 @@ class PointFacet {
         double error = 0.0;  // [K]
     };
     double step_within(double limit) const;
+    [[noreturn]] void give_up(Instant when, double step, double error) const;
     void try_step(Instant from, double at, double step, bool gentle, const State& begin,
                   Trial& trial) const;
     void march_step(Instant from, double at, double step, int depth, Eigen::MatrixXd* map);
@@ -148,6 +153,8 @@ class PointFacet {
     PointSetup setup_;
     double next_step_ = 0.05;   // [s]
     double next_march_ = 10.0;  // [s]
+    long long tried_ = 0;       // steps of advance(), good or not
+    double granted_ = 0.0;      // for the spans it has gone through
     StoreRates rates_;          // of the last step
     std::vector<double> rest_;  // (node) of u
     StoreCapacity capacity_;

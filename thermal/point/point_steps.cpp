@@ -1,6 +1,9 @@
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "thermal/point/point_facet.hpp"
 
@@ -11,6 +14,11 @@ namespace {
 constexpr double shortest_step = 1e-7;  // [s]
 constexpr double unsolved = 1e9;        // [K] counts as a step's error
 constexpr double least_flux = 1e-3;     // [W m⁻²] that a balance is measured against
+
+// What a facet may try before somebody must be told: ten times and more what cases at the edges of
+// all ranges need that come to an end (tests/thermal/patience_test.cpp).
+constexpr double tries_at_all = 20000.0;
+constexpr double tries_a_span = 200.0, tries_a_sample = 2000.0, tries_a_longest_step = 20.0;
 
 }  // namespace
 
@@ -75,6 +83,13 @@ void PointFacet::try_step(Instant from, double at, double step, bool gentle, con
     trial.error /= 3.0;
 }
 
+void PointFacet::give_up(Instant when, double step, double error) const {
+    throw std::runtime_error(fmt::format(
+        "no end is in sight at {}: {} steps were tried by then, the last of {:.1g} s {}",
+        format_instant(when), tried_, step,
+        error < unsolved ? fmt::format("and {:.1g} K off", error) : "without a solution"));
+}
+
 double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
                            Eigen::MatrixXd* map) {
     const double span = seconds_between(from, to);
@@ -83,8 +98,12 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
     bool stuck = false;  // the shortest step was not good enough
     State begin = state();
     Trial trial;
+    granted_ += tries_a_span + tries_a_longest_step * span / setup_.longest_step;
     while (span - done > 1e-9) {
-        while (knot != setup_.knot.end() && seconds_between(from, *knot) <= done + 1e-9) ++knot;
+        while (knot != setup_.knot.end() && seconds_between(from, *knot) <= done + 1e-9) {
+            ++knot;
+            granted_ += tries_a_sample;
+        }
         double limit = span - done;  // to the next sample of the weather
         if (knot != setup_.knot.end()) {
             limit = std::min(limit, seconds_between(from, *knot) - done);
@@ -93,6 +112,7 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
         const bool last_resort = stuck;
         try_step(from, done, step, last_resort, begin, trial);
         const double error = trial.error;
+        if (double(++tried_) > tries_at_all + granted_) give_up(later(from, done), step, error);
         const double growth = error > 0.0 ? 0.9 * std::cbrt(setup_.tolerance / error) : 4.0;
         if (error > setup_.tolerance && !last_resort) {
             ++count.rejected;
@@ -169,7 +189,10 @@ void PointFacet::march_step(Instant from, double at, double step, int depth, Eig
         return;
     }
     if (map) *map = given;
-    if (gentle) return;
+    if (gentle) {
+        if (count.unsolved++ == 0) count.first_unsolved = later(from, at);
+        return;
+    }
     march_step(from, at, 0.5 * step, depth + 1, map);
     march_step(from, at + 0.5 * step, 0.5 * step, depth + 1, map);
 }

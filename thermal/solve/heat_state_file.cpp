@@ -113,6 +113,7 @@ class Reader {
             lists.emplace_back(from, from + std::ptrdiff_t(n));
             at += std::size_t(n);
         }
+        if (at != value.size()) throw refused("is broken off");
         return lists;
     }
 
@@ -209,6 +210,10 @@ TimedState load_heat_state(const fs::path& path, const StateOwner& owner) {
     state.reference = reference[0];
     const std::vector<double> kelvin = read.doubles("surface_temperature");
     state.kelvin.assign(kelvin.begin(), kelvin.end());
+    const auto cannot_be = [](double k) { return !(k >= 1.0 && k <= 5000.0); };
+    if (cannot_be(state.reference) || std::any_of(kelvin.begin(), kelvin.end(), cannot_be)) {
+        throw read.refused("holds temperatures that are not from 1 to 5000 K");
+    }
     state.block = read.lists("block_length", "block_state");
     const std::vector<std::int64_t> facet = read.integers("point_facet");
     const std::vector<std::vector<double>> u = read.lists("point_length", "point_state");

@@ -254,6 +254,7 @@ NetworkFacets::Summary NetworkFacets::summary() const {
         all.residual = std::max(all.residual, target.residual);
         all.error = std::max(all.error, error(target));
         all.worst_closure = std::max(all.worst_closure, target.count.worst_closure);
+        if (all.limited == 0 && target.count.limited > 0) all.first_limited = target.object->name;
         all.limited += target.count.limited;
         all.facets += target.object->size();
     }

@@ -34,6 +34,7 @@ class NetworkFacets {
         double error = 0.0;     // [K] that neighbours' heat since the last run is worth
         double worst_closure = 0.0;
         int limited = 0;
+        std::string first_limited{};  // its target
         std::size_t facets = 0;
     };
     Summary summary() const;

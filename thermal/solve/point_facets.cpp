@@ -435,6 +435,11 @@ PointFacets::Summary PointFacets::summary() const {
         s.worst_closure = std::max(s.worst_closure, p.count.worst_closure);
         s.worst_passes = std::max(s.worst_passes, p.passes);
         s.limited += p.count.limited;
+        if (p.count.unsolved > 0 && s.unsolved == 0) {
+            s.first_unsolved_facet = p.facet;
+            s.first_unsolved = p.count.first_unsolved;
+        }
+        s.unsolved += p.count.unsolved;
         s.worst_water_closure = std::max(s.worst_water_closure, p.water_closure);
     }
     return s;

@@ -59,6 +59,9 @@ class PointFacets {
         double largest_move = 0.0;  // [K] that the next start is away
         double worst_closure = 0.0;
         int worst_passes = 0, limited = 0;
+        int unsolved = 0;                      // steps in which nothing moved
+        std::size_t first_unsolved_facet = 0;  // with unsolved: the first of these, and when
+        Instant first_unsolved{};
         bool fresh = false;                                   // some were taken in by the last pass
         std::size_t batched = 0, stores = 0, unfollowed = 0;  // as SolveReport tells them
         double most_dew_unfollowed = 0.0, dew_left_out = 0.0, worst_water_closure = 0.0;

@@ -29,8 +29,9 @@ struct Lane {
     Eigen::VectorXd start{};                    // of the pass
     Standing stood{};
     PeriodSearch search{};
-    int passes = 0, limited = 0;
-    long long steps = 0;  // of the pass
+    int passes = 0, limited = 0, unsolved = 0;
+    std::size_t first_unsolved = 0;  // the step
+    long long steps = 0;             // of the pass
 };
 
 /// A group on its way.
@@ -140,7 +141,7 @@ class GroupRun {
             lane.start[Eigen::Index(i)] = batch_.u[i * W + l];
         }
         lane.stood = batch_.standing[l];
-        lane.steps = lane.limited = 0;
+        lane.steps = lane.limited = lane.unsolved = 0;
         batch_.rates[l] = {};
         batch_.water[l] = {};
         batch_.worst_closure[l] = 0.0;
@@ -186,6 +187,7 @@ class GroupRun {
         }
         ++lane.steps;
         if (lane.clock->gentle()) ++lane.limited;
+        if (!solved && lane.unsolved++ == 0) lane.first_unsolved = lane.clock->step();
         if (!lane.clock->go_on()) return;
         take_down(l, lane.clock->step(), false);
         if (lane.clock->at_end()) end_pass(l);
@@ -242,6 +244,8 @@ class GroupRun {
         p.count = {.steps = lane.steps,
                    .rejected = 0,
                    .limited = lane.limited,
+                   .unsolved = lane.unsolved,
+                   .first_unsolved = solve_.instant[lane.first_unsolved],
                    .worst_closure = batch_.worst_closure[l]};
         p.water_closure = std::abs(batch_.water[l].open(lane.stood, batch_.standing[l]));
         p.end = {p.facet, std::vector<double>(nodes()), batch_.standing[l], batch_.snow_albedo[l]};

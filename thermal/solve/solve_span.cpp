@@ -65,6 +65,7 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.points = std::max(all.points, one.points);
     all.point_passes = std::max(all.point_passes, one.point_passes);
     all.limited += one.limited;
+    if (all.unsolved.empty()) all.unsolved = one.unsolved;
     all.batched = std::max(all.batched, one.batched);
     all.stores = std::max(all.stores, one.stores);
     all.unfollowed = std::max(all.unfollowed, one.unfollowed);

@@ -17,6 +17,7 @@
 #include "thermal/solve/incident_light.hpp"
 #include "thermal/solve/longwave_exchange.hpp"
 #include "thermal/solve/network_facets.hpp"
+#include "thermal/solve/no_solution.hpp"
 #include "thermal/solve/pass.hpp"
 #include "thermal/solve/periodic_newton.hpp"
 #include "thermal/solve/point_facets.hpp"
@@ -114,6 +115,7 @@ void light_up(SolveState& solve) {
 
 /// The neighbours' longwave anew, if there are neighbours.
 ExchangeChange renew_longwave(SolveState& solve, const Level& level, SolveReport& report) {
+    check_numbers(solve);  // before neighbours take on what is none
     if (solve.excess.empty()) return {};
     const Stopwatch watch(report.exchange_seconds);
     return exchange_longwave(solve, level);
@@ -248,6 +250,9 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.target_facets = network.facets;
     if (solve.options.periodic) report.target_residual = network.residual;
     report.limited += network.limited;
+    check_numbers(solve);
+    report.unsolved = without_solution(solve, single, network);
+    report.converged = report.converged && report.unsolved.empty();
     report.worst_energy_closure =
         std::max({record.worst_closure, single.worst_closure, network.worst_closure});
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
@@ -353,7 +358,11 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     state.kelvin.resize(state.instant.size() * state.facets);
     put_rooms(state);
     settle(state, fine);
-    if (input.from) set_out_from(*input.from, state);
+    if (input.from) {
+        set_out_from(*input.from, state);
+    } else {
+        check_mean_balance(state);
+    }
     if (options.exchange && exchanging(input)) {
         state.excess.assign(state.instant.size() * state.facets, 0.0f);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "materials/matter/library.hpp"
 #include "terrain/facets.hpp"
@@ -38,10 +39,12 @@ struct SolveReport {
     std::size_t unfollowed = 0;
     double most_dew_unfollowed = 0.0, dew_left_out = 0.0;
     double worst_water_closure = 0.0;  // [kg m⁻²] fallen + condensed − evaporated − run off − kept
-    double target_residual = 0.0;       // [K] likewise |P(T) − T| of targets' nodes and lumps
-    std::size_t target_facets = 0;      // of targets (thermal/solve/network_facets.hpp)
-    int point_passes = 0;               // over the span, the worst of them
-    int limited = 0;                    // their steps that had to be taken otherwise than asked
+    double target_residual = 0.0;   // [K] likewise |P(T) − T| of targets' nodes and lumps
+    std::size_t target_facets = 0;  // of targets (thermal/solve/network_facets.hpp)
+    int point_passes = 0;           // over the span, the worst of them
+    int limited = 0;                // their steps that had to be taken otherwise than asked
+    /// What has no solution, in words: a facet, its material, an instant; "" where all has one.
+    std::string unsolved{};
     double coldest = 0.0, warmest = 0;  // [K] surface
     double exchange_seconds = 0.0, step_seconds = 0.0, seconds = 0.0;
     double step_cpu_seconds = 0.0;  // of all threads, where step_seconds is time on the clock
@@ -73,7 +76,9 @@ struct SolveResult {
 /// those of targets together: thermal/solve/network_facets.hpp.
 ///
 /// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
-/// tells. Throws InputError if arrays do not match.
+/// tells, as it does, with `unsolved`, of a facet whose balance has no solution from 1 to 5000 K.
+/// Throws InputError if arrays do not match; std::runtime_error, which names facet, material and
+/// instant, if a temperature comes out that is no number.
 SolveResult solve(const SolveInput& input, const SolveOptions& options);
 
 }  // namespace diurna

@@ -1,0 +1,65 @@
+#include "thermal/solve/no_solution.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace diurna {
+
+namespace {
+
+const std::string failed = "the heat balance has failed: ";
+
+std::string told(const SolveState& solve, std::size_t facet, Instant when,
+                 const std::string& what) {
+    return fmt::format("facet {} of {} at {}: {}", facet,
+                       solve.input.materials[solve.input.facets.material[facet]].kind(),
+                       format_instant(when), what);
+}
+
+/// Of the first temperature for which `good` does not hold; "" where it holds for all.
+template <class Good>
+std::string first_bad(const SolveState& solve, const Good& good) {
+    const auto bad = std::find_if_not(solve.kelvin.begin(), solve.kelvin.end(), good);
+    if (bad == solve.kelvin.end()) return "";
+    const auto at = static_cast<std::size_t>(bad - solve.kelvin.begin());
+    const std::string found =
+        std::isfinite(*bad) ? fmt::format("it stands at {:g} K", *bad) : "it has no temperature";
+    return told(solve, at % solve.facets, solve.instant[at / solve.facets],
+                "its balance has no solution from 1 to 5000 K, " + found);
+}
+
+bool is_within(float kelvin) {
+    constexpr float coldest = 1.001f, hottest = 4999.9f;  // [K] the ends of what is looked at
+    return kelvin > coldest && kelvin < hottest;          // false of no number
+}
+
+}  // namespace
+
+void check_mean_balance(const SolveState& solve) {
+    const std::string bad = first_bad(solve, is_within);
+    if (!bad.empty()) throw std::runtime_error(failed + bad + " (means of the span)");
+}
+
+void check_numbers(const SolveState& solve) {
+    const std::string bad = first_bad(solve, [](float kelvin) { return std::isfinite(kelvin); });
+    if (!bad.empty()) throw std::runtime_error(failed + bad);
+}
+
+std::string without_solution(const SolveState& solve, const PointFacets::Summary& points,
+                             const NetworkFacets::Summary& targets) {
+    std::string bad = first_bad(solve, is_within);
+    if (!bad.empty()) return bad;
+    if (targets.limited > 0) {
+        return fmt::format("target {}: {} of its stages have no solution from 1 to 5000 K",
+                           targets.first_limited, targets.limited);
+    }
+    if (points.unsolved == 0) return "";
+    return told(
+        solve, points.first_unsolved_facet, points.first_unsolved,
+        fmt::format("no step solves its balance, however short ({} such in all)", points.unsolved));
+}
+
+}  // namespace diurna

@@ -33,8 +33,9 @@ struct JobReport {
     std::size_t frames_rendered = 0;   // the others were kept
     std::vector<std::string> files{};  // written or kept, relative to the folder
     std::vector<Progress::Stage> stages{};
-    std::vector<std::string> remade{};  // what of earlier runs was not kept, a line each
-    std::vector<std::string> notes{};   // what was modelled for want of data
+    std::vector<std::string> remade{};    // what of earlier runs was not kept, a line each
+    std::vector<std::string> notes{};     // what was modelled for want of data
+    std::vector<std::string> warnings{};  // what is hardly meant (scenes/doubts)
 };
 
 }  // namespace diurna

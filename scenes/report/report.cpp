@@ -60,6 +60,7 @@ std::string facts(const Prepared& prepared, const JobReport& report) {
     }
     if (!report.start.empty()) out += row("start of the heat balance", escaped(report.start));
     out += row("frames", fmt::format("{} instants", plan.frames.size()));
+    for (const std::string& line : report.warnings) out += row("warning", escaped(line));
     for (const std::string& note : report.notes) out += row("modelled", escaped(note));
     return out + "</table>\n";
 }

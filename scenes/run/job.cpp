@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "scenes/doubts/doubts.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/prepared.hpp"
@@ -115,6 +116,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
                      .posts = prepared.world.posts,
                      .files = heat_files(prepared.scene),
                      .notes = prepared.notes};
+    report.warnings = as_lines(doubts(prepared));
     const FolderLock lock(out);
     Ledger ledger(out, manifest.key, options.resume);
     begin_folder(prepared, out, ledger, report);

@@ -81,11 +81,19 @@ void refuse_word(const std::string& where, std::string_view word,
         did_you_mean(word, known));
 }
 
+std::string small_letters(std::string_view text) {
+    std::string small(text);
+    for (char& c : small) {
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    }
+    return small;
+}
+
 std::string nearest(std::string_view word, std::span<const std::string> candidates) {
     std::size_t best = std::max<std::size_t>(2, word.size() / 3) + 1;
     std::string found;
     for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(word, candidate);
+        const std::size_t distance = edit_distance(small_letters(word), small_letters(candidate));
         if (distance < best) {
             best = distance;
             found = candidate;

@@ -45,8 +45,11 @@ void check_within(const std::string& where, double value, double least, double m
 [[noreturn]] void refuse_word(const std::string& where, std::string_view word,
                               std::span<const std::string> known);
 
+/// A to Z as a to z; other bytes as they are.
+std::string small_letters(std::string_view text);
+
 /// The candidate with the smallest edit distance to `word`, or "" if none is near enough
-/// (distance at most 2, or a third of the word's length).
+/// (distance at most 2, or a third of the word's length). Capitals count as small letters.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
 /// "did you mean 'emissivity'?", or "" if no candidate is near.

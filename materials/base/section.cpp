@@ -198,8 +198,10 @@ std::string Section::checked_name(const std::string& key, const std::string& fal
     if (node == nullptr || !node->is_string()) return name;
     if (std::find(names.known.begin(), names.known.end(), name) == names.known.end()) {
         const auto instead = names.instead.find(name);
-        mistake(key, fmt::format("no {} \"{}\"{}", names.what, name, names.where),
-                instead != names.instead.end() ? instead->second : did_you_mean(name, names.known));
+        std::string hint =
+            instead != names.instead.end() ? instead->second : did_you_mean(name, names.known);
+        if (!names.listed.empty()) hint += (hint.empty() ? "" : " ") + names.listed;
+        mistake(key, fmt::format("no {} \"{}\"{}", names.what, name, names.where), hint);
     }
     return name;
 }

@@ -39,12 +39,14 @@ struct Choice {
 };
 
 /// Names that a key may give: a material's, a texture's. `where` ends the message of an unknown
-/// one: no texture "grvel" in [[texture]]; its hint is the nearest, unless `instead` has one.
+/// one: no texture "grvel" in [[texture]]; its hint is the nearest, unless `instead` has one, and
+/// `listed`, the command that lists them.
 struct Names {
     std::string what;
     std::vector<std::string> known;
     std::string where = "";
     std::map<std::string, std::string> instead{};  // what mends a name that is known to be none
+    std::string listed = "";                       // "`diurna materials` lists them"; or ""
 };
 
 /// A table of a document, read key by key. Cheap to copy; lives as long as any copy of it or the

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/plain_text.hpp"
 #include "thermal/point/point_csv.hpp"
@@ -16,6 +17,7 @@
 #include "thermal/point/point_job_file.hpp"
 #include "thermal/point/run_column.hpp"
 #include "thermal/point/spin_up.hpp"
+#include "thermal/weather/weather_doubts.hpp"
 
 namespace diurna {
 
@@ -40,6 +42,11 @@ void column_verb(const ColumnArguments& a) {
     const FilesRead opened;
     const PointJob job = read_column_job(a.file, a.allow_outside);
     if (!a.out.empty()) check_output_file(a.out, opened.files());
+    // Of the weather: what is hardly meant.
+    for (const Mistake& doubt : weather_doubts(job.weather, job.site, job.start, job.end,
+                                               a.file.string() + ": weather.file")) {
+        fmt::print(stderr, "warning: {}\n", plain(doubt.line()));
+    }
     const PointResult result = followed(job, a.file);
     const std::string text = column_csv(result);
     if (a.out.empty()) {

@@ -16,6 +16,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
+#include "scenes/doubts/doubts.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
@@ -33,6 +34,14 @@
 namespace diurna {
 
 namespace {
+
+void tell(const std::vector<std::string>& warnings) {
+    for (const std::string& line : warnings) fmt::print(stderr, "warning: {}\n", plain(line));
+}
+
+std::string told_count(const std::vector<std::string>& warnings) {
+    return warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", warnings.size());
+}
 
 /// Results that have not converged are kept, but the program fails.
 void check_converged(const std::string& not_converged) {
@@ -96,17 +105,27 @@ std::vector<NetworkObject> checked(const Prepared& prepared) {
     return targets(prepared.world, prepared.scene);
 }
 
-void check_verb(const SceneArguments& a) {
+void check_verb(const SceneArguments& a, bool strict) {
     Scene scene = a.read();
+    std::vector<Mistake> found;
     if (!scene.sweep.axes.empty()) {
         const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
-        for_each_value(sweep, [](Scene variant) { checked(prepare(std::move(variant))); });
+        for_each_value(sweep, [&](Scene variant) {
+            const Prepared one = prepare(std::move(variant));
+            checked(one);
+            for (Mistake& doubt : doubts(one)) found.push_back(std::move(doubt));
+        });
         fmt::print("{}: {}\n", a.scene.string(), count_told(sweep));
     }
     const Prepared prepared = prepare(std::move(scene));
     const std::vector<NetworkObject> networks = checked(prepared);
-    fmt::print("{}: fine, {} facets, {} observers\n", a.scene.string(),
-               prepared.world.surfaces().size(), prepared.sequences.size());
+    for (Mistake& doubt : doubts(prepared)) found.push_back(std::move(doubt));
+    const std::vector<std::string> warnings = as_lines(found);
+    if (strict && !found.empty()) throw InputError(std::move(found));
+    fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
+               warnings.empty() ? "fine" : told_count(warnings), prepared.world.surfaces().size(),
+               prepared.sequences.size());
+    tell(warnings);
     for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
     if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
         fmt::print(stderr,
@@ -143,6 +162,7 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
+    tell(report.warnings);
     for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", plain(note));
     for (const std::string& line : report.remade) fmt::print(stderr, "note: {}\n", plain(line));
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", plain(report.start));
@@ -170,6 +190,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_output_file(out, prepared.scene.files);
     check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);
+    tell(as_lines(doubts(prepared)));
     Progress progress(a.style());
     progress.stage("sky view");
     const Stages stages(prepared, a.stages());
@@ -240,7 +261,10 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
 
 void add_check_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("check", "every mistake of a scene file at once");
-    verb->callback([a = scene_arguments(*verb)] { check_verb(*a); });
+    const auto a = scene_arguments(*verb);
+    const auto strict = std::make_shared<bool>(false);
+    verb->add_flag("--strict", *strict, "warnings are mistakes: exit code 2");
+    verb->callback([a, strict] { check_verb(*a, *strict); });
 }
 
 void add_plan_verb(CLI::App& app) {
@@ -252,6 +276,7 @@ void add_plan_verb(CLI::App& app) {
                                       prepared.plan));
         }
         fmt::print("{}", describe(prepared.plan));
+        tell(as_lines(doubts(prepared)));
         for (const std::string& note : prepared.notes)
             fmt::print(stderr, "note: {}\n", plain(note));
     });

@@ -98,6 +98,26 @@ std::vector<CubeInput> read_cubes(const Section& root) {
     return cubes;
 }
 
+std::string band_name(const std::vector<BandInput>& own, const std::string& name) {
+    std::string found;
+    for (const Word& w : words) {
+        if (small_letters(name) == w.name) found = w.name;
+    }
+    for (const BandInput& band : own) {
+        if (band.name == name) return name;
+        if (small_letters(band.name) == small_letters(name)) found = band.name;
+    }
+    return found.empty() ? name : found;
+}
+
+std::vector<std::string> read_band_names(const Section& section, const char* says,
+                                         const Or<std::vector<std::string>>& fallback,
+                                         const std::vector<BandInput>& own) {
+    std::vector<std::string> names = section.texts_or("bands", says, fallback);
+    for (std::string& name : names) name = band_name(own, name);
+    return names;
+}
+
 Band named_band(const std::vector<BandInput>& own, const std::string& name,
                 std::span<const double> breakpoints_um) {
     const auto mine = std::find_if(own.begin(), own.end(),

@@ -28,6 +28,14 @@ struct CubeInput {
 std::vector<BandInput> read_bands(const Section& root);
 std::vector<CubeInput> read_cubes(const Section& root);
 
+/// The name of a band as files and planes have it, whatever letters are capital: one of the scene's
+/// own, or a word; any other name as it is.
+std::string band_name(const std::vector<BandInput>& own, const std::string& name);
+/// The key `bands`: each by band_name().
+std::vector<std::string> read_band_names(const Section& section, const char* says,
+                                         const Or<std::vector<std::string>>& fallback,
+                                         const std::vector<BandInput>& own);
+
 /// The band an observer names: one of the scene's own, a range such as "3-5", or a word: "visible"
 /// 0.4-0.7, "nir" 0.75-1, "swir" 1.5-1.8, "mwir" 3-5, "lwir" 8-12 µm. Throws InputError with the
 /// nearest name.

@@ -55,8 +55,8 @@ void read_eyes(const Section& section, const std::vector<ObserverInput>& observe
 void read_bands(const Section& section, const std::vector<BandInput>& bands,
                 const std::vector<ObserverInput>& observers, ContrastInput& input) {
     input.bands =
-        section.texts_or("bands", "ranges beyond 3 µm, words or names of [[bands]]",
-                         {std::vector<std::string>{}, "the first observer's beyond 3 µm"});
+        read_band_names(section, "ranges beyond 3 µm, words or names of [[bands]]",
+                        {std::vector<std::string>{}, "the first observer's beyond 3 µm"}, bands);
     const bool given = !input.bands.empty();
     const auto warm = [&](const std::string& name) {
         return named_band(bands, name).from_um() >= heat_begins_um;

@@ -69,8 +69,9 @@ void read_bands(const Section& section, const std::vector<BandInput>& bands,
         return named_band(bands, name).from_um() >= heat_begins_um;
     };
     if (section.has("bands")) {
-        input.bands = section.texts_or("bands", "ranges beyond 3 µm, words or names of [[bands]]",
-                                       {std::vector<std::string>{}, "the observer's beyond 3 µm"});
+        input.bands =
+            read_band_names(section, "ranges beyond 3 µm, words or names of [[bands]]",
+                            {std::vector<std::string>{}, "the observer's beyond 3 µm"}, bands);
         for (const std::string& band : input.bands) {
             try {
                 if (warm(band)) continue;

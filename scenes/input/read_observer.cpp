@@ -268,9 +268,9 @@ void read_bands_and_cubes(const Section& section, const std::vector<BandInput>& 
     observer.terms =
         section.flag_or("terms", "planes for the terms of the radiance, one by one", false) ||
         observer.surfaces > 0;
-    observer.bands = section.texts_or(
-        "bands", "FROM-TO in µm, visible, nir, swir, mwir, lwir, or names of [[bands]]",
-        std::vector<std::string>{"3-5", "8-12"});
+    observer.bands = read_band_names(
+        section, "FROM-TO in µm, visible, nir, swir, mwir, lwir, or names of [[bands]]",
+        std::vector<std::string>{"3-5", "8-12"}, bands);
     for (auto band = observer.bands.begin(); band != observer.bands.end(); ++band) {
         if (std::find(observer.bands.begin(), band, *band) == band) continue;
         section.mistake("bands", fmt::format("has \"{}\" twice", *band));

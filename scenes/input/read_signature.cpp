@@ -58,8 +58,8 @@ std::vector<SignatureInput> read_signatures(const Section& root, const TerrainIn
         input.studied = read_studied(section, terrain, time, site);
         input.name = study_name(section, {input.studied.object, "its object"}, names);
         input.bands =
-            section.texts_or("bands", "ranges in µm, words or names of [[bands]]; one at least",
-                             {std::vector<std::string>{}, "none"});
+            read_band_names(section, "ranges in µm, words or names of [[bands]]; one at least",
+                            {std::vector<std::string>{}, "none"}, bands);
         if (input.bands.empty()) section.mistake("bands", "missing, expected at least one band");
         for (const std::string& band : input.bands) {
             try {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/matter/everyday_words.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "scenes/input/index_reach.hpp"
@@ -71,6 +72,14 @@ void read_materials(const Section& materials, Scene& scene, Reading& reading) {
             read_material(materials.section(name, material_says), scene.materials, name));
     }
     reading.materials.known = scene.materials.names();
+    reading.materials.listed = "`diurna materials` lists the library";
+    for (const auto& [word, name] : everyday_words()) {
+        if (std::find(reading.materials.known.begin(), reading.materials.known.end(), word) !=
+            reading.materials.known.end()) {
+            continue;
+        }
+        reading.materials.instead[word] = "did you mean '" + name + "'?";
+    }
 }
 
 /// Of every band and cube of the scene.

@@ -35,6 +35,7 @@ struct JobReport {
     std::vector<std::string> notes{};   // what was modelled for want of data
     std::vector<JobInput> inputs{};
     std::vector<std::string> settings{};  // of the command line
+    std::vector<std::string> warnings{};  // what is hardly meant (scenes/doubts)
 };
 
 }  // namespace diurna

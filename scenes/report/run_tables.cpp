@@ -135,6 +135,9 @@ std::string decisions_table(const Plan& plan) {
 
 std::string notes_list(const JobReport& report) {
     std::string out = "<ul>\n";
+    for (const std::string& line : report.warnings) {
+        out += "<li><strong>warning</strong> " + escaped(line) + "</li>\n";
+    }
     for (const std::string& note : report.notes) out += "<li>" + escaped(note) + "</li>\n";
     return out + "</ul>\n";
 }

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "scenes/doubts/doubts.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -117,6 +118,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const RunInput& input : manifest.inputs) {
         report.inputs.push_back({input.name, input.sha256});
     }
+    report.warnings = as_lines(doubts(prepared));
     const FolderLock lock(out);
     Ledger ledger(out, manifest.key, options.resume);
     begin_folder(prepared, out, ledger, report);

@@ -135,6 +135,7 @@ TEST_CASE("between posts heights are bilinear, outside and beside voids unknown"
 TEST_CASE("voids are refused, left or filled as told", "[terrain][dem]") {
     const AsciiGrid file(grid(4, 4, "1 2 3 4\n1 -99 -32768 4\n1 -9999 3 4\n1 2 3 4"));
     CHECK(refusal(file.file()).find("3 posts (19 %) have no elevation") != std::string::npos);
+    CHECK(refusal(file.file()).find("voids = \"fill\"") != std::string::npos);
     CHECK(read_dem(file.file(), {.voids = VoidPolicy::leave}).voids == 3);
     const Dem filled = read_dem(file.file(), {.voids = VoidPolicy::fill});
     for (const float h : filled.height) {

@@ -42,8 +42,8 @@ const std::map<std::string, std::vector<std::string>> rooms = {
     {"render",
      {"picture", "instrument", "detection", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes",
-     {"input", "keys", "world", "plan", "kept", "labels", "report", "run", "sweep", "studies",
-      "commands"}},
+     {"input", "keys", "world", "plan", "doubts", "kept", "labels", "report", "run", "sweep",
+      "studies", "commands"}},
 };
 
 // Units that still include each other, directly or around. To become empty.

@@ -22,12 +22,41 @@ void add_row(WeatherTable& table, Instant stamp, const std::string& where) {
     }
 }
 
+namespace {
+
+/// The unit that a value out of range is likely to have; "" where none is.
+std::string likely_unit(Quantity quantity, double value) {
+    switch (quantity) {
+        case Quantity::air_temperature:
+        case Quantity::dew_point:
+            return value < 0.0 || value <= 60.0 ? "degC" : value <= 140.0 ? "degF" : "";
+        case Quantity::relative_humidity:
+            return value > 1.0 && value <= 110.0 ? "%" : "";
+        case Quantity::cloud_fraction:
+            return value > 100.0 ? "" : value > 10.0 ? "%" : value > 8.0 ? "tenths" : "okta";
+        case Quantity::shortwave_down:
+        case Quantity::direct_normal:
+        case Quantity::diffuse:
+        case Quantity::longwave_down:
+            return value > 0.0 ? "J/m2" : "";
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
 void check_range(Quantity quantity, double value, const std::string& where) {
     const QuantityFacts& f = facts(quantity);
-    if (value < f.least || value > f.most) {
-        throw InputError(where, fmt::format("found {:g}; {} lies between {:g} and {:g}", value,
-                                            f.column, f.least, f.most));
-    }
+    if (!(value < f.least || value > f.most)) return;
+    const std::string unit = likely_unit(quantity, value);
+    throw InputError(
+        where,
+        fmt::format("found {:g}; {} lies between {:g} and {:g}", value, f.column, f.least, f.most),
+        unit.empty() ? ""
+                     : fmt::format("looks like another unit: [weather.columns] takes "
+                                   "a column as \"{} {}\"",
+                                   f.name, unit));
 }
 
 void put(WeatherTable& table, Quantity quantity, double value, const std::string& where) {

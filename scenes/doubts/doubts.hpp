@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "scenes/plan/prepared.hpp"
+
+namespace diurna {
+
+/// What of a scene can be computed but is hardly meant: of its weather
+/// (thermal/weather/weather_doubts.hpp), its places, its objects and what its observers see. Each
+/// with the key that mends it; none is a mistake of the file. Takes a few rays per object and
+/// observer, of large scenes a second.
+std::vector<Mistake> doubts(const Prepared& prepared);
+
+/// Longitude and latitude where metres east and north of the site are asked for.
+std::vector<Mistake> place_doubts(const Prepared& prepared);
+
+/// Objects and buildings that reach into or stand inside one another, objects that float over the
+/// ground or sink into it by half their height, and those of another size than things have.
+/// Copies are compared where they are made (scenes/world/copied_objects.hpp).
+std::vector<Mistake> object_doubts(const Prepared& prepared);
+
+/// Observers that see the sky alone, or nothing but what stands right before their lens.
+std::vector<Mistake> view_doubts(const Prepared& prepared);
+
+/// "scene.toml: object.truck: stands inside ... (move ...)", each once.
+std::vector<std::string> as_lines(const std::vector<Mistake>& doubts);
+
+}  // namespace diurna

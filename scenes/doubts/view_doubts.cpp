@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "render/view/pixel_rays.hpp"
+#include "scenes/doubts/doubts.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr int grid = 24;             // rays each way over a picture
+constexpr std::size_t poses = 8;     // of those that go, evenly
+constexpr float right_before = 0.5;  // [m]
+
+struct Seen {
+    std::size_t rays = 0, sky = 0, near = 0;
+    float furthest = 0.0f;
+    std::uint32_t facet = 0;  // of the furthest
+};
+
+Seen seen_by(const Observer& observer, const RayScene& scene) {
+    const PixelRays pixels = pixel_rays(observer);
+    std::vector<Ray> rays;
+    for (int row = 0; row < grid; ++row) {
+        for (int column = 0; column < grid; ++column) {
+            const double x = (column + 0.5) / grid * observer.width,
+                         y = (row + 0.5) / grid * observer.height;
+            rays.push_back({.origin = (observer.position + pixels.start(x, y)).cast<float>(),
+                            .direction = pixels.towards(x, y).cast<float>()});
+        }
+    }
+    std::vector<Hit> hits(rays.size());
+    scene.closest(rays, hits);
+    Seen seen{.rays = rays.size()};
+    for (const Hit& hit : hits) {
+        if (hit.facet == no_facet) {
+            ++seen.sky;
+            continue;
+        }
+        seen.near += hit.range < right_before;
+        if (hit.range > seen.furthest) {
+            seen.furthest = hit.range;
+            seen.facet = static_cast<std::uint32_t>(hit.facet);
+        }
+    }
+    return seen;
+}
+
+}  // namespace
+
+std::vector<Mistake> view_doubts(const Prepared& prepared) {
+    std::vector<Mistake> doubts;
+    for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
+        const Sequence& sequence = prepared.sequences[o];
+        const std::size_t step = (sequence.pose.size() + poses - 1) / poses;
+        std::size_t looked = 0, sky = 0, near = 0;
+        float furthest = 0.0f;
+        std::uint32_t facet = 0;
+        const Observer* first = nullptr;
+        for (std::size_t p = 0; p < sequence.pose.size(); p += step) {
+            const Seen seen = seen_by(sequence.pose[p], prepared.rays);
+            ++looked;
+            sky += seen.sky == seen.rays;
+            near += seen.near == seen.rays;
+            if (first == nullptr) first = &sequence.pose[p];
+            if (seen.furthest > furthest) {
+                furthest = seen.furthest;
+                facet = seen.facet;
+            }
+        }
+        if (looked == 0) continue;
+        const std::string where =
+            fmt::format("{}: observer.{}", prepared.scene.file.string(), first->name);
+        if (sky == looked) {
+            doubts.push_back(
+                {where,
+                 fmt::format("sees nothing but sky (it looks to {:.0f} degrees from north, {:.1f} "
+                             "above the horizon)",
+                             std::fmod(first->azimuth_deg + 360.0, 360.0), first->elevation_deg),
+                 "elevation_deg below zero looks down; look_at = \"NAME\" or look_at_m points it"});
+        } else if (near == looked) {
+            const FacetSet& facets = prepared.world.facets;
+            const auto object = std::size_t(facets.object[facet]);
+            doubts.push_back(
+                {where,
+                 fmt::format("sees nothing beyond {:.2g} m: \"{}\" stands right before "
+                             "its lens",
+                             furthest, prepared.world.objects[object]),
+                 "move place_m, height_above_ground_m or mount_m"});
+        }
+    }
+    return doubts;
+}
+
+}  // namespace diurna

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
+#include "thermal/weather/weather.hpp"
+
+namespace diurna {
+
+/// What of a weather's samples from `begin` to `end` can hardly be true of the place, though it is
+/// no mistake of the file; each kind once, with the first of its samples.
+///
+/// - air: outside what was ever measured at the ground, 183.9 K (Vostok 1983) to 329.9 K (Furnace
+///   Creek 1913); wind over 60 m/s; rain over 305 mm/h (Holt 1947; all from WMO's archive of
+///   extremes); humidity below 3 % throughout
+/// - radiation: outside what is physically possible by BSRN's tests (Long & Dutton 2002): of the
+///   sun's flux S at its distance and the sine s of its elevation, global 1.5 S s^1.2 + 100,
+///   diffuse 0.95 S s^1.2 + 50, reflected 1.2 S s^1.2 + 50, direct S, longwave 40 to 700 W m⁻² and
+///   0.4 σT⁴ to σT⁴ + 25 of the air's temperature
+/// - light while the sun is more than 3 degrees down, no light at all under a high sun, and a
+/// course
+///   of light that is more than 40 minutes off the sun's (sun_lag.hpp), within 5 days of the middle
+///
+/// where: "scene.toml: weather.file"
+std::vector<Mistake> weather_doubts(const Weather& weather, const Site& site, Instant begin,
+                                    Instant end, const std::string& where);
+
+}  // namespace diurna

@@ -35,8 +35,12 @@ namespace diurna {
 
 namespace {
 
-void tell(const std::vector<std::string>& warnings) {
+void warn(const std::vector<std::string>& warnings) {
     for (const std::string& line : warnings) fmt::print(stderr, "warning: {}\n", plain(line));
+}
+
+void tell(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", plain(note));
 }
 
 std::string told_count(const std::vector<std::string>& warnings) {
@@ -73,7 +77,7 @@ void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle s
     const SweepReport report = run_sweep(sweep, options);
     fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
                report.rendered, report.kept, report.solved, options.out.string());
-    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    tell(report.notes);
     if (report.missing > 0) {
         fmt::print(stderr,
                    "note: {} variants are not there yet: whichever shard ends last writes "
@@ -125,15 +129,15 @@ void check_verb(const SceneArguments& a, bool strict) {
     fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
                warnings.empty() ? "fine" : told_count(warnings), prepared.world.surfaces().size(),
                prepared.sequences.size());
-    tell(warnings);
-    for (const std::string& note : prepared.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    warn(warnings);
+    tell(prepared.notes);
     if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
         fmt::print(stderr,
                    "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
                    prepared.plan.memory / 1e9, most / 1e9);
     }
     for (const NetworkObject& network : networks) {
-        for (const std::string& note : network.notes) fmt::print(stderr, "note: {}\n", plain(note));
+        tell(network.notes);
     }
 }
 
@@ -162,15 +166,11 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
-    tell(report.warnings);
-    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    warn(report.warnings);
+    tell(report.notes);
     for (const std::string& line : report.remade) fmt::print(stderr, "note: {}\n", plain(line));
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", plain(report.start));
     check_converged(report.not_converged);
-}
-
-void tell(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", plain(note));
 }
 
 void tell_taken(const Stages& stages) {
@@ -190,7 +190,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_output_file(out, prepared.scene.files);
     check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);
-    tell(as_lines(doubts(prepared)));
+    warn(as_lines(doubts(prepared)));
     Progress progress(a.style());
     progress.stage("sky view");
     const Stages stages(prepared, a.stages());
@@ -253,7 +253,7 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     check_solved(stages, field, temperatures);
     const FramesReport report = render_frames(stages, field, out, progress);
     for (const auto& notes : {report.notes, report.warnings}) {
-        for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", plain(note));
+        tell(notes);
     }
 }
 
@@ -276,7 +276,7 @@ void add_plan_verb(CLI::App& app) {
                                       prepared.plan));
         }
         fmt::print("{}", describe(prepared.plan));
-        tell(as_lines(doubts(prepared)));
+        warn(as_lines(doubts(prepared)));
         for (const std::string& note : prepared.notes)
             fmt::print(stderr, "note: {}\n", plain(note));
     });

@@ -113,7 +113,7 @@ int declare_field(const NetcdfFile& file, const char* name, const char* standard
 void declare_fluxes(const NetcdfFile& file, const std::array<int, 2>& dims, Variables& variables) {
     file.text(NC_GLOBAL, "heat_balance", heat_equation);
     for (std::size_t k = 0; k < heat_terms; ++k) {
-        const TermName& term = term_names[k];
+        const TermName& term = heat_term_names[k];
         variables.term[k] = declare_field(file, term.name, term.standard_name, "W m-2", dims);
         file.text(variables.term[k], "long_name", term.long_name);
         const int sign = k < heat_sources ? 1 : -1;

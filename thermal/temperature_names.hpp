@@ -27,7 +27,7 @@ inline constexpr std::array<CoverName, 3> cover_names{{
 struct TermName {
     const char *name, *standard_name, *long_name;
 };
-inline constexpr std::array<TermName, heat_terms> term_names{{
+inline constexpr std::array<TermName, heat_terms> heat_term_names{{
     {"absorbed_sunlight", "surface_net_downward_shortwave_flux",
      "sunlight absorbed by the facet, without what it lets through"},
     {"absorbed_longwave", "", "longwave of sky and other facets absorbed by the facet"},

@@ -174,7 +174,7 @@ TemperatureField load_temperature_field(const fs::path& path) {
 
 std::vector<float> load_heat_term(const fs::path& path, HeatTerm term,
                                   const TemperatureField& field) {
-    const std::string name = term_names[static_cast<std::size_t>(term)].name;
+    const std::string name = heat_term_names[static_cast<std::size_t>(term)].name;
     int id = -1, variable = -1, rank = 0;
     note_file_read(path);
     check_values_are_its_own(path);

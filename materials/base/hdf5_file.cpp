@@ -3,6 +3,7 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <new>
 #include <string>
 
 #include "materials/base/error.hpp"
@@ -34,10 +35,18 @@ herr_t look_at_object(hid_t group, const char* name, const H5O_info_t* object, v
     return found;
 }
 
+/// Sets the library up, and keeps messages of its own off the terminal. By H5open and before all
+/// else: where memory fails while it sets itself up inside of another call, HDF5 1.10 tells itself
+/// of the error without end.
+void begin_hdf5() {
+    if (H5open() < 0) throw std::bad_alloc();
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
 }  // namespace
 
 std::vector<std::byte> hdf5_with_nothing_in_it() {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    begin_hdf5();
     const unsigned ordered = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     const hid_t made = H5Pcreate(H5P_FILE_CREATE), reached = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_link_creation_order(made, ordered);
@@ -56,7 +65,7 @@ std::vector<std::byte> hdf5_with_nothing_in_it() {
 }
 
 void check_values_are_its_own(const std::filesystem::path& file) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // no messages of its own on the terminal
+    begin_hdf5();
     if (H5Fis_hdf5(file.c_str()) <= 0) return;
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
     if (id < 0) return;

@@ -51,6 +51,13 @@ void forget(int slot) {
     if (slot >= 0) slots[static_cast<std::size_t>(slot)].state = Slot::free;
 }
 
+void remove_unfinished() {
+    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
+    for (const Slot& slot : slots) {
+        if (slot.state == Slot::named) ::unlink(slot.path.data());
+    }
+}
+
 extern "C" void end_by_signal(int signal) {
     remove_unfinished();
     std::signal(signal, SIG_DFL);
@@ -126,11 +133,10 @@ bool is_left_over(const fs::path& file) {
     return id > 0 && ::kill(pid_t(id), 0) != 0 && errno == ESRCH;
 }
 
-void remove_unfinished() {
-    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
-    for (const Slot& slot : slots) {
-        if (slot.state == Slot::named) ::unlink(slot.path.data());
-    }
+void end_at_once(std::string_view line) {
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line.data(), line.size());
+    remove_unfinished();
+    ::_exit(1);
 }
 
 void remove_unfinished_at_signals() {

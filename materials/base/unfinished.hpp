@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace diurna {
 
@@ -45,9 +46,9 @@ bool is_temporary_name(const std::string& name);
 /// Whether it has such a name, of a process that lives no more.
 bool is_left_over(const std::filesystem::path& file);
 
-/// Removes what is unfinished and ends a child process, where the program has to end at once.
-/// Neither locks nor allocates.
-void remove_unfinished();
+/// Where the program has to end at once: writes the line to stderr, removes what is unfinished,
+/// ends a child process and leaves with 1. Neither locks nor allocates.
+[[noreturn]] void end_at_once(std::string_view line);
 
 /// From here on SIGINT, SIGTERM and SIGHUP remove what is unfinished and end a child process, and
 /// then the program as they do by themselves (128 + number to a shell). One that the program was

@@ -82,14 +82,17 @@ void run_program(int argc, char** argv) {
 
 /// Where no one catches: one line, no file half done, an exit code and no core.
 [[noreturn]] void end_uncaught() {
-    constexpr char line[] = "diurna: there is not enough memory, or a defect of the program\n";
-    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, line, sizeof line - 1);
-    remove_unfinished();
-    ::_exit(failed);
+    end_at_once("diurna: there is not enough memory, or a defect of the program\n");
 }
 
+/// GDAL and others end the program so where memory fails.
+extern "C" void end_aborted(int) { end_uncaught(); }
+
 /// Before any library begins: what they set up before main() needs memory too.
-void begin() { std::set_terminate(end_uncaught); }
+void begin() {
+    std::set_terminate(end_uncaught);
+    std::signal(SIGABRT, end_aborted);
+}
 [[gnu::section(".preinit_array"), gnu::used]] void (*const at_first)() = begin;
 
 }  // namespace

@@ -126,6 +126,7 @@ void GdalGate::check() const {
 void prepare_gdal() {
     static std::once_flag once;
     std::call_once(once, [] {
+        const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
         GDALAllRegister();
         GDALDriverManager& manager = *GetGDALDriverManager();
         for (int i = manager.GetDriverCount(); i-- > 0;) {

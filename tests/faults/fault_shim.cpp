@@ -41,6 +41,7 @@ long fails_at = 0;
 bool goes_on = false;
 std::atomic<long> calls{0};
 std::atomic<bool> ready{false};
+thread_local bool spared = false;
 
 template <class Function>
 Function next(const char* name) {
@@ -71,7 +72,7 @@ bool read_is_short(int file) { return chosen == reading && is_file(file) && fail
 std::size_t half(std::size_t size) { return size > 1 ? size / 2 : size; }
 
 bool none_left() {
-    if (!fails(allocating)) return false;
+    if (spared || !fails(allocating)) return false;
     errno = ENOMEM;
     return true;
 }
@@ -158,6 +159,16 @@ size_t fread(void* bytes, size_t size, size_t count, FILE* file) {
     if (!read_is_short(::fileno(file))) return real(bytes, size, count, file);
     file->_flags |= 0x20;
     return real(bytes, size, half(count), file);
+}
+
+/// Not tried: where memory fails while HDF5 1.10 sets itself up, it calls itself until the stack is
+/// full (H5E_printf_stack by H5I_inc_ref by H5E__push_stack).
+int H5open() {
+    static const auto real = next<int (*)()>("H5open");
+    spared = true;
+    const int status = real();
+    spared = false;
+    return status;
 }
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*body)(void*),

@@ -42,7 +42,7 @@ Counts try_all(const std::string& kind, long most, bool on = false) {
     REQUIRE(whole.size() > 10);
     Counts counts;
     for (const long at : some_of(calls, most)) {
-        fs::remove_all(stage.out());
+        stage.begin_anew();
         const Ended ended = stage.run(failing(kind, at, on));
         const std::string told = ended.lines.empty() ? "" : ended.lines.front();
         INFO(kind << " " << at << " of " << calls << ": " << told);

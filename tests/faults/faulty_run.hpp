@@ -32,7 +32,7 @@ using Contents = std::map<std::string, std::string>;
 
 struct Ended {
     int code = -1, signal = 0;
-    std::vector<std::string> lines{};  // on stderr, without notes
+    std::vector<std::string> lines{};  // on stderr, without notes and GDAL's own last words
 };
 
 inline std::string text_of(const fs::path& file) {
@@ -68,9 +68,15 @@ class Stage {
             std::ofstream(scratch_.path / file, std::ios::binary) << text;
         }
         std::ofstream(scratch_.path / "scene.toml", std::ios::app) << "[output]\nstate = true\n";
-        fs::create_directories(scratch_.path / "cache");
     }
     fs::path out() const { return scratch_.path / "out"; }
+    /// Of what runs have found, for others.
+    fs::path store() const { return scratch_.path / "store"; }
+    /// As before the first run.
+    void begin_anew() const {
+        fs::remove_all(out());
+        fs::remove_all(store());
+    }
 
     /// - seconds: after which it is sent the signal; 0: never
     Ended diurna(const std::vector<std::string>& words, const Environment& environment = {},
@@ -90,7 +96,8 @@ class Stage {
         if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
         std::istringstream lines(text_of(told));
         for (std::string line; std::getline(lines, line);) {
-            if (!line.starts_with("note:")) ended.lines.push_back(line);
+            if (!line.starts_with("note:") && !line.starts_with("FATAL: CPL"))
+                ended.lines.push_back(line);
         }
         return ended;
     }
@@ -103,7 +110,7 @@ class Stage {
     long calls(const std::string& kind) const {
         Environment counted = failing(kind, 0);
         counted["FAULT_COUNT"] = (scratch_.path / "count").string();
-        fs::remove_all(out());
+        begin_anew();
         if (run(counted).code != 0) throw std::runtime_error("the yard does not run");
         return std::stol(text_of(scratch_.path / "count"));
     }
@@ -119,7 +126,7 @@ class Stage {
         if (::chdir(scratch_.path.c_str()) != 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) {
             ::_exit(99);
         }
-        ::setenv("XDG_CACHE_HOME", (scratch_.path / "cache").c_str(), 1);
+        ::setenv("DIURNA_STAGES", store().c_str(), 1);
         for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
         ::execv(argv[0], const_cast<char* const*>(argv.data()));
         ::_exit(98);

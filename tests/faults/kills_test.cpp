@@ -21,7 +21,7 @@ void kill_and_resume(int times, unsigned seed) {
     const Contents whole = contents(stage.out());
     REQUIRE(whole.contains("temperatures.nc"));
     REQUIRE(whole.contains("state.nc"));
-    fs::remove_all(stage.out());
+    stage.begin_anew();
     const auto begun = std::chrono::steady_clock::now();
     REQUIRE(stage.run().code == 0);
     const double seconds =
@@ -31,7 +31,7 @@ void kill_and_resume(int times, unsigned seed) {
     std::uniform_int_distribution<long> write(1, writes);
     int killed = 0;
     for (int i = 0; i < times; ++i) {
-        if (i % 4 < 2) fs::remove_all(stage.out());
+        if (i % 4 < 2) stage.begin_anew();
         const bool in_write = i % 2 == 0;
         const long at = write(random);
         const double when = moment(random);

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Puts the tables that validation_bench and atmosphere_bench print between their marks in the README.
+# Puts the tables that validation_bench, atmosphere_bench and methods_table.py print between their marks in the README.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --build --preset release --target validation_bench atmosphere_bench >&2
@@ -14,3 +14,5 @@ fill() {
 build/release/validation_bench >"$table"
 fill validation
 if build/release/atmosphere_bench accuracy >"$table"; then fill accuracy; fi
+bench/methods_table.py >"$table"
+fill methods

@@ -31,7 +31,8 @@ std::shared_ptr<const Profile> inversion() {
 
 }  // namespace
 
-TEST_CASE("pressure over the standard sea is ICAO's standard atmosphere", "[materials][air]") {
+TEST_CASE("pressure over the standard sea is ICAO's standard atmosphere",
+          "[materials][air][by_comparison]") {
     // ICAO Doc 7488/3, table by geopotential height, which is height under one gravity.
     const AirByHeight rule{.station = 0.0};
     for (const auto& [height, kelvin, pascal] : {std::tuple{1000.0, 281.65, 89874.6},
@@ -50,7 +51,7 @@ TEST_CASE("pressure over the standard sea is ICAO's standard atmosphere", "[mate
 }
 
 TEST_CASE("vapour thins by Kunkel's coefficient and is never above saturation",
-          "[materials][air]") {
+          "[materials][air][by_comparison]") {
     const AirByHeight rule{.station = 200.0};
     const AirState fair{.temperature = 290.0, .pressure = 99000.0, .vapour_pressure = 1000.0};
     CHECK(air_at_height(rule, fair, 1200.0).vapour_pressure ==
@@ -77,7 +78,8 @@ TEST_CASE("moist air is hydrostatic by its virtual temperature", "[materials][ai
     CHECK(air_at_height(rule, moist, 2000.0).pressure == Approx(pressure).epsilon(5e-5));
 }
 
-TEST_CASE("a lapse of nothing is the station's air at all heights", "[materials][air]") {
+TEST_CASE("a lapse of nothing is the station's air at all heights",
+          "[materials][air][by_degenerate]") {
     const AirByHeight rule{.station = 300.0, .lapse = 0.0};
     const AirState air{.temperature = 301.0, .pressure = 97000.0, .vapour_pressure = 1234.0};
     for (const double height : {0.0, 300.0, 3000.0}) {

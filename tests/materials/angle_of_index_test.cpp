@@ -45,7 +45,8 @@ Material read(const std::string& finish, double emissivity) {
 
 // Aluminium at 10 µm, n = 25.3, k = 89.8 (Rakić 1995), by the first-order law of good conductors
 // (Modest, Radiative Heat Transfer, 3.6): 1 − ρ = (4 n / (n² + k²)) (cosθ + 1 / cosθ) / 2.
-TEST_CASE("a metal emits to the side as Fresnel's formula says", "[materials][finish]") {
+TEST_CASE("a metal emits to the side as Fresnel's formula says",
+          "[materials][finish][by_comparison]") {
     const double n = 25.3, k = 89.8;
     const Material sheet = metal(n, k, fresnel(laboratory_cosine, {n, k}));
     for (const double angle : {0.0, 30.0, 60.0, 75.0}) {
@@ -92,7 +93,7 @@ double dunkle(double n) {
 }
 
 TEST_CASE("a dielectric of an effective index emits over the hemisphere as Dunkle says",
-          "[materials][finish]") {
+          "[materials][finish][by_comparison]") {
     CHECK(dunkle(1.5) == Approx(0.908).margin(1e-3));  // Modest, figure 3.18
     for (const double n : {1.3, 1.5, 2.0}) {
         const double upright = (n - 1) * (n - 1) / ((n + 1) * (n + 1));
@@ -108,7 +109,8 @@ TEST_CASE("a dielectric of an effective index emits over the hemisphere as Dunkl
 }
 
 // Hagen & Rubens, n = k: ε_n = 0.1 wants n = k = 18.97, ρ = (2n² − 2n + 1) / (2n² + 2n + 1).
-TEST_CASE("a metal of an effective index follows Hagen and Rubens", "[materials][finish]") {
+TEST_CASE("a metal of an effective index follows Hagen and Rubens",
+          "[materials][finish][by_comparison]") {
     const Material own = read("{ kind = \"metal\", roughness = 0.0, effective_index = true }", 0.1);
     const double n = std::get<Glossy>(own.finish).index.at(10.0);
     CHECK((2 * n * n - 2 * n + 1) / (2 * n * n + 2 * n + 1) == Approx(0.9).margin(1e-3));

@@ -21,7 +21,7 @@ Band band(double from, double to) { return flat_band("", from, to, bin_edges_um(
 }  // namespace
 
 TEST_CASE("air and ground at one temperature look black, whatever the path",
-          "[materials][atmosphere][furnace]") {
+          "[materials][atmosphere][furnace][by_degenerate]") {
     const double kelvins = GENERATE(230.0, 300.0, 340.0);
     BandModel air = model("MLS", "rural");
     air.profile = isothermal(air.profile, kelvins);
@@ -81,7 +81,7 @@ TEST_CASE("where the air is opaque one sees its own temperature", "[materials][a
     CHECK(path.radiance[0] == Approx(planck(4.26, air.profile.temperature.front())).epsilon(1e-3));
 }
 
-TEST_CASE("a vacuum neither absorbs nor shines", "[materials][atmosphere]") {
+TEST_CASE("a vacuum neither absorbs nor shines", "[materials][atmosphere][by_degenerate]") {
     const Atmosphere none = Vacuum{.space_temperature = 4.0};
     const Band in = band(8, 12);
     const PathSpectrum path = path_at_nodes(none, sight_line(0.0, 90.0, 100.0), in.node_um);
@@ -111,7 +111,7 @@ TEST_CASE("the sun fades with the square of its distance and through the air",
 }
 
 TEST_CASE("broadband sun of a clear day reaches the ground as measured",
-          "[materials][atmosphere]") {
+          "[materials][atmosphere][by_history]") {
     // Direct normal irradiance of the ASTM G173 atmosphere at air mass 1.5 is 900 W/m2; here with
     // a US standard air and 23 km of visibility, direct beam alone, 0.35 to 20 um.
     const Band in = band(0.3, 19.99);

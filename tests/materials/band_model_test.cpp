@@ -186,14 +186,14 @@ TEST_CASE("transmittance falls along the path, between one and zero", "[material
     CHECK(falls);
 }
 
-TEST_CASE("a path of no length is clear", "[materials][atmosphere]") {
+TEST_CASE("a path of no length is clear", "[materials][atmosphere][by_degenerate]") {
     for (const double tau : transmittance(model("TROP", "urban", 2.0), level(0, 0), every_bin())) {
         CHECK(tau == 1.0);
     }
 }
 
 TEST_CASE("aerosol at 0.55 um thins light as Koschmieder's visibility says",
-          "[materials][atmosphere]") {
+          "[materials][atmosphere][by_comparison]") {
     const double visibility = GENERATE(2.0, 10.0, 23.0, 50.0);
     // Bins are 6 nm wide there: the extinction at 0.55 um lies between those of two middles; the
     // line between them passes 0.2 % above the bend that the aerosol's table has at 0.55 um.
@@ -210,7 +210,8 @@ TEST_CASE("aerosol at 0.55 um thins light as Koschmieder's visibility says",
     CHECK(depth.at(0.55) == Approx(3.0 * (std::log(50.0) / visibility - 0.01159)).epsilon(2e-3));
 }
 
-TEST_CASE("haze thins with height as LOWTRAN7's own profile does", "[materials][atmosphere]") {
+TEST_CASE("haze thins with height as LOWTRAN7's own profile does",
+          "[materials][atmosphere][by_comparison]") {
     // Its print for midlatitude summer, 23 km: 0.158, 0.0991 and 0.0621 km-1 of rural aerosol at 0,
     // 1 and 2 km, 0.0346 of tropospheric at 3 km, 0.000799 of stratospheric at 11 km.
     const auto extinction = [](const char* aerosol, double height) {
@@ -276,7 +277,7 @@ TEST_CASE("more carbon dioxide darkens its own bands alone", "[materials][atmosp
 }
 
 TEST_CASE("the sun above the air has E490's bands on a scale of 1361 W/m2",
-          "[materials][atmosphere]") {
+          "[materials][atmosphere][by_comparison]") {
     const auto in = [](double from, double to) {
         const Band b = flat_band("", from, to, bin_edges_um());
         double sum = 0.0;
@@ -308,7 +309,7 @@ TEST_CASE("what the model cannot use is refused", "[materials][atmosphere]") {
 }
 
 TEST_CASE("band transmittances and radiances agree with LOWTRAN7",
-          "[materials][atmosphere][reference]") {
+          "[materials][atmosphere][reference][by_comparison]") {
     const auto folder = shared_data("data/atmosphere/lowtran7");
     if (!folder) return;
     // Per cent: mean of |error| and worst. Below 5000 cm-1 the tables follow MODTRAN 5 on purpose,

@@ -31,7 +31,7 @@ TEST_CASE("a flat band is as wide as its range", "[materials][band]") {
 }
 
 TEST_CASE("n points per piece integrate polynomials of degree 2n - 1 exactly",
-          "[materials][band]") {
+          "[materials][band][by_comparison]") {
     const int points = GENERATE(1, 2, 3, 4, 5, 8);
     const Band band = flat_band("", 1.0, 1.2, {}, points);
     const int degree = 2 * points - 1;
@@ -41,7 +41,8 @@ TEST_CASE("n points per piece integrate polynomials of degree 2n - 1 exactly",
           Approx(exact).epsilon(1e-13));
 }
 
-TEST_CASE("a function that jumps at a breakpoint is integrated exactly", "[materials][band]") {
+TEST_CASE("a function that jumps at a breakpoint is integrated exactly",
+          "[materials][band][by_comparison]") {
     const std::vector<double> breaks = {2.0, 3.3333, 4.7, 9.0};
     const Band band = flat_band("", 3.0, 5.0, breaks);
     const auto step = [](double um) { return um < 3.3333 ? 1.0 : um < 4.7 ? 0.25 : 2.0; };

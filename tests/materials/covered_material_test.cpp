@@ -70,7 +70,7 @@ TEST_CASE("a covered material is the sum of its parts", "[materials][snow]") {
     CHECK(under.reflectance.at(10.0) == Approx(snow.at(10.0)).margin(1e-12));
 }
 
-TEST_CASE("snow dulls gloss, opens no window and keeps energy", "[materials][snow]") {
+TEST_CASE("snow dulls gloss, opens no window and keeps energy", "[materials][snow][by_trace]") {
     for (const char* name : {"green_paint", "galvanised_steel_bright", "glass", "solar_panel"}) {
         const Material& dry = named(name);
         const double share = 0.4, um = 0.6, white = 0.83;

@@ -18,7 +18,8 @@ BandModel model(const std::string& profile, const std::string& aerosol = "none",
 
 }  // namespace
 
-TEST_CASE("thermal flux at the ground is that of published skies", "[materials][flux]") {
+TEST_CASE("thermal flux at the ground is that of published skies",
+          "[materials][flux][by_comparison]") {
     // Dilley and O'Brien 1998, fitted to line-by-line fluxes, rms 5 W m-2: 59.38 + 113.7
     // (T/273.16)^6
     // + 96.96 sqrt(w / 25) with AFGL's temperatures and columns [kg m-2].

@@ -51,7 +51,7 @@ Spectrum measured(const std::filesystem::path& file) {
 // it stands for the kind, 1 where the library is something else on purpose (its spectrum's head
 // says what; the published ranges below hold there).
 TEST_CASE("spectra are those of the ECOSTRESS library within the spread of their kind",
-          "[materials][audit]") {
+          "[materials][audit][by_history]") {
     const auto folder = shared_data("data/spectra/materials");
     if (!folder) return;
     struct Row {
@@ -96,7 +96,8 @@ TEST_CASE("spectra are those of the ECOSTRESS library within the spread of their
 }
 
 // Buettner & Kern 1965, J. Geophys. Res. 70, 1329: 8 to 12 µm, measured in a box outdoors.
-TEST_CASE("emissivities in 8-12 µm are those of Buettner and Kern", "[materials][audit]") {
+TEST_CASE("emissivities in 8-12 µm are those of Buettner and Kern",
+          "[materials][audit][by_history]") {
     struct Row {
         const char* name;
         double emissivity, spread;
@@ -111,7 +112,8 @@ TEST_CASE("emissivities in 8-12 µm are those of Buettner and Kern", "[materials
     }
 }
 
-TEST_CASE("absorptance of sunlight is that of engineering's tables", "[materials][audit]") {
+TEST_CASE("absorptance of sunlight is that of engineering's tables",
+          "[materials][audit][by_history]") {
     struct Range {
         const char* name;
         double least, most;  // absorptance
@@ -141,7 +143,7 @@ TEST_CASE("absorptance of sunlight is that of engineering's tables", "[materials
 }
 
 // Near the normal, as tables have them: metals emit more to the side.
-TEST_CASE("total emissivity is that of engineering's tables", "[materials][audit]") {
+TEST_CASE("total emissivity is that of engineering's tables", "[materials][audit][by_history]") {
     struct Row {
         const char* name;
         double emissivity, spread;
@@ -160,7 +162,7 @@ TEST_CASE("total emissivity is that of engineering's tables", "[materials][audit
 }
 
 TEST_CASE("the ice and aluminium of the library are Fresnel's of their n and k",
-          "[materials][audit]") {
+          "[materials][audit][by_comparison]") {
     const auto check = [](const char* spectrum, const char* index, double from_um, double margin) {
         const CsvTable table = read_csv(data_folder() / "spectra" / index);
         const Spectrum s = read_spectrum(data_folder() / "spectra" / spectrum);

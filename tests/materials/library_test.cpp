@@ -162,7 +162,7 @@ TEST_CASE("soil ends below the reach of the daily wave", "[materials][library]")
     }
 }
 
-TEST_CASE("means of a constant are the constant", "[materials][library]") {
+TEST_CASE("means of a constant are the constant", "[materials][library][by_degenerate]") {
     CHECK(solar_mean(flat_spectrum(0.37)) == Approx(0.37).epsilon(1e-13));
     CHECK(planck_mean(flat_spectrum(0.37)) == Approx(0.37).epsilon(1e-13));
     CHECK(planck_mean(Spectrum{}) == 0.0);

@@ -105,7 +105,8 @@ double over_lights(const Brdf& f, const Eigen::Vector3d& eye) {
 }  // namespace
 
 // Minnaert: f = c (cosθ_in cosθ_out)^(k−1), R(θ) = 2π c / (k + 1) cos^(k−1) θ; k = 1 is Lambert.
-TEST_CASE("a MERL file of Minnaert's law reflects as his formula integrates", "[materials][brdf]") {
+TEST_CASE("a MERL file of Minnaert's law reflects as his formula integrates",
+          "[materials][brdf][by_comparison]") {
     const double k = GENERATE(1.0, 1.4);
     const double c = 0.12;
     const ScratchFolder folder("merl");
@@ -121,7 +122,8 @@ TEST_CASE("a MERL file of Minnaert's law reflects as his formula integrates", "[
     }
 }
 
-TEST_CASE("a MERL file of a metal's lobe reflects as the lobe integrates", "[materials][brdf]") {
+TEST_CASE("a MERL file of a metal's lobe reflects as the lobe integrates",
+          "[materials][brdf][by_comparison]") {
     const Microfacets surface{.roughness = 0.25};
     const Brdf lobe = [&](const Eigen::Vector3d& eye, const Eigen::Vector3d& light) {
         if (eye.z() <= 0.0 || light.z() <= 0.0) return 0.0;
@@ -164,7 +166,8 @@ TEST_CASE("a table of angles reflects as its formula", "[materials][brdf]") {
           1.5 * brdf(sided, towards(40.0, 100.0), towards(40.0, -80.0)));
 }
 
-TEST_CASE("a measured finish keeps its energy under a sun anywhere", "[materials][brdf]") {
+TEST_CASE("a measured finish keeps its energy under a sun anywhere",
+          "[materials][brdf][by_trace]") {
     const ScratchFolder folder("finish");
     const auto path = folder.path / "own.csv";
     write_whole_file(path, table(

@@ -56,7 +56,8 @@ Finish glossy(double roughness, double index, double extinction = 0.0) {
 
 }  // namespace
 
-TEST_CASE("Fresnel's formula at the normal, Brewster's angle and grazing", "[materials][finish]") {
+TEST_CASE("Fresnel's formula at the normal, Brewster's angle and grazing",
+          "[materials][finish][by_comparison]") {
     CHECK(fresnel(1.0, 1.5) == Approx(0.04).epsilon(1e-12));
     CHECK(fresnel(1e-9, 1.5) == Approx(1.0).epsilon(1e-7));
     // ((n − 1)² + k²) / ((n + 1)² + k²): aluminium at 10 µm, n = 25.3, k = 89.8 (Rakić 1995)
@@ -127,7 +128,8 @@ TEST_CASE("the table of a rough interface is its integral", "[materials][finish]
 }
 
 // White furnace: what absorbs nothing returns all of a uniform light, at any angle and roughness.
-TEST_CASE("a lossless surface disappears in a uniform light", "[materials][finish][furnace]") {
+TEST_CASE("a lossless surface disappears in a uniform light",
+          "[materials][finish][furnace][by_degenerate]") {
     const double roughness = GENERATE(0.0, 0.05, 0.3, 1.0), cosine = GENERATE(0.02, 0.3, 0.7, 1.0);
     CAPTURE(roughness, cosine);
     const Material paint = coated(glossy(roughness, 1.5), 1.0);
@@ -142,7 +144,7 @@ TEST_CASE("a lossless surface disappears in a uniform light", "[materials][finis
 }
 
 TEST_CASE("emissivity, reflectance and transmittance add up to one and stay in range",
-          "[materials][finish]") {
+          "[materials][finish][by_trace]") {
     const Finish finish =
         GENERATE(Finish{Lambert{}}, glossy(0.0, 1.33), glossy(0.2, 1.5, 0.3), glossy(1.0, 2.5),
                  Finish{ByAngle{{0.0, 60.0, 90.0}, {1, 2, 9}}},
@@ -180,7 +182,8 @@ TEST_CASE("calm water emits less at grazing angles", "[materials][finish]") {
     CHECK(hemispherical_optics(water, 11.0).emissivity < emissivity(10.0));
 }
 
-TEST_CASE("a diffuse lobe by angle is reciprocal and keeps its energy", "[materials][finish]") {
+TEST_CASE("a diffuse lobe by angle is reciprocal and keeps its energy",
+          "[materials][finish][by_trace]") {
     const Material sand = coated(ByAngle{{0.0, 45.0, 90.0}, {1.0, 1.1, 2.0}}, 0.2);
     const double mean = hemispherical_optics(sand, 9.0).diffuse;
     const auto weight = [&](double c) { return directional_optics(sand, 9.0, c).diffuse / mean; };

@@ -4,7 +4,8 @@
 
 using namespace diurna;
 
-TEST_CASE("a sphere scatters as Bohren and Huffman's program prints", "[materials][mie]") {
+TEST_CASE("a sphere scatters as Bohren and Huffman's program prints",
+          "[materials][mie][by_comparison]") {
     // Appendix A: n = 1.55, x = 5.21283 gives Q = 3.10543 (sphere of 0.525 um at 0.6328 um).
     const MieEfficiency q = mie({1.55, 0.0}, 5.21283);
     CHECK(q.extinction == Approx(3.10543).epsilon(2e-5));
@@ -13,7 +14,7 @@ TEST_CASE("a sphere scatters as Bohren and Huffman's program prints", "[material
 }
 
 TEST_CASE("small spheres scatter as Rayleigh says, large ones as twice their shadow",
-          "[materials][mie]") {
+          "[materials][mie][by_comparison]") {
     const double x = 0.01;
     const MieEfficiency small = mie({1.5, 0.0}, x);
     const double lorentz = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 2.0);
@@ -22,7 +23,7 @@ TEST_CASE("small spheres scatter as Rayleigh says, large ones as twice their sha
     CHECK(mie({1.33, 0.1}, 3000.0).extinction == Approx(2.0).epsilon(0.02));
 }
 
-TEST_CASE("a sphere without absorption loses no light", "[materials][mie]") {
+TEST_CASE("a sphere without absorption loses no light", "[materials][mie][by_degenerate]") {
     for (const double x : {0.3, 3.0, 30.0, 300.0}) {
         const MieEfficiency q = mie({1.4, 0.0}, x);
         CHECK(q.scattering == Approx(q.extinction).epsilon(1e-9));

@@ -14,7 +14,7 @@
 using namespace diurna;
 
 TEST_CASE("published tape7 files keep MODTRAN's own identities",
-          "[materials][modtran][reference]") {
+          "[materials][modtran][reference][by_comparison]") {
     const auto folder = shared_data("data/atmosphere/tape7/modtran5_pyradi");
     if (!folder) return;
     for (const char* name : {"tape7-01", "tape7-01b", "horizon5kmtropical.fl7"}) {
@@ -168,7 +168,7 @@ TEST_CASE("published tape7 files have the columns and headers that FORMATS.md te
 }
 
 TEST_CASE("the embedded model keeps to MODTRAN 5's published paths",
-          "[materials][modtran][atmosphere][reference]") {
+          "[materials][modtran][atmosphere][reference][by_comparison]") {
     const auto folder = shared_data("data/atmosphere/tape7/modtran5_pyradi");
     if (!folder) return;
     struct Path {

@@ -6,7 +6,8 @@
 
 using namespace diurna;
 
-TEST_CASE("saturation vapour pressure follows the steam tables", "[materials][air]") {
+TEST_CASE("saturation vapour pressure follows the steam tables",
+          "[materials][air][by_comparison]") {
     // IAPWS-95 [Pa]; Murray's formula is within 0.3 %.
     CHECK(saturation_vapour_pressure(273.16) == Approx(611.66).epsilon(0.003));
     CHECK(saturation_vapour_pressure(283.15) == Approx(1228.2).epsilon(0.003));
@@ -15,7 +16,7 @@ TEST_CASE("saturation vapour pressure follows the steam tables", "[materials][ai
     CHECK(saturation_vapour_pressure(313.15) == Approx(7384.9).epsilon(0.003));
 }
 
-TEST_CASE("the slope of saturation is its derivative", "[materials][air]") {
+TEST_CASE("the slope of saturation is its derivative", "[materials][air][by_variation]") {
     const double t = GENERATE(235.0, 273.15, 300.0, 340.0);
     const double d = 0.001;
     const double difference =
@@ -30,7 +31,8 @@ TEST_CASE("air is saturated at its dew point", "[materials][air]") {
     CHECK(dew_point(saturation_vapour_pressure(t)) == Approx(t).epsilon(1e-13));
 }
 
-TEST_CASE("dew point and saturation stay finite at the ends", "[materials][air][stress]") {
+TEST_CASE("dew point and saturation stay finite at the ends",
+          "[materials][air][stress][by_extreme]") {
     CHECK(dew_point(0.0) > 0.0);
     CHECK(dew_point(0.0) < 200.0);
     CHECK(saturation_vapour_pressure(0.0) >= 0.0);
@@ -47,7 +49,7 @@ TEST_CASE("moist air is lighter than dry", "[materials][air]") {
           Approx(expected).epsilon(1e-4));
 }
 
-TEST_CASE("latent heat follows the steam tables", "[materials][air]") {
+TEST_CASE("latent heat follows the steam tables", "[materials][air][by_comparison]") {
     CHECK(latent_heat_of_vaporisation(273.15) == Approx(2.5009e6).epsilon(0.002));
     CHECK(latent_heat_of_vaporisation(293.15) == Approx(2.4535e6).epsilon(0.002));
     CHECK(latent_heat_of_vaporisation(313.15) == Approx(2.4060e6).epsilon(0.002));

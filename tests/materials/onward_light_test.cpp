@@ -29,7 +29,7 @@ double sum_of(const Band& band, const std::vector<double>& light,
 
 // The product of both ways' transmittances is 3 to 7 % below in 0.7-1.0 and 1.5-1.8 µm.
 TEST_CASE("sunlight that goes down and up again is LOWTRAN7's to 2 %, one path for the gases",
-          "[materials][onward]") {
+          "[materials][onward][by_comparison]") {
     for (std::size_t b = 0; b < 3; ++b) {
         const Band band = lowtran::ranges[b].band();
         const auto [errors, product] = lowtran::compare_reflected_sun(band, b);

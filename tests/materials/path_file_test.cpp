@@ -92,7 +92,8 @@ TEST_CASE("a table of paths is within 0.01 % and 1 mK of the air it was made of"
     CHECK(air_temperature_at(table, 0.5) == air_temperature_at(air, 0.5));
 }
 
-TEST_CASE("a table of isothermal air keeps an enclosure black", "[materials][tabulated][furnace]") {
+TEST_CASE("a table of isothermal air keeps an enclosure black",
+          "[materials][tabulated][furnace][by_degenerate]") {
     BandModel air = hazy();
     air.profile = isothermal(air.profile, 300.0);
     const Atmosphere table = table_of(air, GENERATE(false, true));

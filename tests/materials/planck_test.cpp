@@ -21,7 +21,7 @@ double planck_in_long_double(double wavelength_um, double temperature) {
 
 }  // namespace
 
-TEST_CASE("Planck's law agrees with 40-digit values", "[materials][planck]") {
+TEST_CASE("Planck's law agrees with 40-digit values", "[materials][planck][by_comparison]") {
     // mpmath, 40 digits, printed with 12: they can be met to 5e-12.
     struct Value {
         double temperature, wavelength_um, radiance, derivative;
@@ -44,7 +44,7 @@ TEST_CASE("Planck's law agrees with 40-digit values", "[materials][planck]") {
 }
 
 TEST_CASE("Planck's law is right to 1e-12 from 0.35 to 20 um and 180 to 6000 K",
-          "[materials][planck]") {
+          "[materials][planck][by_comparison]") {
     double worst = 0.0;
     for (double um = 0.35; um <= 20.0; um *= 1.01) {
         for (double kelvins = 180.0; kelvins <= 6000.0; kelvins *= 1.03) {
@@ -55,7 +55,7 @@ TEST_CASE("Planck's law is right to 1e-12 from 0.35 to 20 um and 180 to 6000 K",
     CHECK(worst < 1e-12);
 }
 
-TEST_CASE("the derivative of Planck's law is its slope", "[materials][planck]") {
+TEST_CASE("the derivative of Planck's law is its slope", "[materials][planck][by_variation]") {
     const double um = GENERATE(0.6, 4.0, 10.0, 30.0);
     const double kelvins = GENERATE(230.0, 300.0, 900.0);
     const double step = 1e-3 * kelvins * std::min(1.0, um * kelvins / 14387.77);
@@ -67,7 +67,7 @@ TEST_CASE("the derivative of Planck's law is its slope", "[materials][planck]") 
     CHECK(planck_derivative(um, kelvins) == Approx(slope).epsilon(1e-9));
 }
 
-TEST_CASE("Planck's law integrates to Stefan-Boltzmann", "[materials][planck]") {
+TEST_CASE("Planck's law integrates to Stefan-Boltzmann", "[materials][planck][by_comparison]") {
     const double temperature = GENERATE(220.0, 300.0, 340.0, 800.0);
     CAPTURE(temperature);
     // 0.2 to 100 um; beyond 100 um Rayleigh-Jeans with its next two terms:
@@ -80,7 +80,8 @@ TEST_CASE("Planck's law integrates to Stefan-Boltzmann", "[materials][planck]") 
           Approx(stefan_boltzmann * std::pow(temperature, 4)).epsilon(1e-7));
 }
 
-TEST_CASE("band radiances agree with 40-digit integrals to 1e-7", "[materials][planck][band]") {
+TEST_CASE("band radiances agree with 40-digit integrals to 1e-7",
+          "[materials][planck][band][by_comparison]") {
     struct Value {
         double from, to, temperature, radiance, derivative;
     };
@@ -144,7 +145,8 @@ TEST_CASE("the temperature of a spectral radiance undoes Planck's law", "[materi
     }
 }
 
-TEST_CASE("extremes of temperature and wavelength survive", "[materials][planck][stress]") {
+TEST_CASE("extremes of temperature and wavelength survive",
+          "[materials][planck][stress][by_extreme]") {
     CHECK(planck(0.35, 200) == Approx(1.23280141708e-79).epsilon(1e-11));
     CHECK(planck(0.4, 250) == Approx(3.80488570317e-53).epsilon(1e-11));
     CHECK(planck(10, 3) == Approx(6.18929573201e-206).epsilon(1e-11));
@@ -152,7 +154,8 @@ TEST_CASE("extremes of temperature and wavelength survive", "[materials][planck]
     CHECK(planck(20, 1e5) == Approx(5155.26423344).epsilon(1e-11));
 }
 
-TEST_CASE("a black body far too cold to shine is dark, not NaN", "[materials][planck][stress]") {
+TEST_CASE("a black body far too cold to shine is dark, not NaN",
+          "[materials][planck][stress][by_extreme]") {
     for (const double kelvins : {0.0, 1e-300, 1e-3, 1.0}) {
         CHECK(planck(0.35, kelvins) == 0.0);
         CHECK(planck_derivative(0.35, kelvins) == 0.0);
@@ -164,7 +167,7 @@ TEST_CASE("a black body far too cold to shine is dark, not NaN", "[materials][pl
     CHECK(std::isfinite(brightness_temperature(band, 1e-300)));
 }
 
-TEST_CASE("the vector exponential is exact to 5e-16", "[materials][planck]") {
+TEST_CASE("the vector exponential is exact to 5e-16", "[materials][planck][by_comparison]") {
     double worst = 0.0;
     for (double x = -707.0; x < 708.0; x += 0.0371) {
         const long double exact = expl(static_cast<long double>(x));
@@ -177,7 +180,8 @@ TEST_CASE("the vector exponential is exact to 5e-16", "[materials][planck]") {
     CHECK(std::isnan(fast_exp(std::nan(""))));
 }
 
-TEST_CASE("the single-precision exponential is good to 3e-7", "[materials][planck]") {
+TEST_CASE("the single-precision exponential is good to 3e-7",
+          "[materials][planck][by_comparison]") {
     double worst = 0.0;
     for (float x = -86.0f; x < 87.0f; x += 0.0037f) {
         const double exact = std::exp(double{x});

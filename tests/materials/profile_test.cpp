@@ -13,7 +13,8 @@ constexpr auto water = static_cast<std::size_t>(Gas::water);
 
 }  // namespace
 
-TEST_CASE("the six AFGL models have their published ground values", "[materials][profile]") {
+TEST_CASE("the six AFGL models have their published ground values",
+          "[materials][profile][by_comparison]") {
     // AFGL-TR-86-0110, tables 1a to 1f: pressure [hPa], temperature [K], water vapour [ppm].
     struct Ground {
         const char* name;

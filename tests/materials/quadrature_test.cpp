@@ -6,7 +6,7 @@
 using namespace diurna;
 
 TEST_CASE("Gauss and Legendre's nodes and weights are the published ones",
-          "[materials][quadrature]") {
+          "[materials][quadrature][by_comparison]") {
     // Abramowitz & Stegun, table 25.4, n = 4 and 8, here from the middle outwards.
     constexpr std::array<double, 2> node4 = {0.339981043584856, 0.861136311594053};
     constexpr std::array<double, 2> weight4 = {0.652145154862546, 0.347854845137454};

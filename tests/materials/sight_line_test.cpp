@@ -31,7 +31,7 @@ End end_of(const SightLine& line, double height_km, double zenith_deg, const Pro
 
 }  // namespace
 
-TEST_CASE("the setting sun stands where the almanacs say", "[materials][sight_line]") {
+TEST_CASE("the setting sun stands where the almanacs say", "[materials][sight_line][by_events]") {
     // Refraction R = z0 + angle at the centre - true zenith angle; far above the air the ray is
     // straight, so R = z0 + angle - z(top). Bennett's formula (1982, 0.07' of observations at
     // 1010 hPa, 10 C) is 0.98' at 45 degrees, 5.3' at 80, 9.9' at 85, 18.2' at 88.
@@ -56,7 +56,7 @@ TEST_CASE("the setting sun stands where the almanacs say", "[materials][sight_li
     }
 }
 
-TEST_CASE("without air a line is straight", "[materials][sight_line]") {
+TEST_CASE("without air a line is straight", "[materials][sight_line][by_degenerate]") {
     Profile thin = afgl_profile("US76");
     for (double& p : thin.pressure_hPa) p *= 1e-9;
     for (const double zenith : {0.0, 60.0, 89.0, 90.0, 91.0, 120.0, 180.0}) {
@@ -87,7 +87,7 @@ TEST_CASE("refraction lifts the horizon by a twelfth to a sixth of its dip",
 }
 
 TEST_CASE("a bent line ends on the ground exactly when the horizon says so",
-          "[materials][sight_line]") {
+          "[materials][sight_line][by_comparison]") {
     const Profile air = afgl_profile("MLS");
     for (const double height : {0.01, 0.3, 2.0, 9.0}) {
         double low = 90.0, high = 100.0;

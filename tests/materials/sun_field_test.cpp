@@ -27,7 +27,7 @@ Band band(double from, double to) { return flat_band("", from, to, bin_edges_um(
 }  // namespace
 
 TEST_CASE("scattered sunlight agrees with LOWTRAN7 to 20 %, without bias",
-          "[materials][scattering][reference]") {
+          "[materials][scattering][reference][by_comparison]") {
     const auto folder = shared_data("data/atmosphere/lowtran7");
     if (!folder) return;
     for (const char* kind : {"skysolar", "pathsolar"}) {
@@ -44,7 +44,8 @@ TEST_CASE("scattered sunlight agrees with LOWTRAN7 to 20 %, without bias",
     }
 }
 
-TEST_CASE("blue sky: thin air scatters as Rayleigh says", "[materials][scattering]") {
+TEST_CASE("blue sky: thin air scatters as Rayleigh says",
+          "[materials][scattering][by_comparison]") {
     // High up the air is thin enough for one scattering: L = E m / 4 (3/4)(1 + cos²) Δτ / π with
     // the whole vertical Rayleigh depth above 20 km. The ground's light adds under 40 % of albedo;
     // so black ground, and red light, of which little is scattered more than once.
@@ -66,7 +67,7 @@ TEST_CASE("blue sky: thin air scatters as Rayleigh says", "[materials][scatterin
 }
 
 TEST_CASE("no light comes of a sun below the horizon, more of a higher one",
-          "[materials][scattering]") {
+          "[materials][scattering][by_degenerate]") {
     const BandModel air = model("MLS", "rural");
     const Band in = band(0.5, 0.6);
     const auto fall = [&](double zenith) {
@@ -158,7 +159,8 @@ TEST_CASE("an overcast hides the sun and spreads some of it", "[materials][scatt
     CHECK(std::numbers::pi * zenith_sky == Approx(band_sum_nodes(in, covered.down)).epsilon(0.25));
 }
 
-TEST_CASE("scattered light is never negative or NaN", "[materials][scattering][stress]") {
+TEST_CASE("scattered light is never negative or NaN",
+          "[materials][scattering][stress][by_extreme]") {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     const std::vector<std::string> kinds = aerosol_names();
@@ -202,7 +204,8 @@ TEST_CASE("some nodes alone are the same as all, in any thread", "[materials][sc
     }
 }
 
-TEST_CASE("the sky of subarctic summer shines as REPTRAN's", "[materials][scattering][flux]") {
+TEST_CASE("the sky of subarctic summer shines as REPTRAN's",
+          "[materials][scattering][flux][by_comparison]") {
     // libRadtran with REPTRAN, fine: down-welling irradiance without aerosol, 330 ppm [W m-2].
     BandModel air = model("SAS");
     air.co2_ppm = 330.0;

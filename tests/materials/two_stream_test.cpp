@@ -19,7 +19,8 @@ std::vector<ScatteringLayer> slab(double depth, double w, double g, double mu, i
 
 }  // namespace
 
-TEST_CASE("light that nothing absorbs is all accounted for", "[materials][two_stream]") {
+TEST_CASE("light that nothing absorbs is all accounted for",
+          "[materials][two_stream][by_degenerate]") {
     for (const double depth : {0.01, 0.3, 3.0, 30.0}) {
         for (const double mu : {0.1, 0.5, 1.0}) {
             const auto flux = two_stream(slab(depth, 1.0, 0.4, mu, 5), mu, 0.0);
@@ -33,14 +34,15 @@ TEST_CASE("light that nothing absorbs is all accounted for", "[materials][two_st
     }
 }
 
-TEST_CASE("cutting a slab changes nothing", "[materials][two_stream]") {
+TEST_CASE("cutting a slab changes nothing", "[materials][two_stream][by_degenerate]") {
     const auto one = two_stream(slab(2.0, 0.9, 0.5, 0.6, 1), 0.6, 0.3);
     const auto many = two_stream(slab(2.0, 0.9, 0.5, 0.6, 20), 0.6, 0.3);
     CHECK(many.up[0] == Approx(one.up[0]).epsilon(1e-10));
     CHECK(many.down[20] == Approx(one.down[1]).epsilon(1e-10));
 }
 
-TEST_CASE("thick clouds reflect as the two-stream closed form says", "[materials][two_stream]") {
+TEST_CASE("thick clouds reflect as the two-stream closed form says",
+          "[materials][two_stream][by_comparison]") {
     // Conservative, diffuse light from above: R = a / (1 + a), a = (3/4)(1 - g) tau (Eddington).
     const double tau = 20.0, g = 0.85, a = 0.75 * (1.0 - g) * tau;
     std::vector<ScatteringLayer> cloud = {{tau, 1.0, g, 0.0, 0.0}};
@@ -58,7 +60,7 @@ TEST_CASE("thin layers scatter half up, half down, in proportion to depth",
 }
 
 TEST_CASE("a scattering slab reflects what photons do, to 3 % of the sun",
-          "[materials][two_stream]") {
+          "[materials][two_stream][by_comparison]") {
     // 200 000 photons through a conservative, isotropic slab of depth 0.25 or 2 over black ground,
     // sun at 60 degrees: one standard error is 0.001.
     const double mu = 0.5;
@@ -82,7 +84,7 @@ TEST_CASE("a scattering slab reflects what photons do, to 3 % of the sun",
     }
 }
 
-TEST_CASE("rates that meet do not divide by zero", "[materials][two_stream][stress]") {
+TEST_CASE("rates that meet do not divide by zero", "[materials][two_stream][stress][by_extreme]") {
     for (double mu = 0.05; mu <= 1.0; mu += 0.001) {
         for (const double w : {0.0, 0.5, 0.9, 0.999999, 1.0}) {
             const auto flux = two_stream(slab(1.0, w, 0.3, mu, 3), mu, 0.2);

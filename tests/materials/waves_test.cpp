@@ -22,7 +22,7 @@ const Material& water() {
 }  // namespace
 
 // Cox & Munk 1954, table 1 and their fit: 0.0289 ± 0.004 at 5 m/s, 0.054 at 10 m/s.
-TEST_CASE("water is as rough as Cox and Munk saw it", "[materials][waves]") {
+TEST_CASE("water is as rough as Cox and Munk saw it", "[materials][waves][by_history]") {
     CHECK(mean_square_slope(5.0) == Approx(0.0286).epsilon(0.01));
     CHECK(mean_square_slope(10.0) == Approx(0.0542).epsilon(0.01));
     CHECK(wind_over_water(5.0, 12.5) == Approx(5.0));
@@ -44,7 +44,8 @@ TEST_CASE("water reflects at the normal what its index says", "[materials][waves
     }
 }
 
-TEST_CASE("water's emissivity by angle is the sum over its waves", "[materials][waves]") {
+TEST_CASE("water's emissivity by angle is the sum over its waves",
+          "[materials][waves][by_comparison]") {
     const double wind = GENERATE(1.0, 3.0, 5.0, 10.0, 15.0);
     const Material material = under_wind(water(), wind);
     const Sea sea{wind};
@@ -98,7 +99,7 @@ TEST_CASE("water's heat balance has the mean of the emissivity by angle", "[mate
 
 // Payne 1972, J. Atmos. Sci. 29, 959: the sea's albedo under overcast is 0.061 ± 0.005. Oke 1987,
 // Boundary Layer Climates, table 1.1: emissivity of water 0.92 to 0.97, rounded.
-TEST_CASE("water's broadband means are the measured ones", "[materials][waves]") {
+TEST_CASE("water's broadband means are the measured ones", "[materials][waves][by_history]") {
     CAPTURE(water().thermal.albedo, water().thermal.emissivity);
     CHECK(water().thermal.albedo == Approx(0.061).margin(0.005));
     CHECK(water().thermal.emissivity > 0.915);

@@ -104,7 +104,7 @@ TEST_CASE("only the pixels asked for are cast, and as ever", "[render][adaptive]
 }
 
 // The same rays spent alike on all pixels leave a greater error.
-TEST_CASE("adaptive sampling is ahead of uniform", "[render][adaptive]") {
+TEST_CASE("adaptive sampling is ahead of uniform", "[render][adaptive][by_replication]") {
     const FacetSet facets = testing::hilly_world();
     const RayScene scene(facets);
     Observer eye = testing::hilly_observer();
@@ -174,7 +174,8 @@ TEST_CASE("what is small is not lost", "[render][adaptive][bias]") {
     CHECK(squares < squares_of_16);
 }
 
-TEST_CASE("an adaptive view is the same for any number of threads", "[render][adaptive]") {
+TEST_CASE("an adaptive view is the same for any number of threads",
+          "[render][adaptive][by_replication]") {
     const FacetSet facets = testing::hilly_world();
     const RayScene scene(facets);
     const Appearance appearance = warm_slopes(facets);

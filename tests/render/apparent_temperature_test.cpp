@@ -9,7 +9,7 @@
 using namespace diurna;
 
 TEST_CASE("the table of apparent temperature is the exact inverse to 0.05 mK",
-          "[render][apparent]") {
+          "[render][apparent][by_comparison]") {
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
     const double low = band_radiance(band, 150.0), high = band_radiance(band, 900.0);

@@ -105,7 +105,8 @@ const Band lwir = flat_band("8-12", 8.0, 12.0, bin_edges_um());
 }  // namespace
 
 // L = ρ E cosθ / π, whatever the direction it is seen from.
-TEST_CASE("the picture of an irradiated plate is Lambert's law", "[render][closed_form]") {
+TEST_CASE("the picture of an irradiated plate is Lambert's law",
+          "[render][closed_form][by_comparison]") {
     const Band band = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
     World world;
     const Eigen::Vector3d across = Eigen::Vector3d(1.0, 0.0, 0.3).normalized();
@@ -153,7 +154,8 @@ TEST_CASE("moonlight on a plate is sunlight by the difference of their magnitude
 // F = 2/π [ln √(4/3) + 2√2 arctan(1/√2) − 2 arctan 1] = 0.199825.
 // J1 = (ε B1 + ρ F ε B2) / (1 − ρ² F²) over the plate; what goes on after two bounces is at most
 // ρ³ F³ (B2 − B1).
-TEST_CASE("two facing plates are as bright as their radiosities", "[render][closed_form]") {
+TEST_CASE("two facing plates are as bright as their radiosities",
+          "[render][closed_form][by_comparison]") {
     const double factor =
         2.0 / std::numbers::pi *
         (std::log(std::sqrt(4.0 / 3.0)) + 2.0 * std::sqrt(2.0) * std::atan(1.0 / std::sqrt(2.0)) -
@@ -202,7 +204,8 @@ TEST_CASE("ground in front of a hot wall reflects it", "[render][closed_form]") 
 
 // A black sphere of radius r over a plate sends each of its points F = r² cosθ / d² of its
 // radiance's hemisphere, d and θ to its centre, as long as all of it is above the plate's horizon.
-TEST_CASE("a sphere over a plate shines on it by the inverse square", "[render][closed_form]") {
+TEST_CASE("a sphere over a plate shines on it by the inverse square",
+          "[render][closed_form][by_comparison]") {
     World world;
     constexpr double radius = 1.0, height = 2.5, reflectance = 0.3;
     constexpr int around = 64, up = 32;

@@ -47,7 +47,8 @@ TEST_CASE("a cube's channels carry Planck's law at their wavelengths", "[render]
     CHECK_THROWS_AS(cube_of(black_frame(channels), channel_bands(3.0, 4.0, 2)), InputError);
 }
 
-TEST_CASE("an ENVI cube is read back by GDAL with its wavelengths", "[render][cube]") {
+TEST_CASE("an ENVI cube is read back by GDAL with its wavelengths",
+          "[render][cube][by_comparison]") {
     const ScratchFolder folder("cube");
     const std::vector<Band> channels = channel_bands(8.0, 11.0, 12);
     const Cube cube = cube_of(black_frame(channels), channels);

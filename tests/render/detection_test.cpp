@@ -29,7 +29,8 @@ double bar_slope(const Imager& imager) {
 
 }  // namespace
 
-TEST_CASE("the target transfer function is the published table", "[render][detection]") {
+TEST_CASE("the target transfer function is the published table",
+          "[render][detection][by_comparison]") {
     // Multiples of N50 and probabilities of Ratches and others (ECOM-7043, 1975), as Holst and
     // ACQUIRE's guide print them, to two digits.
     const std::array<std::pair<double, double>, 7> table{{{3.0, 1.0},
@@ -53,7 +54,8 @@ TEST_CASE("the target transfer function is the published table", "[render][detec
     }
 }
 
-TEST_CASE("the eye's threshold is that of Barten's later formula", "[render][detection]") {
+TEST_CASE("the eye's threshold is that of Barten's later formula",
+          "[render][detection][by_comparison]") {
     // Barten, "Formula for the contrast sensitivity of the human eye", Proc. SPIE 5294 (2003), eq.
     // 3: another fit to the same model and measurements.
     for (const double luminance : {20.0, 100.0}) {
@@ -75,7 +77,8 @@ TEST_CASE("the eye's threshold is that of Barten's later formula", "[render][det
     CHECK(pupil_diameter_mm(3.4262591e2) == Approx(3.0));  // 100 fL
 }
 
-TEST_CASE("bars through a Gaussian are resolved where Lambert's W says", "[render][detection]") {
+TEST_CASE("bars through a Gaussian are resolved where Lambert's W says",
+          "[render][detection][by_comparison]") {
     // f e^(2π²s²f²) = ΔT/k is u e^u = (2π s ΔT/k)² of u = (2π s f)²: W(e) = 1, W(2 e²) = 2,
     // W(1) = 0.56714329.
     const double s = 0.06;  // [mrad]
@@ -102,7 +105,7 @@ TEST_CASE("bars through a Gaussian are resolved where Lambert's W says", "[rende
 }
 
 TEST_CASE("ranges of an exponential MRT through even air are a closed form",
-          "[render][detection]") {
+          "[render][detection][by_comparison]") {
     // MRT = m e^(κ f) against ΔT e^(−σ R) with f = N R/h: R = ln(ΔT/m)/(σ + κ N/h), the range of
     // STANAG 4347's target (2.3 m, 2 K; 0.2 and 1.0 per km of good and limited air).
     const double m = 0.02, kappa = 0.6;
@@ -128,7 +131,8 @@ TEST_CASE("ranges of an exponential MRT through even air are a closed form",
     CHECK(farthest_range([](double r) { return 1e3 / r; }, 1.0, 10.0, 100.0) == 100.0);
 }
 
-TEST_CASE("the task metric of simple thresholds is a closed form", "[render][detection]") {
+TEST_CASE("the task metric of simple thresholds is a closed form",
+          "[render][detection][by_comparison]") {
     SystemThreshold threshold{.step = 0.001, .right = {}, .down = {}};
     const Viewing viewing{.scene_contrast = 4.0};
     SECTION("even") {

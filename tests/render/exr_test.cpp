@@ -65,7 +65,7 @@ TEST_CASE("a frame comes back from its file bit by bit", "[render][exr]") {
     }
 }
 
-TEST_CASE("the same frame gives the same file", "[render][exr]") {
+TEST_CASE("the same frame gives the same file", "[render][exr][by_replication]") {
     const Folder folder;
     write_exr(folder.path / "a.exr", noisy_frame());
     write_exr(folder.path / "b.exr", noisy_frame());

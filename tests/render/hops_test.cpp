@@ -115,7 +115,7 @@ TEST_CASE("a rough mirror's lobe is sampled as it is", "[render][hops]") {
 // Kirchhoff with all of it at once: pane, net, plume, mirrors smooth and rough, directional paint,
 // hills and hazy air, one temperature.
 TEST_CASE("an isothermal enclosure with plume, net and mirrors looks black",
-          "[render][hops][furnace]") {
+          "[render][hops][furnace][by_degenerate]") {
     const double kelvins = GENERATE(220.0, 300.0, 345.0);
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
@@ -349,7 +349,7 @@ TEST_CASE("samples that met the same are kept once, to 2 mK", "[render][hops][me
     CHECK(3 * merged.hop.size() < apart.hop.size());
 }
 
-TEST_CASE("hops are the same for any number of threads", "[render][hops]") {
+TEST_CASE("hops are the same for any number of threads", "[render][hops][by_replication]") {
     HopStage stage;
     stage.wall(60.0, 20.0, metal(0.5, 0.3), 320.0f);
     stage.wall(30.0, 5.0, pane(0.1, 0.6), 290.0f);

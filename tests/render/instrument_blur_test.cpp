@@ -165,7 +165,7 @@ TEST_CASE("a lens without errors has Goodman's diffraction-limited MTF", "[rende
 }
 
 TEST_CASE("turbulence's MTF is Fried's, and its r0 that of a spherical wave",
-          "[render][instrument]") {
+          "[render][instrument][by_comparison]") {
     // exp(-3.44) where the lens would be one r0 wide (Fried 1966).
     CHECK(turbulence_mtf(0.1 / 4e-6, 4e-6, 0.1) == Approx(std::exp(-3.44)));
     // Andrews & Phillips, Laser Beam Propagation through Random Media (2005), 6.4: r0 = 2.1 rho0,

@@ -12,7 +12,7 @@ using namespace diurna;
 using namespace diurna::testing;
 using std::numbers::pi;
 
-TEST_CASE("shot noise has the variance of its mean", "[render][instrument]") {
+TEST_CASE("shot noise has the variance of its mean", "[render][instrument][by_replication]") {
     Instrument instrument = plain_instrument();
     // 2 ms .. 20 ns: half a million electrons to some five.
     instrument.detector.integration_time = GENERATE(2e-3, 2e-6, 2e-8);
@@ -26,7 +26,8 @@ TEST_CASE("shot noise has the variance of its mean", "[render][instrument]") {
     CHECK(deviation * deviation == Approx(expected).epsilon(0.03));
 }
 
-TEST_CASE("NETD measured over 100 frames is the one computed", "[render][instrument]") {
+TEST_CASE("NETD measured over 100 frames is the one computed",
+          "[render][instrument][by_replication]") {
     Instrument instrument = plain_instrument();
     instrument.detector.read_noise = 900.0;
     const Camera camera = camera_for(instrument);
@@ -43,7 +44,7 @@ TEST_CASE("NETD measured over 100 frames is the one computed", "[render][instrum
           Approx(std::sqrt(n + 900.0 * 900.0) / by_K).epsilon(1e-4));
 }
 
-TEST_CASE("NETD given is the one measured", "[render][instrument]") {
+TEST_CASE("NETD given is the one measured", "[render][instrument][by_replication]") {
     Instrument instrument = preset("uncooled_lwir");
     instrument.lens.cos4 = false;
     instrument.lens.vignetting = 0.0;
@@ -66,13 +67,15 @@ TEST_CASE("NETD given is the one measured", "[render][instrument]") {
     CHECK_THROWS_WITH(camera_for(photon), Catch::Contains("less than"));
 }
 
-TEST_CASE("kTC noise is that of a capacitor at its temperature", "[render][instrument]") {
+TEST_CASE("kTC noise is that of a capacitor at its temperature",
+          "[render][instrument][by_replication]") {
     // Janesick, Scientific Charge-Coupled Devices (2001), 6.2: 400 √C[pF] electrons at 300 K.
     CHECK(reset_noise(300.0, 1e-12) == Approx(400.0).epsilon(0.02));
     CHECK(reset_noise(300.0, 0.1e-12) == Approx(126.0).epsilon(0.02));
 }
 
-TEST_CASE("the components of three-dimensional noise are found as put in", "[render][instrument]") {
+TEST_CASE("the components of three-dimensional noise are found as put in",
+          "[render][instrument][by_replication]") {
     // D'Agostino & Webb (1991): averages over time, rows (v), columns (h); variances free of bias
     // as of an analysis of variance.
     Instrument instrument = plain_instrument();
@@ -144,7 +147,7 @@ TEST_CASE("the components of three-dimensional noise are found as put in", "[ren
 }
 
 TEST_CASE("fixed pattern over temporal noise is gain's spread times the signal over its root",
-          "[render][instrument]") {
+          "[render][instrument][by_replication]") {
     Instrument instrument = plain_instrument();
     instrument.detector.gain_spread = 0.004;
     const Camera camera = camera_for(instrument, 100, 100);
@@ -156,7 +159,7 @@ TEST_CASE("fixed pattern over temporal noise is gain's spread times the signal o
     CHECK(fixed / temporal == Approx(0.004 * std::sqrt(n)).epsilon(0.03));  // 0.7 % one sigma
 }
 
-TEST_CASE("1/f noise has as much power in every octave", "[render][instrument]") {
+TEST_CASE("1/f noise has as much power in every octave", "[render][instrument][by_replication]") {
     // Sums of 2 and 4, ... neighbours: the variance of their differences stays (Allan 1966), where
     // white noise loses half each time.
     const int n = 1 << 15;
@@ -186,7 +189,7 @@ TEST_CASE("1/f noise has as much power in every octave", "[render][instrument]")
 }
 
 TEST_CASE("a frame alone is the frame in its sequence, on any number of threads",
-          "[render][instrument]") {
+          "[render][instrument][by_replication]") {
     Instrument instrument = preset("cooled_mwir");
     const Camera camera = camera_for(instrument, 300, 100);
     const auto flux = even_flux(camera, 300.0);
@@ -199,7 +202,7 @@ TEST_CASE("a frame alone is the frame in its sequence, on any number of threads"
 }
 
 TEST_CASE("in the dark a picture has its mean at the black level and all its noise",
-          "[render][instrument]") {
+          "[render][instrument][by_replication]") {
     Instrument instrument = preset("visible");
     const Camera camera = camera_of(instrument, flat_band("0.4-0.7", 0.4, 0.7), 128, 128, 0.05);
     const Shot shot = take(camera, std::vector<float>(128 * 128, 0.0f), 1, 0.0);

@@ -12,7 +12,7 @@ using namespace diurna::testing;
 using std::numbers::pi;
 
 TEST_CASE("electrons of a black body are its photons through lens and pixel",
-          "[render][instrument]") {
+          "[render][instrument][by_comparison]") {
     Instrument instrument = plain_instrument();
     const Camera camera = camera_for(instrument, 8, 8);
     const double temperature = GENERATE(250.0, 300.0, 400.0);
@@ -59,7 +59,8 @@ TEST_CASE("glare takes light from the picture and spreads it, no more", "[render
     CHECK(moments_of(light).mean == Approx(0.999));
 }
 
-TEST_CASE("counts per kelvin are the slope of the signal's transfer", "[render][instrument]") {
+TEST_CASE("counts per kelvin are the slope of the signal's transfer",
+          "[render][instrument][by_variation]") {
     const Instrument instrument = plain_instrument();
     const Camera camera = camera_for(instrument);
     const auto counts_at = [&](double temperature) {

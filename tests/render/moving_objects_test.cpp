@@ -83,7 +83,7 @@ double trapezoid(double column, double a, double way) {
 }  // namespace
 
 TEST_CASE("a bar that goes while the shutter is open has a trapezoid's profile",
-          "[render][motion]") {
+          "[render][motion][by_comparison]") {
     // The bar is longer than its way, and then shorter: a plateau of 1, and of 0.6 / 2.
     for (const auto& [half, way] : {std::pair{1.0, 0.8}, {0.3, 2.0}}) {
         const Scene scene(-half, half, 0.5, way);

@@ -16,7 +16,7 @@ using namespace diurna;
 using namespace diurna::testing;
 
 TEST_CASE("a shadow's outline is that of the sun's rays, whatever the facets",
-          "[render][pixel_sun]") {
+          "[render][pixel_sun][by_events]") {
     const double elevation = GENERATE(12.0, 25.0, 45.0, 65.0), edge = GENERATE(0.5, 1.5);
     BoxStage stage(edge, elevation);
     const BoxStage::Picture picture = stage.picture();
@@ -53,7 +53,7 @@ TEST_CASE("the light that a shadow takes is that of the area it covers", "[rende
     CHECK(taken(picture.by_pixel) == Approx(expected).epsilon(0.005));
 }
 
-TEST_CASE("ground without shadows costs no rays", "[render][pixel_sun]") {
+TEST_CASE("ground without shadows costs no rays", "[render][pixel_sun][by_degenerate]") {
     BoxStage stage(1.0, 40.0, false);
     const BoxStage::Picture picture = stage.picture();
     CHECK(picture.sun.rays == 0);
@@ -90,7 +90,8 @@ TEST_CASE("what lets the beam through dims the sun of a pixel", "[render][pixel_
     CHECK(under + open > 3 * sun.share.size() / 4);
 }
 
-TEST_CASE("the sun of pixels is the same on any number of threads", "[render][pixel_sun]") {
+TEST_CASE("the sun of pixels is the same on any number of threads",
+          "[render][pixel_sun][by_replication]") {
     BoxStage stage(1.5, 30.0);
     const BoxStage::Picture all = stage.picture();
     set_thread_count(1);

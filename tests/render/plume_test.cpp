@@ -10,7 +10,7 @@
 
 using namespace diurna;
 
-TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume]") {
+TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume][by_comparison]") {
     const double absorption = GENERATE(0.02, 0.3, 2.0), thickness = 4.0;
     HopStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 300.0f);

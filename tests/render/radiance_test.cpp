@@ -61,7 +61,7 @@ const Atmosphere cold_space = Vacuum{.space_temperature = 3.0};
 }  // namespace
 
 // A Lambertian plate in the sun without air: L = ρ E cosθ / π, half of it in half shadow.
-TEST_CASE("an irradiated plate shines by Lambert's law", "[render][radiance]") {
+TEST_CASE("an irradiated plate shines by Lambert's law", "[render][radiance][by_comparison]") {
     Pair pair(1.0f, 0.0f, 0.0f, {1.0f, 1.0f}, 0.4);
     pair.sun = {1.0f, 0.5f};
     const Band band = flat_band("0.4-0.7", 0.4, 0.7, bin_edges_um());
@@ -95,7 +95,8 @@ TEST_CASE("ground reflects a hot wall", "[render][radiance]") {
 // Two plates that see each other with the factor F and cold space otherwise: the radiosities are
 // J1 = (ε B1 + ρ F ε B2) / (1 − ρ² F²) (Modest, Radiative Heat Transfer, ch. 5). Two bounces leave
 // ρ³ F³ of the difference of the black bodies.
-TEST_CASE("two facing plates have the closed form's radiosity", "[render][radiance]") {
+TEST_CASE("two facing plates have the closed form's radiosity",
+          "[render][radiance][by_comparison]") {
     const double reflectance = GENERATE(0.1, 0.2, 0.3), factor = 0.3,
                  emissivity = 1.0 - reflectance;
     const Pair pair(0.7f, 0.3f, 0.0f, {290.0f, 400.0f}, reflectance);
@@ -111,7 +112,7 @@ TEST_CASE("two facing plates have the closed form's radiosity", "[render][radian
 }
 
 // 2026-11: a row whose factors had all become zero divided 0 by 0 and blackened its facet.
-TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress]") {
+TEST_CASE("a row of nothing but zeros is no row", "[render][radiance][stress][by_degenerate]") {
     Pair pair(0.8f, 0.2f, 0.2f, {290.0f, 400.0f}, 0.3);
     const Pair without(0.8f, 0.0f, 0.2f, {290.0f, 400.0f}, 0.3);
     pair.sky.others.factor = {0.0f, 0.0f};
@@ -195,7 +196,8 @@ TEST_CASE("the segments of a chord are fine enough for 2 mK", "[render][radiance
     CHECK(std::abs(temperature(0) - temperature(400)) < 2e-3);
 }
 
-TEST_CASE("the mean sky agrees with a fine integral over the hemisphere", "[render][radiance]") {
+TEST_CASE("the mean sky agrees with a fine integral over the hemisphere",
+          "[render][radiance][by_comparison]") {
     const Pair pair(1.0f, 0.0f, 0.0f, {290.0f, 290.0f}, 0.1);
     const RadianceInput input = summer_air(pair, summer);
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),

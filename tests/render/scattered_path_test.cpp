@@ -14,7 +14,7 @@ using namespace diurna;
 // The table against SunField's own sum along every line, for random places a picture could hold:
 // towards a low sun through haze, away from a high one, with cloud, from the ground and from above.
 TEST_CASE("the table of light scattered before a scene is within 0.1 % of the sum along lines",
-          "[render][scattered]") {
+          "[render][scattered][by_comparison]") {
     struct Case {
         const char* name;
         BandModel air;
@@ -83,7 +83,7 @@ TEST_CASE("the table of light scattered before a scene is within 0.1 % of the su
     CHECK(worst < 1e-3);
 }
 
-TEST_CASE("no path, no scattered light", "[render][scattered]") {
+TEST_CASE("no path, no scattered light", "[render][scattered][by_degenerate]") {
     const BandModel air{.profile = afgl_profile("MLS"), .aerosol = "rural"};
     const Band band = flat_band("", 0.4, 0.7, bin_edges_um());
     const SunField field(air, {.zenith_deg = 40.0}, band.node_um);

@@ -115,7 +115,8 @@ double mean(const std::vector<float>& pixels) {
 
 // As furnace_test, with every facet a texture_levels: hills of soil and paint, a box whose walls
 // are panes to half their area, seen through.
-TEST_CASE("an isothermal enclosure looks black, whatever its textures", "[render][texture]") {
+TEST_CASE("an isothermal enclosure looks black, whatever its textures",
+          "[render][texture][by_degenerate]") {
     const double kelvins = 300.0;
     std::vector<Material> all;
     const MaterialLibrary base = testing::materials(kelvins);
@@ -220,7 +221,8 @@ TEST_CASE("a chessboard seen from near shows its texels, whatever the facets",
     CHECK(std::abs(material[5 * 81] - material[5 * 81 + 10]) == testing::paint - testing::soil);
 }
 
-TEST_CASE("a mixture of a material with itself is that material", "[render][texture]") {
+TEST_CASE("a mixture of a material with itself is that material",
+          "[render][texture][by_degenerate]") {
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
     const FacetSet facets = testing::hilly_world();
     std::vector<std::uint16_t> skin;
@@ -247,7 +249,8 @@ TEST_CASE("a mixture of a material with itself is that material", "[render][text
     CHECK(worst < 2e-6);
 }
 
-TEST_CASE("textured pictures are the same bytes for any number of threads", "[render][texture]") {
+TEST_CASE("textured pictures are the same bytes for any number of threads",
+          "[render][texture][by_replication]") {
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
     const FacetSet facets = testing::hilly_world();
     std::vector<std::vector<float>> pictures;

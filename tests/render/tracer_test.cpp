@@ -152,7 +152,7 @@ TEST_CASE("tables agree with the sum over wavelengths to 2 mK in every pixel", "
 // more than the 2 mK of the other bands, within the 5 mK asked of all. With light that the air
 // scatters, on surfaces and before them, it is within 0.1 % of radiance.
 TEST_CASE("from visible to thermal, the library's materials are within 5 mK of the reference",
-          "[render][tracer]") {
+          "[render][tracer][by_comparison]") {
     FacetSet facets = testing::hilly_world(40, 60.0);
     const MaterialLibrary library = default_material_library();
     std::mt19937 random(5);
@@ -192,7 +192,8 @@ TEST_CASE("from visible to thermal, the library's materials are within 5 mK of t
 }
 
 // The table of scattered sunlight over zenith and azimuth, towards the sun and away from it.
-TEST_CASE("the sky of a sunny picture is within 0.1 % of the reference", "[render][tracer][sky]") {
+TEST_CASE("the sky of a sunny picture is within 0.1 % of the reference",
+          "[render][tracer][sky][by_comparison]") {
     const Morning world;
     const double azimuth = GENERATE(110.0, 300.0);
     Observer observer = testing::hilly_observer(24, 18);
@@ -221,7 +222,7 @@ TEST_CASE("the sky of a sunny picture is within 0.1 % of the reference", "[rende
 }
 
 TEST_CASE("the terms of the radiance add up to it and agree with the reference",
-          "[render][tracer]") {
+          "[render][tracer][by_trace][by_comparison]") {
     const Morning world;
     const Observer observer = testing::hilly_observer(32, 24);
     const View view = cast_view(world.scene, world.facets, observer);
@@ -252,7 +253,8 @@ TEST_CASE("the terms of the radiance add up to it and agree with the reference",
     }
 }
 
-TEST_CASE("one, two and four threads give the same picture", "[render][tracer][threads]") {
+TEST_CASE("one, two and four threads give the same picture",
+          "[render][tracer][threads][by_replication]") {
     const Morning world;
     const Observer observer = testing::hilly_observer();
     const auto bands = two_bands();

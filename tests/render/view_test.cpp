@@ -27,7 +27,8 @@ FacetSet plain(double half, double z) {
 
 }  // namespace
 
-TEST_CASE("what a pixel sees adds up to one, and every facet named is seen", "[render][view]") {
+TEST_CASE("what a pixel sees adds up to one, and every facet named is seen",
+          "[render][view][by_trace]") {
     const FacetSet facets = testing::hilly_world();
     const RayScene scene(facets);
     const int samples = GENERATE(1, 4, 16, 48);
@@ -55,7 +56,7 @@ TEST_CASE("what a pixel sees adds up to one, and every facet named is seen", "[r
 }
 
 // A plain 100 m below: the range under a depression angle d is 100 m / sin d.
-TEST_CASE("ranges and heights are those of the geometry", "[render][view]") {
+TEST_CASE("ranges and heights are those of the geometry", "[render][view][by_comparison]") {
     const FacetSet facets = plain(2e4, -100.0);
     const RayScene scene(facets);
     Observer observer;
@@ -98,7 +99,7 @@ TEST_CASE("the share of sky follows the height of the horizon", "[render][view]"
 }
 
 TEST_CASE("a view is the same for any number of threads, and another for another seed",
-          "[render][view][threads]") {
+          "[render][view][threads][by_replication]") {
     const FacetSet facets = testing::hilly_world();
     const RayScene scene(facets);
     const Observer observer = testing::hilly_observer();

@@ -93,7 +93,8 @@ double lake_radiance(double down_deg, double wind, const Atmosphere& air, const 
 }  // namespace
 
 // 5° above the water the Lambertian pond of emissivity 0.99 was 4.2 K too warm.
-TEST_CASE("a lake by night is the sum over its waves, at any angle", "[render][water]") {
+TEST_CASE("a lake by night is the sum over its waves, at any angle",
+          "[render][water][by_comparison]") {
     const double wind = GENERATE(1.0, 3.0, 8.0);
     const Atmosphere air = summer();
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
@@ -149,7 +150,8 @@ TEST_CASE("a lake seen from afar mirrors a sky of one path", "[render][water][pa
 
 // L = E F(χ) P(slopes) / (4 cosθ cos⁴β): Cox & Munk 1954. P the Gaussian density of slopes, β the
 // tilt of the waves that shine, E the sun's on a plane facing it; no air.
-TEST_CASE("the sun glitters on water as Cox and Munk have it", "[render][water][glint]") {
+TEST_CASE("the sun glitters on water as Cox and Munk have it",
+          "[render][water][glint][by_history]") {
     const double wind = GENERATE(2.0, 6.0, 12.0);
     const Band band = flat_band("1.5-1.8", 1.5, 1.8, bin_edges_um());
     for (const double sun_deg : {30.0, 50.0}) {
@@ -180,7 +182,7 @@ TEST_CASE("the sun glitters on water as Cox and Munk have it", "[render][water][
 }
 
 TEST_CASE("water, gloss and rough metal as warm as all around look black",
-          "[render][water][furnace]") {
+          "[render][water][furnace][by_degenerate]") {
     const double kelvins = GENERATE(260.0, 300.0);
     const Band band = GENERATE(flat_band("3-5", 3.0, 5.0, bin_edges_um()),
                                flat_band("8-12", 8.0, 12.0, bin_edges_um()));
@@ -208,7 +210,8 @@ TEST_CASE("water, gloss and rough metal as warm as all around look black",
 
 // A closed hall as warm as the water, the sky outside at 3 K: what the lobe's sum takes for sky is
 // roof. At 16 samples 2.2 K of speckle, before the sum knew how much of the sky is open.
-TEST_CASE("water under a roof has no speckle", "[render][water][furnace][speckle]") {
+TEST_CASE("water under a roof has no speckle",
+          "[render][water][furnace][speckle][by_replication]") {
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
     Lake lake(12.0, 4.0, Vacuum{.space_temperature = 3.0});
     const auto side = [&](std::vector<Eigen::Vector3d> corner) {
@@ -235,7 +238,7 @@ TEST_CASE("water under a roof has no speckle", "[render][water][furnace][speckle
 
 // Waves by slope, each ray of theirs followed to the wall (black, 310 K) or past it to the sky
 // (250 K): 16 samples a pixel. By as many rays into the lobe, spread otherwise, 0.6 K rms.
-TEST_CASE("water before a warm wall has no speckle", "[render][water][speckle]") {
+TEST_CASE("water before a warm wall has no speckle", "[render][water][speckle][by_replication]") {
     const double wind = GENERATE(1.0, 3.0, 8.0);
     const double down_deg = GENERATE(6.0, 20.0);
     const double wall_m = GENERATE(1.05, 2.0);  // of the way to where the water is looked at
@@ -279,7 +282,7 @@ TEST_CASE("water before a warm wall has no speckle", "[render][water][speckle]")
 }
 
 // A plate of rough metal, 45° back over warm ground: 16 samples a pixel against many.
-TEST_CASE("rough metal has no speckle", "[render][water][speckle]") {
+TEST_CASE("rough metal has no speckle", "[render][water][speckle][by_replication]") {
     const double roughness = GENERATE(0.1, 0.3, 0.6);
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
     HopStage stage;

@@ -96,7 +96,7 @@ TEST_CASE("a split takes its share of the instants and keeps to its seed",
 }
 
 TEST_CASE("a reader of the planes finds every mask, box and area of the labels",
-          "[scenes][annotations]") {
+          "[scenes][annotations][by_trace]") {
     const Json& coco = yard().coco;
     REQUIRE(coco["images"].size() >= 2);
     std::set<std::string> kinds;

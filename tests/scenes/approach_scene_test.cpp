@@ -260,7 +260,8 @@ void check_apron(const SeasonRun& flight) {
 
 }  // namespace
 
-TEST_CASE("an approach in July is what geometry and balances say", "[scenes][approach]") {
+TEST_CASE("an approach in July is what geometry and balances say",
+          "[scenes][approach][by_comparison]") {
     const SeasonRun flight(summer);
     check_geometry(flight);
     // MODTRAN 5, tropical air of 5 km level: 0.154 of 8-12; this path climbs, in drier air.

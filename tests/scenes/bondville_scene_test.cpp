@@ -17,7 +17,7 @@ using namespace diurna;
 // stubble against the site's radiometer (NOAA/ARL, Bondville 1998), half-hourly: 1.1 K rms, bias
 // +0.4; over the half year the point tool has 1.6 K (README.md).
 TEST_CASE("the scene of measured days runs, and its stubble is as warm as measured",
-          "[scenes][weather][measured]") {
+          "[scenes][weather][measured][by_history]") {
     const auto file = shared_data("data/thermal/bondville_1998/jan-jul.dat");
     if (!file) return;
     const ScratchFolder folder("bondville");

@@ -32,7 +32,8 @@ std::vector<ZeroCrossing> found_in(const Difference& f, const CrossingSearch& se
 
 }  // namespace
 
-TEST_CASE("two sinusoids cross where their difference, a third, is zero", "[crossings]") {
+TEST_CASE("two sinusoids cross where their difference, a third, is zero",
+          "[crossings][by_events]") {
     // a cos(wt - p) - b cos(wt - q) + c = R cos(wt - s) + c, zero at wt = s +- acos(-c/R).
     const double a = 12.0, p = turn * 13.5 * 3600, b = 5.0, q = turn * 15.0 * 3600, c = 1.7;
     const auto f = [&](double t) {

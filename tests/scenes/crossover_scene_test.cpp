@@ -298,7 +298,8 @@ void check_painted_sheet() {
 }  // namespace
 
 // Sections of one case, so that the day is made once.
-TEST_CASE("plates in a meadow cross as text books and closed forms say", "[scenes][crossover]") {
+TEST_CASE("plates in a meadow cross as text books and closed forms say",
+          "[scenes][crossover][by_events][by_comparison]") {
     SECTION("soil and sand cross water after dawn and near sunset") { check_crossings(); }
     SECTION("who is warm by day and by night is as the text books say") { check_order(); }
     SECTION("heat that enters sand and water leads their temperature as in closed form") {

@@ -94,7 +94,7 @@ int crossover(const std::filesystem::path& scene, const std::filesystem::path& o
 
 }  // namespace
 
-TEST_CASE("black plates cross when their sinusoids do", "[scenes][crossover]") {
+TEST_CASE("black plates cross when their sinusoids do", "[scenes][crossover][by_events]") {
     const ScratchFolder folder("crossover_sinusoids");
     const std::string text = plate_on_plain(R"(
 [[crossover]]
@@ -192,7 +192,7 @@ TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossov
 
 TEST_CASE(
     "a plate whose heat is scheduled crosses one whose heat is not, at the hour of its schedule",
-    "[scenes][crossover]") {
+    "[scenes][crossover][by_events]") {
     // Thin black plates in a vacuum, which nothing shines on: sigma T^4 = q. The plain has 300 W/m2
     // all day, the plate 200 to 400 from 6 to 12 h of local mean solar time and back to 200 at 18
     // h: equal at 9 and 15 h. With 320 in the plain, a standard deviation away, 36 minutes nearer

@@ -49,7 +49,8 @@ TEST_CASE("a longer design begins with a shorter one; another seed is another de
     CHECK(morris_design(5, 4, 4, 12).point != shorter.point);
 }
 
-TEST_CASE("a linear function's effects are its coefficients", "[scenes][sensitivity]") {
+TEST_CASE("a linear function's effects are its coefficients",
+          "[scenes][sensitivity][by_variation]") {
     const auto found = effects_of(morris_design(3, 6, 4, 1), [](const std::vector<double>& x) {
         return 5.0 + 2.0 * x[0] - 3.0 * x[1];
     });
@@ -64,7 +65,7 @@ TEST_CASE("a linear function's effects are its coefficients", "[scenes][sensitiv
 }
 
 TEST_CASE("the effect of x1 in x1 x2 is x2: mean 1/2, deviation that of the levels",
-          "[scenes][sensitivity]") {
+          "[scenes][sensitivity][by_variation]") {
     // Of 0, 1/3, 2/3, 1: variance 5/36. 4000 draws: 5 standard errors of the mean are 0.029.
     const auto found = effects_of(morris_design(2, 4000, 4, 5),
                                   [](const std::vector<double>& x) { return x[0] * x[1]; });
@@ -76,7 +77,7 @@ TEST_CASE("the effect of x1 in x1 x2 is x2: mean 1/2, deviation that of the leve
 }
 
 TEST_CASE("Sobol's g function: effects of both signs, whose mean hides what mu* tells",
-          "[scenes][sensitivity]") {
+          "[scenes][sensitivity][by_variation][by_comparison]") {
     // g = prod (|4 x - 2| + a) / (1 + a), a as in Campolongo et al. 2007. On four levels |4 x - 2|
     // is 2, 2/3, 2/3, 2, and every step of 2/3 goes from one to the other: worked out by hand,
     // mu* = 2 / (1 + a_i) prod_{j != i} (4/3 + a_j) / (1 + a_j), mu = 0.

@@ -118,7 +118,7 @@ constexpr const char* from_above =
 
 }  // namespace
 
-TEST_CASE("a jet on a plate of facets has Martin's mean film", "[scenes][jet]") {
+TEST_CASE("a jet on a plate of facets has Martin's mean film", "[scenes][jet][by_comparison]") {
     // As tests/thermal/hot_jet_test.cpp, over facets of some 0.1 m: 8 diameters above the plate.
     const Blown on = blown(slab(), jet(from_above));
     REQUIRE(on.network.size() == 1);

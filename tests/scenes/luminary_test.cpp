@@ -33,7 +33,7 @@ TEST_CASE("the full moon lights the night that the sun has left", "[scenes][moon
     CHECK_FALSE(lights(midnight, infrared).moon);
 }
 
-TEST_CASE("at new moon the night stays dark", "[scenes][moon]") {
+TEST_CASE("at new moon the night stays dark", "[scenes][moon][by_degenerate]") {
     const Luminary night = lights(parse_instant("2026-01-19T05:40:00Z"), visible);
     CHECK_FALSE(night.moon);
     CHECK(night.place.elevation_deg < 0.0);

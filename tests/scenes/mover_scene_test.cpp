@@ -77,7 +77,7 @@ times_s = [0.0, 36000.0, 36060.0]
 
 }  // namespace
 
-TEST_CASE("a way that stays where it is changes nothing", "[scenes][mover]") {
+TEST_CASE("a way that stays where it is changes nothing", "[scenes][mover][by_degenerate]") {
     const Solved stands = solved("place_m = [-50.0, -50.0]\nheading_deg = 90.0\n");
     // It goes a way of 2 cm at ten: what is solved anew from there on is what it was, but for what
     // the rays of facets near the crate find, and a start whose day repeats without its trend.

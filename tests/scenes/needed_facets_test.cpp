@@ -56,7 +56,8 @@ double farthest_apart(const Prepared& prepared, const Stages& stages, const Span
 
 // The same scene with every facet solved is the truth here: what is left out is asked, not what is
 // computed.
-TEST_CASE("facets that no picture needs are left out within the tolerance", "[scenes][needed]") {
+TEST_CASE("facets that no picture needs are left out within the tolerance",
+          "[scenes][needed][by_variation]") {
     const ScratchFolder folder("needed");
     const Prepared prepared = prepare(valley(folder));
     const Stages stages(prepared);

@@ -86,7 +86,7 @@ TEST_CASE("a roof keeps the rain off its own area of ground, a net its cover of 
     }
 }
 
-TEST_CASE("no ray is cast where no rain falls", "[scenes][rain]") {
+TEST_CASE("no ray is cast where no rain falls", "[scenes][rain][by_degenerate]") {
     const ScratchFolder folder("no-rain");
     over_plain::write_scene(folder.path, {.mesh = over_plain::level_square(4)});
     const Prepared p = prepare(read_scene(folder.path / "scene.toml"));

@@ -63,7 +63,7 @@ TEST_CASE("an atmosphere that drives the heat balance stands in for what nobody 
     CHECK(night.longwave_down > 250.0);
 }
 
-TEST_CASE("a vacuum drives no heat balance", "[scenes][air]") {
+TEST_CASE("a vacuum drives no heat balance", "[scenes][air][by_degenerate]") {
     const ScratchFolder folder("scene-air");
     write_text(folder.path / "scene.toml",
                small_scene() + "[atmosphere]\nprofile = \"vacuum\"\ndrives_heat = true\n");

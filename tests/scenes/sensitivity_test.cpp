@@ -46,7 +46,7 @@ const std::string heat =
 }  // namespace
 
 TEST_CASE("a plate of scheduled heat on black surroundings: dT/dq = 1 / (4 sigma T^3)",
-          "[scenes][sensitivity]") {
+          "[scenes][sensitivity][by_variation][by_comparison]") {
     const ScratchFolder folder("sensitivity_slope");
     lay_heated_plate(folder, R"(
 [[sensitivity]]
@@ -83,7 +83,8 @@ output = [
     CHECK(json["notes"].dump().find("wind_factor changes nothing") != std::string::npos);
 }
 
-TEST_CASE("a crossover moves with a number as its schedule has it", "[scenes][sensitivity]") {
+TEST_CASE("a crossover moves with a number as its schedule has it",
+          "[scenes][sensitivity][by_events][by_variation]") {
     // The plate has 280 W/m2 36 minutes before it has 300, 320 36 minutes after; at noon it turns.
     const ScratchFolder folder("sensitivity_crossover");
     lay_heated_plate(folder, fmt::format(R"(
@@ -125,7 +126,7 @@ output = [
 }
 
 TEST_CASE("elementary effects of two numbers that act on each other are those of their quotient",
-          "[scenes][sensitivity]") {
+          "[scenes][sensitivity][by_variation]") {
     // T = (q / (e sigma))^(1/4) at the corners of a square: the effect of q is one of two, by e.
     const ScratchFolder folder("sensitivity_corners");
     lay_heated_plate(folder, R"(

@@ -155,7 +155,7 @@ TEST_CASE("directions of the aspect sphere are even", "[scenes][signature]") {
     }
 }
 
-TEST_CASE("a black ball shines L pi r^2 every way", "[scenes][signature]") {
+TEST_CASE("a black ball shines L pi r^2 every way", "[scenes][signature][by_comparison]") {
     const ScratchFolder folder("signature_ball");
     const double r = 2.0;
     const Studied studied(scene_with(folder, ball_mesh(r, 96), 1.0, seen_by_night, 3.0), warm,
@@ -188,7 +188,8 @@ TEST_CASE("from afar a ball shines as at hand where there is no air", "[scenes][
     CHECK(seen > 10);
 }
 
-TEST_CASE("a plate shines L A cos, a box the sum of its faces", "[scenes][signature]") {
+TEST_CASE("a plate shines L A cos, a box the sum of its faces",
+          "[scenes][signature][by_comparison]") {
     const double x = GENERATE(3.0, 4.0), y = 4.0;
     const double height = x == 3.0 ? 0.01 : 4.0;  // a plate, a cube
     const ScratchFolder folder("signature_box");

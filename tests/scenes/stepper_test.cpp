@@ -103,7 +103,8 @@ TEST_CASE("a program that does what a trajectory does finds what a run finds",
     CHECK(worst("22:00:00") < 0.02);
 }
 
-TEST_CASE("a black plate that comes into the sun follows its exponential", "[scenes][stepper]") {
+TEST_CASE("a black plate that comes into the sun follows its exponential",
+          "[scenes][stepper][by_comparison]") {
     const ScratchFolder folder("stepper_plate");
     write_text(folder.path / "crate.obj", crate_mesh);
     // 800 W/m² from the sun and nothing from the sky, in still air of 300 K for ever.

@@ -277,7 +277,7 @@ values = [1, 2, 3, 4]
 }
 
 TEST_CASE("variants are drawn evenly, each once, and more of them keep the first",
-          "[scenes][sweep]") {
+          "[scenes][sweep][by_replication]") {
     const ScratchFolder folder("draw");
     const auto drawn = [&](int draw) {
         const std::string text = swept("draw = " + std::to_string(draw) +

@@ -137,7 +137,8 @@ film_W_m2K = 0
     CHECK(on.result.report.converged);
 }
 
-TEST_CASE("what lies over a very hot lid is as warm as it should be", "[scenes][target]") {
+TEST_CASE("what lies over a very hot lid is as warm as it should be",
+          "[scenes][target][by_extreme]") {
     // 20 kW/m2 in the lid of a target, two metres under the floor of an ordinary box: aligned
     // squares at half their size see F = 0.4153 of one another (Howell C-11), else the lid sees a
     // sky of nothing and the floor ground of some 280 K. Radiosities J = e sigma T^4 + (1 - e) H;

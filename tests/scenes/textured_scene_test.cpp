@@ -152,7 +152,7 @@ TEST_CASE("between two levels a parameter's radiance is nearly straight",
 }
 
 TEST_CASE("a mixture of a material with itself is solved as that material",
-          "[scenes][texture][thermal]") {
+          "[scenes][texture][thermal][by_degenerate]") {
     const Pictures plain = pictures_of(runway_scene());
     const Pictures mixed =
         pictures_of(textured("what = \"mixture\"\nbetween = [\"asphalt\", \"asphalt\"]\n"

@@ -31,7 +31,8 @@ Built built(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("ground without buildings and objects has the wind as it is", "[scenes][wind]") {
+TEST_CASE("ground without buildings and objects has the wind as it is",
+          "[scenes][wind][by_degenerate]") {
     std::string text = small_scene();
     const std::size_t from = text.find("[[building]]"), to = text.find("[weather]");
     text.erase(from, to - from);

@@ -59,7 +59,8 @@ struct Sample {
 
 }  // namespace
 
-TEST_CASE("clutter has the deviation and correlation length it is given", "[terrain][clutter]") {
+TEST_CASE("clutter has the deviation and correlation length it is given",
+          "[terrain][clutter][by_replication]") {
     const auto law = GENERATE(Covariance::exponential, Covariance::gaussian);
     const double length = GENERATE(0.8, 12.0);
     CAPTURE(law, length);
@@ -91,7 +92,7 @@ TEST_CASE("clutter is normally distributed", "[terrain][clutter]") {
     CHECK(worst < 0.01);
 }
 
-TEST_CASE("octaves add up to the exponential law", "[terrain][clutter]") {
+TEST_CASE("octaves add up to the exponential law", "[terrain][clutter][by_comparison]") {
     const auto octaves = clutter_octaves({.length = 4.0, .covariance = Covariance::exponential});
     const auto covariance = [&](double r) {
         double sum = 0.0;
@@ -108,7 +109,7 @@ TEST_CASE("octaves add up to the exponential law", "[terrain][clutter]") {
     CHECK(covariance(4.0) == Approx(1.0 / std::numbers::e).margin(0.002));
 }
 
-TEST_CASE("clutter is a function of seed and place", "[terrain][clutter]") {
+TEST_CASE("clutter is a function of seed and place", "[terrain][clutter][by_replication]") {
     const ClutterSpec spec{.length = 3.0, .seed = 7};
     const Clutter a(spec), b(spec), other({.length = 3.0, .seed = 8});
     double product = 0.0;

@@ -169,7 +169,8 @@ TEST_CASE("corrupt GeoKeys of a real file are refused, not guessed",
     CHECK_FALSE(line.empty());
 }
 
-TEST_CASE("a constant surface is two triangles under the whole sky", "[terrain][dem][stress]") {
+TEST_CASE("a constant surface is two triangles under the whole sky",
+          "[terrain][dem][stress][by_degenerate]") {
     Dem dem = made("EPSG:32616", 750e3, 4020e3, 30, 25, 17);
     std::fill(dem.height.begin(), dem.height.end(), 250.0f);
     const Dem level = read_dem(written("level.tif", dem));

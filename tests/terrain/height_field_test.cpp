@@ -77,7 +77,8 @@ HeightField jacksboro() {
 
 }  // namespace
 
-TEST_CASE("posts of a bowl see the same share of sky", "[terrain][height_field][sky]") {
+TEST_CASE("posts of a bowl see the same share of sky",
+          "[terrain][height_field][sky][by_comparison]") {
     struct Case {
         double q, sky_view;
     };
@@ -102,7 +103,7 @@ TEST_CASE("posts of a bowl see the same share of sky", "[terrain][height_field][
 }
 
 TEST_CASE("posts of a V valley see what its slope says, open at the border",
-          "[terrain][height_field][sky]") {
+          "[terrain][height_field][sky][by_comparison]") {
     // A public tool never ends on this valley. Walls of slope b rise to the field's border, 1 from
     // the bottom along the slope; the valley is 20 times as long as wide, so its middle is nearly
     // infinite.
@@ -128,7 +129,7 @@ TEST_CASE("posts of a V valley see what its slope says, open at the border",
 }
 
 TEST_CASE("the shadow of a bowl on the grid covers the share that geometry says",
-          "[terrain][height_field][sun]") {
+          "[terrain][height_field][sun][by_comparison]") {
     const double q = GENERATE(0.1, 0.2);
     const double elevation_deg = GENERATE(5.0, 10.0, 20.0, 30.0, 40.0);
     const double e = elevation_deg * pi / 180.0;
@@ -187,7 +188,7 @@ TEST_CASE("horizons on real relief are those of robust rays", "[terrain][height_
     CHECK(std::sqrt(squares / count) < 0.02);
 }
 
-TEST_CASE("on an even grid horizons are exact", "[terrain][height_field][rays]") {
+TEST_CASE("on an even grid horizons are exact", "[terrain][height_field][rays][by_comparison]") {
     const auto hills = [](double x, double y) {
         return 120.0 * std::sin(x / 150.0) * std::cos(y / 230.0) +
                15.0 * std::sin(x / 23.0 + y / 31.0);
@@ -256,7 +257,8 @@ TEST_CASE("what is no surface is no height field", "[terrain][height_field][stre
     CHECK_THROWS_AS(even_field(3, 3, up, std::nan("")), InputError);
 }
 
-TEST_CASE("any number of threads, the same horizons", "[terrain][height_field][invariance]") {
+TEST_CASE("any number of threads, the same horizons",
+          "[terrain][height_field][invariance][by_replication]") {
     const HeightField field = jacksboro();
     std::vector<std::vector<float>> seen, lit;
     for (const int threads : {1, 3}) {

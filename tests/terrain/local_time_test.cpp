@@ -5,7 +5,7 @@
 using namespace diurna;
 
 // Reda & Andreas 2004, NREL/TP-560-34302, table A5.1: observer's local hour angle 11.105900°.
-TEST_CASE("solar time is that of NREL's SPA example", "[terrain][sun]") {
+TEST_CASE("solar time is that of NREL's SPA example", "[terrain][sun][by_comparison]") {
     const Site golden{39.742476, -105.1786, 1830.14};
     const Instant instant = parse_instant("2003-10-17T12:30:30-07:00");
     CHECK(solar_time_h(golden, instant) == Approx(12.0 + 11.1059 / 15.0).margin(1e-4));

@@ -77,7 +77,8 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-TEST_CASE("a rounded box encloses what Steiner's formula says", "[terrain][models]") {
+TEST_CASE("a rounded box encloses what Steiner's formula says",
+          "[terrain][models][by_comparison]") {
     // V = abc + 2 (ab + bc + ca) r + pi r^2 (a + b + c) + 4/3 pi r^3 of the inner box a, b, c;
     // facets of 90/n degrees cut the arcs' area by sin(x)/x, x = 90/n degrees.
     const int arc = GENERATE(2, 4, 12);
@@ -93,7 +94,7 @@ TEST_CASE("a rounded box encloses what Steiner's formula says", "[terrain][model
     CHECK(volume > exact - 1.5 * loss * rounded);
 }
 
-TEST_CASE("turned solids enclose what Pappus says", "[terrain][models]") {
+TEST_CASE("turned solids enclose what Pappus says", "[terrain][models][by_comparison]") {
     // A prism of n corners for a cylinder, n/2 sin(2 pi / n) r^2 h; the half circle of a sphere.
     Workpiece work{.mesh = {}, .fine = {.edge = 0.2, .arc = 3}};
     add_bar(work, "bar", {1.0, 2.0, 0.5}, {1.0, 3.0, 1.5}, 0.1);

@@ -16,7 +16,7 @@ const Instant example = parse_instant("1992-04-11T23:59:01.816Z");
 
 }  // namespace
 
-TEST_CASE("the moon stands where Meeus's example 47.a has it", "[terrain][moon]") {
+TEST_CASE("the moon stands where Meeus's example 47.a has it", "[terrain][moon][by_comparison]") {
     const Eigen::Vector3d moon = moon_from_earth(example);
     CHECK(moon.norm() * 149597870.7 == Approx(368409.7).margin(5.0));
     // Declination of date: the frame's axis is the earth's.
@@ -30,7 +30,8 @@ TEST_CASE("the moon stands where Meeus's example 47.a has it", "[terrain][moon]"
     CHECK(std::remainder(134.688470 - sidereal_deg - east_deg, 360.0) == Approx(0).margin(0.0025));
 }
 
-TEST_CASE("the moon is lit as in Meeus's example 48.a", "[terrain][moon]") {
+TEST_CASE("the moon is lit as in Meeus's example 48.a",
+          "[terrain][moon][by_events][by_comparison]") {
     const MoonLight light =
         moon_light(moon_from_earth(example), sun_from_earth(example), Eigen::Vector3d::Zero());
     CHECK(light.phase_deg == Approx(69.0756).margin(0.005));

@@ -86,7 +86,7 @@ TEST_CASE("no ray leaves a closed mesh", "[terrain][rays]") {
     CHECK(worst <= 0.01);
 }
 
-TEST_CASE("no ray of ten million leaves a closed mesh", "[terrain][rays][long]") {
+TEST_CASE("no ray of ten million leaves a closed mesh", "[terrain][rays][long][by_extreme]") {
     const FacetSet facets = lumpy_ball(5, 1000.0);
     const RayScene scene(facets);
     std::vector<Ray> rays(1'000'000);
@@ -105,7 +105,8 @@ TEST_CASE("no ray of ten million leaves a closed mesh", "[terrain][rays][long]")
     CHECK(leaks == 0);
 }
 
-TEST_CASE("of a million rays aimed at edges hardly one slips through", "[terrain][rays]") {
+TEST_CASE("of a million rays aimed at edges hardly one slips through",
+          "[terrain][rays][by_extreme]") {
     // Embree's robust mode evaluates an edge alike for both its triangles, up to rounding; its
     // authors know of cracks at vertices (RenderKit/embree issues 174, 181, 188). Anything like
     // the leaks of the fast mode would show as thousands here.
@@ -127,7 +128,7 @@ TEST_CASE("of a million rays aimed at edges hardly one slips through", "[terrain
     CHECK(std::count(blocked.begin(), blocked.end(), 0) <= 10);
 }
 
-TEST_CASE("range is exact at grazing incidence", "[terrain][rays]") {
+TEST_CASE("range is exact at grazing incidence", "[terrain][rays][by_comparison]") {
     // One long triangle in the plane z = 0, seen from 10 cm above at 10 km.
     const FacetSet facets = facets_of({{0, -40, 0}, {20e3, 0, 0}, {0, 40, 0}}, {{0, 1, 2}});
     const RayScene scene(facets);
@@ -189,7 +190,7 @@ TEST_CASE("any number of rays gives what each gives alone", "[terrain][rays]") {
     CHECK(seen > 20);
 }
 
-TEST_CASE("an empty scene is all sky", "[terrain][rays][stress]") {
+TEST_CASE("an empty scene is all sky", "[terrain][rays][stress][by_degenerate]") {
     const RayScene scene{FacetSet{}};
     const Ray ray{.origin = {0, 0, 0}, .direction = {0, 0, 1}};
     Hit hit;

@@ -43,7 +43,7 @@ double factor_error(const FacetSet& facets, const FacetViews& view) {
 
 }  // namespace
 
-TEST_CASE("exchange is made reciprocal and still adds up to one", "[terrain][exchange]") {
+TEST_CASE("exchange is made reciprocal and still adds up to one", "[terrain][exchange][by_trace]") {
     const FacetSet facets = hollow(16, 48, 0.5 * pi);
     FacetViews view = facet_views(facets, RayScene(facets), {.rays = 256});
     const double before = factor_error(facets, view);
@@ -123,7 +123,7 @@ TEST_CASE("two plates that see only each other share what both can give", "[terr
 }
 
 TEST_CASE("small facets keep their view beside large ones that few rays tell of",
-          "[terrain][exchange]") {
+          "[terrain][exchange][by_extreme]") {
     // A box of small facets on a plain of two large triangles: a wall sees half ground, half sky,
     // the plain's edge at 100 m hides 0.7 % of it, and walls of 3 m lose nothing more.
     FacetSet facets;
@@ -160,7 +160,8 @@ TEST_CASE("small facets keep their view beside large ones that few rays tell of"
     CHECK(std::sqrt(squares / walls - mean * mean) < 0.015);
 }
 
-TEST_CASE("any number of threads, the same exchange", "[terrain][exchange][invariance]") {
+TEST_CASE("any number of threads, the same exchange",
+          "[terrain][exchange][invariance][by_replication]") {
     const FacetSet facets = hollow(12, 40, 0.4 * pi);
     std::vector<std::vector<float>> factors;
     for (const int threads : {1, 3}) {

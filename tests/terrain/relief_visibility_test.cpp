@@ -100,7 +100,7 @@ TEST_CASE("march and rays light the ground alike, beside a tall building too",
 }
 
 TEST_CASE("the march sees the same sky as many rays, with less noise",
-          "[terrain][relief_light][sky]") {
+          "[terrain][relief_light][sky][by_replication]") {
     const Ground ground = jacksboro(12.0, true);
     const FacetViews marched = ground.light().facet_views({.rays = 16});
     const FacetViews cast = facet_views(ground.facets, ground.rays, {.rays = 64});
@@ -121,7 +121,8 @@ TEST_CASE("the march sees the same sky as many rays, with less noise",
     }
 }
 
-TEST_CASE("a coarse mesh carries the light of the fine relief", "[terrain][relief_light][sun]") {
+TEST_CASE("a coarse mesh carries the light of the fine relief",
+          "[terrain][relief_light][sun][by_variation]") {
     // Mean beam over all ground, per plan area, from posts alone.
     const Ground ground = jacksboro(40.0, false);
     const double elevation_deg = GENERATE(10.0, 25.0, 50.0);
@@ -148,7 +149,8 @@ TEST_CASE("a coarse mesh carries the light of the fine relief", "[terrain][relie
     CHECK(coarse / plan == Approx(fine / double(count)).epsilon(0.02));
 }
 
-TEST_CASE("any number of threads, the same light", "[terrain][relief_light][invariance]") {
+TEST_CASE("any number of threads, the same light",
+          "[terrain][relief_light][invariance][by_replication]") {
     const Ground ground = jacksboro(20.0, true);
     std::vector<std::vector<float>> lit, seen;
     for (const int threads : {1, 3}) {

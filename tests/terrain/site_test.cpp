@@ -8,7 +8,8 @@
 using namespace diurna;
 
 // Published with PROJ's topocentric conversion, identical to the last digit.
-TEST_CASE("places near the Alps have the local coordinates PROJ gives", "[terrain][site]") {
+TEST_CASE("places near the Alps have the local coordinates PROJ gives",
+          "[terrain][site][by_comparison]") {
     const Site site{46.5, 8.0, 0.0};
     struct Case {
         Geodetic place;

@@ -20,7 +20,8 @@ double seconds_off(Instant found, const char* expected) {
 // UT, sunrise at 13:12:43.46, sunset at 00:20:19.19 (the centre 0.8333 degrees below the horizon,
 // seen from the earth's middle: 2.4 thousandths of a degree, a second at most); at 12:30:30 local
 // time azimuth 194.340241 and elevation 39.872046 degrees without refraction.
-TEST_CASE("the sun passes when NREL's SPA example has it", "[terrain][sun]") {
+TEST_CASE("the sun passes when NREL's SPA example has it",
+          "[terrain][sun][by_events][by_comparison]") {
     const Site golden{39.742476, -105.1786, 1830.14};
     const Instant from = parse_instant("2003-10-17T00:00:00-07:00");
     const Instant to = parse_instant("2003-10-18T00:00:00-07:00");
@@ -48,7 +49,7 @@ TEST_CASE("the sun passes when NREL's SPA example has it", "[terrain][sun]") {
 // Meeus, "Astronomical Algorithms", example 28.a: the equation of time on 1992 October 13 at 0h TD
 // is +13 min 42.6 s. At 180 degrees of longitude apparent noon is that much before 0h UT; in that
 // quarter of an hour and the 59 s from UT to TD it changes by a tenth of a second.
-TEST_CASE("noon is the equation of time before the mean one", "[terrain][sun]") {
+TEST_CASE("noon is the equation of time before the mean one", "[terrain][sun][by_events]") {
     for (const double latitude_deg : {50.0, -50.0}) {
         const auto noon =
             sun_at_azimuth({latitude_deg, 180.0, 0.0}, parse_instant("1992-10-12T12:00:00Z"),

@@ -7,7 +7,7 @@ using namespace diurna;
 
 // Reda & Andreas, "Solar position algorithm for solar radiation applications", NREL/TP-560-34302
 // (2008), worked example of appendix A.5.
-TEST_CASE("the sun stands where NREL's SPA example has it", "[terrain][sun]") {
+TEST_CASE("the sun stands where NREL's SPA example has it", "[terrain][sun][by_comparison]") {
     const Site golden{39.742476, -105.1786, 1830.14};
     const Instant instant = parse_instant("2003-10-17T12:30:30-07:00");
     const SunPosition sun = sun_position(golden, instant, 820.0, 11.0);
@@ -64,7 +64,8 @@ TEST_CASE("refraction lifts the sun by half a degree at the horizon and nothing 
     }
 }
 
-TEST_CASE("poles, date line and far years give finite angles", "[terrain][sun][stress]") {
+TEST_CASE("poles, date line and far years give finite angles",
+          "[terrain][sun][stress][by_extreme]") {
     const auto site = GENERATE(values<Site>(
         {{90.0, 0.0, 0.0}, {-90.0, 0.0, 2800.0}, {0.0, 180.0, 0.0}, {0.0, -180.0, 8848.0}}));
     const auto text = GENERATE("1900-01-01T00:00:00Z", "2016-12-31T23:59:59.999Z",

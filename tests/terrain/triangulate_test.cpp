@@ -78,7 +78,7 @@ TEST_CASE("no post lies further from the network than the tolerance", "[terrain]
     CHECK(area == Approx(119.0 * 89.0).epsilon(1e-12));
 }
 
-TEST_CASE("a plane needs two triangles, whatever its slope", "[terrain][tin]") {
+TEST_CASE("a plane needs two triangles, whatever its slope", "[terrain][tin][by_degenerate]") {
     const Dem dem = made_dem(50, 70, [](int r, int c) { return 3.0f * r - 0.5f * c; });
     CHECK(triangulate(dem, 0.0).triangle.size() == 2);
     CHECK(check_tin(dem, triangulate(dem, 0.0)).worst_error < 1e-9);
@@ -109,7 +109,7 @@ TEST_CASE("the check finds a network that is wrong", "[terrain][tin]") {
     CHECK(check_tin(dem, tin).uncovered_posts == 9);
 }
 
-TEST_CASE("the same raster gives the same network", "[terrain][tin][invariance]") {
+TEST_CASE("the same raster gives the same network", "[terrain][tin][invariance][by_replication]") {
     const Dem dem = hills(100, 100);
     const Tin a = triangulate(dem, 1.0), b = triangulate(dem, 1.0);
     CHECK(a.post == b.post);

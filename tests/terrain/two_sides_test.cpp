@@ -146,7 +146,7 @@ TEST_CASE("both sides of a sheet exchange with what they face", "[terrain][visib
 // What ground and both sides of a sheet absorb of light from above, and send to the sky and beyond
 // the edge, is all that arrived, after all bounces.
 TEST_CASE("no light is lost between a sheet's sides, ground and sky",
-          "[terrain][visibility][sheet]") {
+          "[terrain][visibility][sheet][by_trace]") {
     const Layers world = sheet_over_ground();
     const FacetSet& facets = world.facets;
     FacetViews views = facet_views(facets, RayScene(facets), {.rays = 1024});

@@ -91,7 +91,8 @@ constexpr double far_along = 2000.0;  // half length of what stands for infinite
 
 }  // namespace
 
-TEST_CASE("every part of a bowl sees the same share of sky", "[terrain][visibility][sky]") {
+TEST_CASE("every part of a bowl sees the same share of sky",
+          "[terrain][visibility][sky][by_comparison]") {
     struct Case {
         double q, sky_view;
     };
@@ -113,7 +114,7 @@ TEST_CASE("every part of a bowl sees the same share of sky", "[terrain][visibili
 }
 
 TEST_CASE("sixteen times the rays, an error at least six times smaller",
-          "[terrain][visibility][order]") {
+          "[terrain][visibility][order][by_replication]") {
     // Stratified rays: error ∝ rays^-3/4, eight times; independent ones would give four.
     const FacetSet facets = Bowl{0.5}.facets(48, 192);
     const RayScene scene(facets);
@@ -127,7 +128,8 @@ TEST_CASE("sixteen times the rays, an error at least six times smaller",
     CHECK(rms(16) / rms(256) > 6.0);
 }
 
-TEST_CASE("a V valley sees cos of its slope, least at the bottom", "[terrain][visibility][sky]") {
+TEST_CASE("a V valley sees cos of its slope, least at the bottom",
+          "[terrain][visibility][sky][by_comparison]") {
     // Wall length 1, slope b; at s from the bottom 1/2 [1 - (cos w - s) / sqrt(1 + s² - 2 s cos
     // w)], w = 180° - 2b.
     const double b = GENERATE(30.0, 45.0) * pi / 180.0;
@@ -158,7 +160,7 @@ TEST_CASE("a V valley sees cos of its slope, least at the bottom", "[terrain][vi
 }
 
 TEST_CASE("the floor and walls of a street canyon see what their ratio says",
-          "[terrain][visibility][sky]") {
+          "[terrain][visibility][sky][by_comparison]") {
     const double r = GENERATE(0.25, 0.5, 1.0, 2.0);  // height over width
     Mesh mesh;
     const auto y = [](double v) { return std::pow(2.0 * v - 1.0, 3) * far_along; };
@@ -253,7 +255,8 @@ TEST_CASE("a lone slope sees the sky above the horizontal and nothing below it",
     CHECK(view.others.facet.empty());
 }
 
-TEST_CASE("sky, ground below and exchange make one whole", "[terrain][visibility][exchange]") {
+TEST_CASE("sky, ground below and exchange make one whole",
+          "[terrain][visibility][exchange][by_trace]") {
     const FacetSet facets = Bowl{0.3}.facets(24, 96);
     const FacetViews view = facet_views(facets, RayScene(facets), {.rays = 64});
     REQUIRE(view.others.row.size() == facets.size() + 1);
@@ -290,7 +293,7 @@ TEST_CASE("exchange is reciprocal: area times factor both ways",
 }
 
 TEST_CASE("the shadow in a bowl covers the share that geometry says",
-          "[terrain][visibility][sun]") {
+          "[terrain][visibility][sun][by_comparison]") {
     // F2: shaded share of the plan area (2 cos² e/π)(acos k - k √(1 - k²)), k = β tan(e)/2,
     // β = 1/(2q) - 2q, zero where k ≥ 1. A point sun in the formula; the disc's penumbra is even.
     const double q = GENERATE(0.1, 0.2, 0.5);
@@ -353,7 +356,8 @@ TEST_CASE("a wall's shadow ends where the sun's ray over its top comes down",
     CHECK(shaded == Approx(2.0 / std::tan(pi / 6)).margin(0.01));  // width 1
 }
 
-TEST_CASE("any number of threads gives the same bytes", "[terrain][visibility][invariance]") {
+TEST_CASE("any number of threads gives the same bytes",
+          "[terrain][visibility][invariance][by_replication]") {
     const FacetSet facets = Bowl{0.25}.facets(32, 96);
     const RayScene scene(facets);
     std::vector<FacetViews> views;

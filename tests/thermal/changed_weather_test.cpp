@@ -39,7 +39,8 @@ Weather changed(const WeatherChange& change) {
 
 }  // namespace
 
-TEST_CASE("weather that nobody changes is what was measured", "[thermal][weather_file]") {
+TEST_CASE("weather that nobody changes is what was measured",
+          "[thermal][weather_file][by_degenerate]") {
     const Weather weather = changed({});
     const double saturated = saturation_vapour_pressure(290.0);
     for (const Forcing& sample : weather.sample) {
@@ -48,7 +49,8 @@ TEST_CASE("weather that nobody changes is what was measured", "[thermal][weather
     CHECK(weather.note.find("changed") == std::string::npos);
 }
 
-TEST_CASE("each factor changes what it says and nothing else", "[thermal][weather_file]") {
+TEST_CASE("each factor changes what it says and nothing else",
+          "[thermal][weather_file][by_variation]") {
     const double vapour = 1.05 * saturation_vapour_pressure(290.0);
     const Forcing windy = changed({.wind = 2.0}).sample[5];
     CHECK(windy.wind_speed == Approx(6.0));
@@ -73,7 +75,7 @@ TEST_CASE("each factor changes what it says and nothing else", "[thermal][weathe
 }
 
 TEST_CASE("a column that only its film warms is as much warmer as the air",
-          "[thermal][column_tool]") {
+          "[thermal][column_tool][by_variation]") {
     // White, without emission, dry and insulated: at rest it has the air's temperature.
     const ScratchFolder folder("changed_column");
     write_text(folder.path / "weather.csv", moist_day());

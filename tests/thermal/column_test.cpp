@@ -68,7 +68,8 @@ double wave_error(double step, double first) {
 
 }  // namespace
 
-TEST_CASE("a column is second order in time and in space", "[thermal][column][order]") {
+TEST_CASE("a column is second order in time and in space",
+          "[thermal][column][order][by_variation]") {
     const double time_order = std::log2(wave_error(3600.0, 0.005) / wave_error(1800.0, 0.005));
     const double space_order = std::log2(wave_error(60.0, 0.16) / wave_error(60.0, 0.08));
     CAPTURE(time_order, space_order);
@@ -118,7 +119,7 @@ TEST_CASE("nodes lie on interfaces and hold all of the layers' heat", "[thermal]
 }
 
 TEST_CASE("two half-spaces in contact share Carslaw and Jaeger's temperature",
-          "[thermal][column][a5]") {
+          "[thermal][column][a5][by_comparison]") {
     // 340 K (k 1.2, C 2.1e6) on 290 K (k 0.25, C 1.2e6): 327.173815208 K, at once and for long.
     Bar bar({{1.0, 1.2, 2100.0, 1000.0}, {0.8, 0.25, 1200.0, 1000.0}}, FixedFlux{0.0}, 300.0, 60.0,
             {.first = 0.04, .growth = 1e-3, .deepest = 1e9});
@@ -137,7 +138,7 @@ TEST_CASE("two half-spaces in contact share Carslaw and Jaeger's temperature",
     CHECK(bar.batch.state[contact * lanes] + 300.0 == Approx(327.173815208).margin(0.02));
 }
 
-TEST_CASE("a thin plate cools to the air exponentially", "[thermal][column]") {
+TEST_CASE("a thin plate cools to the air exponentially", "[thermal][column][by_comparison]") {
     // 1 mm of steel under a film of 20: 195 s; SDIRK2 in 10 s steps.
     Bar bar({{0.001, 50.0, 7800.0, 500.0}}, FixedFlux{0.0}, 320.0, 10.0, {}, 20.0, 300.0);
     for (int i = 0; i < 60; ++i) bar.step(0.0, 0.0);
@@ -145,7 +146,7 @@ TEST_CASE("a thin plate cools to the air exponentially", "[thermal][column]") {
           Approx(300.0 + 20.0 * std::exp(-600.0 / 195.0)).margin(0.003));
 }
 
-TEST_CASE("a radiating plate follows its closed form", "[thermal][column][a7]") {
+TEST_CASE("a radiating plate follows its closed form", "[thermal][column][a7][by_comparison]") {
     // reference/thermal/analytic_cases.md, A7: 3900 J/m²K, emissivity 0.9, 320 K into 0 K sky.
     ThermalSurface surface;
     surface.emissivity = 0.9;

@@ -237,7 +237,7 @@ TEST_CASE("coolant carries an engine's heat to its radiator", "[thermal][network
     CHECK(stepper.state.lump[0] == Approx(air + power / radiator + power / stream).margin(1e-3));
 }
 
-TEST_CASE("heat put in is heat stored, at any step", "[thermal][network]") {
+TEST_CASE("heat put in is heat stored, at any step", "[thermal][network][by_variation]") {
     for (const double step : {1.0, 60.0, 3600.0, 21600.0}) {
         Sheet plate = sheet(1.0, 1.0, 6, 6, network_column({aluminium}, FixedFlux{0.0}), 0.2);
         NetworkForcing forcing = in_air(280.0, 0.0, 0.0);

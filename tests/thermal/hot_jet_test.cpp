@@ -42,7 +42,7 @@ double mean(const HotJet& jet, double height, double radius, bool of_heat = fals
 
 }  // namespace
 
-TEST_CASE("a jet's film on a plate has Martin's mean", "[thermal][jet]") {
+TEST_CASE("a jet's film on a plate has Martin's mean", "[thermal][jet][by_comparison]") {
     // Martin 1977, as in Incropera et al., Fundamentals of Heat and Mass Transfer, 7.7: G of the
     // relative nozzle area A = D^2 / 4 r^2.
     const double speed = GENERATE(1.0, 15.0, 120.0), apart = GENERATE(2.0, 4.0, 6.0, 9.0, 12.0),

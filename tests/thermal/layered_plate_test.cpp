@@ -64,7 +64,8 @@ TEST_CASE("a heated board settles at the temperatures of its two films in series
 }
 
 // A sheet too thin to be unevenly warm: C θ' = q − 2 h θ. Its time constant is 244 s.
-TEST_CASE("sheet steel warms by its exponential in steps of any length", "[thermal][plate]") {
+TEST_CASE("sheet steel warms by its exponential in steps of any length",
+          "[thermal][plate][by_variation][by_comparison]") {
     const Layer steel{0.0015, 45.0, 7800.0, 500.0};
     const double rate = 2.0 * film / (0.0015 * 7800.0 * 500.0), warmest = 500.0 / (2.0 * film);
     for (const double step : {1.0, 60.0, 600.0, 3600.0}) {
@@ -103,7 +104,7 @@ TEST_CASE("foil follows its films at once", "[thermal][plate][stress]") {
 // At 250 m/s a metre of plate has a film of 491 W/m²K (plate_film_test), and steel of 1 mm follows
 // it in 4 s: q on the front shows as q / 2h on both faces, in steps as long as they may be.
 TEST_CASE("sheet steel in a wind of 250 m/s follows its film without a swing",
-          "[thermal][plate][stress]") {
+          "[thermal][plate][stress][by_extreme]") {
     ThermalSurface surface = plate({0.001, 45.0, 7800.0, 500.0});
     surface.convection = BodyFilm{};
     const AirState state{.temperature = 288.15, .pressure = 101325.0, .vapour_pressure = 0.0};

@@ -47,7 +47,8 @@ struct Case {
 
 // The kernel says in short loops what heat_balance says in one line. A step's closure, and the
 // temperatures of lanes of all kinds, hold against that line, not against the loops themselves.
-TEST_CASE("the surfaces of a step in modes are in balance to 1e-9", "[thermal][modes][energy]") {
+TEST_CASE("the surfaces of a step in modes are in balance to 1e-9",
+          "[thermal][modes][energy][by_trace]") {
     const MaterialLibrary library = default_material_library();
     const double wind = GENERATE(0.3, 3.0, 20.0), vapour = GENERATE(300.0, 2050.0);
     for (std::size_t i = 0; i < library.size(); ++i) {

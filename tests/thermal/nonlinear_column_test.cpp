@@ -40,7 +40,7 @@ PointJob constant_job(std::vector<Layer> layers, double absorbed, double emissiv
 }  // namespace
 
 TEST_CASE("a half-space that radiates follows Volterra's equation at steps of 1 s to 1 h",
-          "[thermal][nonlinear][a10]") {
+          "[thermal][nonlinear][a10][by_comparison]") {
     // reference/thermal/analytic_cases.md, A10. Thermal effusivity alone matters: k C = 2e6, 3025.
     struct Case {
         double initial, flux, emissivity, kc;
@@ -102,7 +102,8 @@ TEST_CASE("a half-space that radiates follows Volterra's equation at steps of 1 
     }
 }
 
-TEST_CASE("water freezes downward as Neumann's solution says", "[thermal][nonlinear][a6]") {
+TEST_CASE("water freezes downward as Neumann's solution says",
+          "[thermal][nonlinear][a6][by_events][by_comparison]") {
     for (const double cell : {0.002, 0.001}) {
         const FreezingFront front = freezing_front(cell);
         CAPTURE(cell, front.hour, front.day);
@@ -112,7 +113,8 @@ TEST_CASE("water freezes downward as Neumann's solution says", "[thermal][nonlin
     }
 }
 
-TEST_CASE("the moon's equator follows the converged curve B1", "[thermal][nonlinear][b1]") {
+TEST_CASE("the moon's equator follows the converged curve B1",
+          "[thermal][nonlinear][b1][by_comparison]") {
     const auto curve = shared_data("reference/thermal/b1_lunar_equator_240.txt");
     if (!curve) return;
     const LunarDay found = lunar_day(*curve);
@@ -121,7 +123,8 @@ TEST_CASE("the moon's equator follows the converged curve B1", "[thermal][nonlin
     CHECK(found.worst < 1.5);
 }
 
-TEST_CASE("snow stays at melting until its meltwater has run off", "[thermal][nonlinear][snow]") {
+TEST_CASE("snow stays at melting until its meltwater has run off",
+          "[thermal][nonlinear][snow][by_events][by_trace]") {
     Layer snow{0.5, 0.2, 300.0, 2090.0};
     snow.law = Melting{.held = 0.0};
     PointJob job = constant_job({snow}, 400.0, 0.0, 10.0, 273.15, 273.15, 86400.0, 3600.0);

@@ -74,7 +74,7 @@ PointJob edge_job(std::mt19937& random) {
 }  // namespace
 
 TEST_CASE("what is absurd but may be read is followed in a bounded number of steps",
-          "[thermal][column_tool][stress]") {
+          "[thermal][column_tool][stress][by_extreme]") {
     constexpr unsigned seed = 20261123;
     constexpr int cases = 80;
     std::mt19937 random(seed);

@@ -75,7 +75,8 @@ TEST_CASE("air carries momentum and heat as in the standard atmosphere's tables"
     CHECK(air_conductivity(255.676) == Approx(0.022730).epsilon(1e-4));
 }
 
-TEST_CASE("an upright plate convects as Churchill and Chu say", "[thermal][film][free]") {
+TEST_CASE("an upright plate convects as Churchill and Chu say",
+          "[thermal][film][free][by_comparison]") {
     // Incropera, example 9.2: a fireplace's glass screen 0.71 m high, 232 °C in a room of 23 °C:
     // Ra 1.813e9, Nu 147, h 7.0 W/m²K.
     const AirFilm room = film_over(of_plate, 296.15, calm);
@@ -122,7 +123,7 @@ TEST_CASE("an inclined plate convects under its share of gravity", "[thermal][fi
     CHECK(face_up <= film_at(room, facet_film(of_plate, 1.0, large), 320.0));
 }
 
-TEST_CASE("a hot pipe convects as Churchill and Chu say", "[thermal][film][free]") {
+TEST_CASE("a hot pipe convects as Churchill and Chu say", "[thermal][film][free][by_comparison]") {
     // A pipe 0.1 m across, 165 °C in 23 °C (Incropera, example 9.4: Ra 5.073e6), with table A.4's
     // properties at 367 K: k 0.0313, Nu = (0.60 + 0.3208 · 13.11)² = 23.1, h 7.23 W/m²K.
     const AirFilm room = film_over(of_cylinder, 296.15, calm);
@@ -166,7 +167,8 @@ TEST_CASE("wind cools a plate by its laminar and turbulent boundary layers",
           Approx(measured).epsilon(0.2));
 }
 
-TEST_CASE("wind cools a cylinder as Churchill and Bernstein say", "[thermal][film][forced]") {
+TEST_CASE("wind cools a cylinder as Churchill and Bernstein say",
+          "[thermal][film][forced][by_comparison]") {
     // Incropera, example 7.4: 12.7 mm across, 128.4 °C in 26.2 °C at 10 m/s: Re 6071, Nu 40.6,
     // h 96.0 W/m²K (102 measured).
     const AirFilm tunnel = film_over(of_cylinder, 299.35, 10.0);
@@ -189,7 +191,7 @@ TEST_CASE("wind cools a cylinder as Churchill and Bernstein say", "[thermal][fil
     }
 }
 
-TEST_CASE("wind cools a square bar as Jakob says", "[thermal][film][forced]") {
+TEST_CASE("wind cools a square bar as Jakob says", "[thermal][film][forced][by_comparison]") {
     // Incropera, table 7.3: a square bar across the flow, 0.102 Re^0.675 Pr^⅓ from Re 5e3 to 1e5.
     const AirFilm air = film_over(of_box, 300.0, 10.0);
     const double re = 10.0 * 0.1 / 15.89e-6;
@@ -219,7 +221,8 @@ TEST_CASE("thin air carries less", "[thermal][film][density]") {
           Approx(std::pow(0.6012, 0.89)).epsilon(1e-3));
 }
 
-TEST_CASE("at 250 m/s a metre of plate has a film of some 500 W/m2K", "[thermal][film][forced]") {
+TEST_CASE("at 250 m/s a metre of plate has a film of some 500 W/m2K",
+          "[thermal][film][forced][by_extreme]") {
     // At 15 °C and sea level Re = 250 / 1.4607e-5 = 1.711e7: 0.037 Re^⅘ Pr^⅓ k = 511 W/m²K where
     // the layer is tripped at the edge, 491 less what is laminar before Re = 5e5. TARP gives 32
     // there.
@@ -237,7 +240,7 @@ TEST_CASE("at 250 m/s a metre of plate has a film of some 500 W/m2K", "[thermal]
 }
 
 TEST_CASE("walls' films are those of TARP and MoWiTT in air of 1.204 kg/m3",
-          "[thermal][film][wall]") {
+          "[thermal][film][wall][by_comparison]") {
     // EnergyPlus Engineering Reference, TARP and MoWiTT algorithms; 293.15 K and 1013.25 hPa.
     const AirFilm still = film_over(Tarp{}, 293.15, 0.0);
     CHECK(film_at(still, natural_film(1.0), 303.15) == Approx(3.274824).epsilon(1e-3));
@@ -271,7 +274,7 @@ TEST_CASE("walls' films are those of TARP and MoWiTT in air of 1.204 kg/m3",
 }
 
 TEST_CASE("films change with temperature as their derivatives say, and stay finite at none",
-          "[thermal][film][derivative]") {
+          "[thermal][film][derivative][by_extreme][by_variation]") {
     const double wind = GENERATE(0.3, 2.0, 20.0, 250.0);
     const double up = GENERATE(-1.0, -0.6, 0.0, 0.6, 1.0);
     const Convection convection =
@@ -327,7 +330,7 @@ TEST_CASE("a moving surface meets air at its recovery temperature", "[thermal][f
 }
 
 TEST_CASE("in flight properties are those of Eckert's reference temperature",
-          "[thermal][film][flight]") {
+          "[thermal][film][flight][by_comparison]") {
     // Mach 2 at 11 km, 1 m: T_r = 216.65 (1 + 0.2 · 0.892 · 4) = 371.2 K, T* = T + 0.72 (T_r − T) =
     // 327.9 K at a surface as warm as T_r; (0.037 Re*^⅘ − 871) Pr^⅓ k* there.
     ThermalSurface surface;
@@ -349,7 +352,8 @@ TEST_CASE("in flight properties are those of Eckert's reference temperature",
 // outdoors; at a rack's 1.5 m over open ground two thirds of it are left. Here: 1.2 by 0.54 m at 40
 // degrees, four fifths of the light become heat, air of 280 K and 840 hPa, a clear sky of 0.75 σ
 // T_air⁴, ground as warm as the air. What is not known of the modules is worth 2 K.
-TEST_CASE("a glass plate at 40 degrees is as warm as modules on racks were", "[thermal][film]") {
+TEST_CASE("a glass plate at 40 degrees is as warm as modules on racks were",
+          "[thermal][film][by_history]") {
     constexpr double air_temperature = 280.0;
     const double up = std::cos(40.0 * M_PI / 180.0), sky = 0.5 * (1.0 + up);
     const double black = stefan_boltzmann * power4(air_temperature);

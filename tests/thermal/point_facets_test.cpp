@@ -150,7 +150,7 @@ TEST_CASE("snow, leaves, standing water, freezing ground and schedules reach the
 }
 
 TEST_CASE("on hills with shadows every point closes its day and its energy",
-          "[thermal][scene_points][energy]") {
+          "[thermal][scene_points][energy][by_trace]") {
     std::vector<MaterialId> materials;
     for (std::uint16_t g = 0; g < grounds; ++g) materials.push_back(MaterialId{g});
     const FacetSet facets = hills(12, materials);

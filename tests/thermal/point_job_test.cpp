@@ -27,7 +27,7 @@ const PrivateTempFolder private_temp_folder;
 }  // namespace
 
 TEST_CASE("a desert day with constant film follows the converged reference B2",
-          "[thermal][column_tool][b2]") {
+          "[thermal][column_tool][b2][by_comparison]") {
     // reference/thermal/analytic_cases.md, A16: CVODE extrapolated in space. Half of what is left
     // comes from its σ of 5.67e-8 and from the sun as chords of 5 minutes.
     PointJob job = facet_over({deep}, FixedFlux{0.0}, 10.0, 0.95);
@@ -57,7 +57,7 @@ TEST_CASE("a desert day with constant film follows the converged reference B2",
 }
 
 TEST_CASE("a half-space answers a periodic flux with Carslaw and Jaeger's amplitude and lag",
-          "[thermal][column_tool][a2]") {
+          "[thermal][column_tool][a2][by_comparison]") {
     struct Case {
         double film, amplitude, lag;
     };
@@ -75,7 +75,7 @@ TEST_CASE("a half-space answers a periodic flux with Carslaw and Jaeger's amplit
 }
 
 TEST_CASE("a layered road answers each harmonic as its thermal quadrupoles say",
-          "[thermal][column_tool][a3]") {
+          "[thermal][column_tool][a3][by_comparison]") {
     struct Case {
         int order;
         double amplitude, lag_deg;  // of T per 100 W/m², film 15
@@ -120,7 +120,7 @@ TEST_CASE("a periodic surface temperature draws the half-space's flux",
 }
 
 TEST_CASE("steps of flux and air warm a half-space and a slab as in Carslaw and Jaeger",
-          "[thermal][column_tool][a4]") {
+          "[thermal][column_tool][a4][by_comparison]") {
     struct Case {
         double film, flux, air;
         std::vector<Layer> layers;
@@ -234,7 +234,8 @@ TEST_CASE("a pane takes in what it neither reflects nor lets through",
     CHECK(0.5 * (row.surface_temperature + row.back_temperature) == Approx(low).margin(0.02));
 }
 
-TEST_CASE("a lake's mixed layer swings as a slab of closed form", "[thermal][column_tool][water]") {
+TEST_CASE("a lake's mixed layer swings as a slab of closed form",
+          "[thermal][column_tool][water][by_comparison]") {
     // Stirred water of 2 m over a bed without flux: |T| = |q / (h + k g tanh(g L))|, g = √(iωC/k).
     PointJob job = facet_over({{2.0, 500.0, 998.0, 4182.0}}, FixedFlux{0.0}, 15.0, 0.0);
     job.step = 900.0;

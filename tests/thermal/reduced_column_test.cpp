@@ -109,7 +109,7 @@ TEST_CASE("modes decay and take heat: no flux makes a column that gives more tha
 }
 
 TEST_CASE("a day under a film, stepped in modes, is the closed form's at any step",
-          "[thermal][modes][analytic]") {
+          "[thermal][modes][analytic][by_variation][by_comparison]") {
     // Half-space under a film h and air of T_a cos ωt: θ = T_a h / (h + A), A = √(iω k ρc).
     const std::vector<Layer> soil{{6.0, 1.0, 1600.0, 1200.0}};
     const double film = 18.0, swing = 10.0, omega = 2.0 * std::numbers::pi / day;
@@ -147,7 +147,7 @@ TEST_CASE("a day under a film, stepped in modes, is the closed form's at any ste
 }
 
 TEST_CASE("light that goes and comes within a step is met to a tenth of a kelvin",
-          "[thermal][modes][shadow]") {
+          "[thermal][modes][shadow][by_extreme]") {
     // The same facet in 10-minute steps, split where the light jumps, and in 1 s steps, every
     // jump between two of them: 700 W/m² go at 10:23:17 and come back at 12:51:43.
     const double gone = 37397.0, back = 46303.0, light = 700.0;

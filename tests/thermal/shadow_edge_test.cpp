@@ -61,7 +61,7 @@ Material sheet(const char* name, Layer layer, double albedo, double emissivity) 
 }  // namespace
 
 TEST_CASE("a shadow's edge is found to seconds, and none where there is none",
-          "[thermal][shadow]") {
+          "[thermal][shadow][by_events]") {
     const SolveOptions options{.start = june};
     SunExposure sun = sampled(options);
     find_edges(sun, fraction_at, {.tolerance = 2.0});
@@ -80,7 +80,7 @@ TEST_CASE("a shadow's edge is found to seconds, and none where there is none",
 // The reference knows nothing of edges or modes: nodes, in steps of a second, to each of which the
 // sun is on or off.
 TEST_CASE("10-minute steps follow shadows as 1 s steps of the layered column do",
-          "[thermal][shadow][solver]") {
+          "[thermal][shadow][solver][by_events][by_comparison]") {
     std::vector<Material> of;
     const MaterialLibrary library = default_material_library();
     for (const char* name : {"grass", "forest", "bare_soil", "rock", "asphalt", "painted_steel"}) {

@@ -142,7 +142,8 @@ TEST_CASE("modelled clear days miss a measured one by what others miss it",
     CHECK((ineichen - Eigen::Vector3d(-19.0, -18.0, -18.0)).cwiseAbs().maxCoeff() < 10.0);
 }
 
-TEST_CASE("Bird's clear sky is that of NREL's worksheet", "[thermal][irradiance][bird]") {
+TEST_CASE("Bird's clear sky is that of NREL's worksheet",
+          "[thermal][irradiance][bird][by_comparison]") {
     // BIRD_08_16_2012 as kept by pvlib: 1 January at 40° N, 1013.25 hPa, 0.3 cm ozone, 1.5 cm of
     // water, depths 0.1 and 0.15, albedo 0.2. It scatters 0.85 of what aerosol scatters forward,
     // the report (and we) 0.84.

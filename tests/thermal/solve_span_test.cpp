@@ -134,7 +134,8 @@ TEST_CASE("days that repeat go on as they began", "[thermal][span]") {
 
 // A plate that conducts well has one temperature T, C dT/dt = h (T_air − T): air of 280 K for ever,
 // then 290 K, straight within an hour.
-TEST_CASE("a change of weather is followed from day to day as in closed form", "[thermal][span]") {
+TEST_CASE("a change of weather is followed from day to day as in closed form",
+          "[thermal][span][by_comparison]") {
     const double film = 10.0, capacity = 0.5 * 2e6, lag = capacity / film, ramp = hour;
     World world(2);
     world.materials = MaterialLibrary({ground("plate", 1.0, 0.0, ConstantFilm{film},

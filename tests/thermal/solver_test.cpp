@@ -113,7 +113,8 @@ TEST_CASE("ground, sky and air of one temperature stay so: nothing flows",
     CHECK(result.report.exchange_change < 1e-9);
 }
 
-TEST_CASE("one, two and four threads write the same bytes", "[thermal][solver][threads]") {
+TEST_CASE("one, two and four threads write the same bytes",
+          "[thermal][solver][threads][by_replication]") {
     const World world(10);
     set_thread_count(1);
     const SolveResult one = world.run({.start = june});

@@ -40,7 +40,7 @@ TEST_CASE("hourly means of a clear day give its minutes back", "[thermal][weathe
 }
 
 TEST_CASE("each interval keeps its sum, those with sunrise and sunset too",
-          "[thermal][weather][hourly]") {
+          "[thermal][weather][hourly][by_trace]") {
     const Minutes truth = clear_day(48.0, "2026-04-11T00:00:00Z");
     const int minutes = GENERATE(10, 30, 60, 180);
     // Direct light beside the global one changes its course within the interval, not its sum.
@@ -92,7 +92,8 @@ TEST_CASE("light does not jump where intervals meet", "[thermal][weather][hourly
     }
 }
 
-TEST_CASE("measured minutes come back from their hours", "[thermal][weather][hourly][measured]") {
+TEST_CASE("measured minutes come back from their hours",
+          "[thermal][weather][hourly][measured][by_history]") {
     const auto folder = shared_data("data/thermal/surfrad_alamosa_20160101");
     if (!folder) return;
     const measured::Series series = measured::alamosa(*folder);
@@ -133,7 +134,8 @@ TEST_CASE("measured light while the sun is down is skylight, and told",
     CHECK(sky.sunlight().brightest_dark == Approx(300.0));
 }
 
-TEST_CASE("Engerer2 divides a clear and an overcast hour", "[thermal][weather][separation]") {
+TEST_CASE("Engerer2 divides a clear and an overcast hour",
+          "[thermal][weather][separation][by_comparison]") {
     // By hand from the table of Bright & Engerer 2019, hourly: Threlkeld & Jordan's clear sky on
     // day 172 at a zenith of 20°, A = 1086.5, k = 0.2071, C = 0.1328, top 1318: clearness 0.7549.
     const SeparationCase clear{.clearness = 0.75,

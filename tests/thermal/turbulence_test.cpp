@@ -26,7 +26,7 @@ AirFilm louis_film(double wind, double z0 = 0.01, double z0h = 0.001) {
 }  // namespace
 
 TEST_CASE("Louis's form gives the heat of iterated Monin-Obukhov similarity",
-          "[thermal][turbulence][a13]") {
+          "[thermal][turbulence][a13][by_comparison]") {
     // reference/thermal/analytic_cases.md, A13: Businger-Dyer iterated to convergence.
     struct Case {
         double wind, excess, heat;
@@ -48,7 +48,7 @@ TEST_CASE("the unstable fit holds for every pair of roughness lengths", "[therma
 }
 
 TEST_CASE("films and vapour change with temperature as their derivatives say",
-          "[thermal][turbulence][derivative]") {
+          "[thermal][turbulence][derivative][by_variation]") {
     const double wind = GENERATE(0.0, 1.0, 8.0);
     const double temperature = GENERATE(270.0, 292.0, 299.9, 300.1, 320.0, 390.0);
     CAPTURE(wind, temperature);
@@ -139,7 +139,8 @@ TEST_CASE("water evaporates into dry air, dews out of moist, and takes nothing w
     CHECK(flux(0.0, 293.0) == Approx(expected).epsilon(1e-9));
 }
 
-TEST_CASE("an hour of grass evaporates as in FAO's worked example", "[thermal][turbulence][fao]") {
+TEST_CASE("an hour of grass evaporates as in FAO's worked example",
+          "[thermal][turbulence][fao][by_comparison]") {
     // FAO Irrigation and Drainage Paper 56, example 19, N'Diaye (Senegal), 14 to 15 h: 38 °C, 52 %,
     // 3.3 m/s, net radiation less soil heat 1.749 − 0.175 MJ/m²h: 0.63 mm/h. Its grass: aerodynamic
     // resistance 208/u, surface 70 s/m. Its formula is linear in T_s − T_a; ours is not.

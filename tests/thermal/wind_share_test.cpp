@@ -13,7 +13,7 @@ TEST_CASE("wind falls towards the ground by the logarithm of height", "[thermal]
     CHECK(wind_at_height(0.0, 10.0) == wind_at_height(0.5, 10.0));
 }
 
-TEST_CASE("the lee of a wall is that of Perera", "[thermal][wind]") {
+TEST_CASE("the lee of a wall is that of Perera", "[thermal][wind][by_comparison]") {
     // h = 10 m, x = 100 m, z = 10 m: K = 0.32 / ln(333.3) = 0.05509, η = 0.5509^−0.47 = 1.3234,
     // 9.75 · 0.1 · 1.3234 · exp(−0.67 · 1.5224) = 0.4653; at 2 m: η = 0.2647, 0.2355.
     CHECK(lee_deficit(100.0, 10.0, 10.0) == Approx(0.4653).epsilon(2e-3));

@@ -43,7 +43,8 @@ std::vector<double> passed_on(const ViewFactors& exchange, const std::vector<dou
 
 }  // namespace
 
-TEST_CASE("shadow in an airless bowl has its exact temperature", "[terrain][exchange][bowl]") {
+TEST_CASE("shadow in an airless bowl has its exact temperature",
+          "[terrain][exchange][bowl][by_comparison]") {
     struct Case {
         double sun, elevation_deg, albedo, emissivity, q, temperature;
     };

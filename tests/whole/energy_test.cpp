@@ -54,7 +54,8 @@ double first_stage(const MaterialColumn& column, const AirFilm& air, double heat
 
 }  // namespace
 
-TEST_CASE("heat in is heat stored, at each step, for every library material", "[thermal][energy]") {
+TEST_CASE("heat in is heat stored, at each step, for every library material",
+          "[thermal][energy][by_trace]") {
     const MaterialLibrary library = default_material_library();
     std::mt19937 random(7);
     std::uniform_real_distribution<double> unit(0.0, 1.0);

@@ -48,7 +48,8 @@ double worst_deviation(double temperature, const Atmosphere& atmosphere, bool te
 
 // Kirchhoff: inside an isothermal enclosure every surface, the air and the sky send out the black
 // body's radiance, whatever their emissivities. Tolerance: single precision of the sums.
-TEST_CASE("an isothermal enclosure looks black, whatever its emissivity", "[render][furnace]") {
+TEST_CASE("an isothermal enclosure looks black, whatever its emissivity",
+          "[render][furnace][by_degenerate]") {
     const double temperature = GENERATE(220.0, 300.0, 345.0);
     const bool terms = GENERATE(false, true);
     const std::string aerosol = GENERATE("none", "rural");
@@ -62,7 +63,7 @@ TEST_CASE("an isothermal enclosure looks black, whatever its emissivity", "[rend
     CHECK(worst < 1e-6);
 }
 
-TEST_CASE("an isothermal enclosure without air looks black", "[render][furnace]") {
+TEST_CASE("an isothermal enclosure without air looks black", "[render][furnace][by_degenerate]") {
     const double worst = worst_deviation(300.0, Vacuum{.space_temperature = 300.0}, false);
     CAPTURE(worst);
     CHECK(worst < 1e-6);

@@ -74,19 +74,19 @@ Score run(const char* name, const measured::Series& series, const std::string& m
 
 }  // namespace
 
-TEST_CASE("a desert of cinders in September", "[thermal][measured]") {
+TEST_CASE("a desert of cinders in September", "[thermal][measured][by_history]") {
     const auto folder = shared_data("data/thermal/woodhouse_mesa_2022");
     if (!folder) return;
     CHECK(run("Woodhouse", measured::woodhouse(*folder), "basalt_cinder", 600.0).rms < 1.8);
 }
 
-TEST_CASE("a cold high desert in January", "[thermal][measured]") {
+TEST_CASE("a cold high desert in January", "[thermal][measured][by_history]") {
     const auto folder = shared_data("data/thermal/surfrad_alamosa_20160101");
     if (!folder) return;
     CHECK(run("Alamosa", measured::alamosa(*folder), "semi_desert", 600.0).rms < 2.3);
 }
 
-TEST_CASE("a field in Illinois from January to July", "[thermal][measured]") {
+TEST_CASE("a field in Illinois from January to July", "[thermal][measured][by_history]") {
     const auto folder = shared_data("data/thermal/bondville_1998");
     if (!folder) return;
     const measured::Series series = measured::bondville_1998(*folder);
@@ -95,13 +95,13 @@ TEST_CASE("a field in Illinois from January to July", "[thermal][measured]") {
 }
 
 // A day that ends ten kelvin colder than it began: the days before are taken to have had no front.
-TEST_CASE("grass under an overcast sky in May", "[thermal][measured]") {
+TEST_CASE("grass under an overcast sky in May", "[thermal][measured][by_history]") {
     const auto folder = shared_data("data/thermal/surfrad_bondville_19950510");
     if (!folder) return;
     CHECK(run("Bondville 1995", measured::bondville_1995(*folder), "grass", 600.0).rms < 1.2);
 }
 
-TEST_CASE("alpine snow from November to January", "[thermal][measured]") {
+TEST_CASE("alpine snow from November to January", "[thermal][measured][by_history]") {
     const auto folder = shared_data("data/thermal/weissfluhjoch_mst96");
     if (!folder) return;
     // As delivered no column can follow it: the pyrgeometer saw sun until 10 December.

@@ -23,7 +23,8 @@ Found checked(const Job& job, const std::string& observer, const std::string& ba
 
 }  // namespace
 
-TEST_CASE("a textured runway and a hangar are redone from planes and library", "[whole][redone]") {
+TEST_CASE("a textured runway and a hangar are redone from planes and library",
+          "[whole][redone][by_trace]") {
     const Job job(airfield());
     for (const char* time : {"040000", "120000", "200000"}) {
         for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {
@@ -35,7 +36,7 @@ TEST_CASE("a textured runway and a hangar are redone from planes and library", "
 }
 
 // Two rows of buildings with a street between them: walls light each other.
-TEST_CASE("a street is redone from planes and library", "[whole][redone]") {
+TEST_CASE("a street is redone from planes and library", "[whole][redone][by_trace]") {
     std::string text = airfield();
     for (const char* place : {"[53.0, -108.4]", "[20.0, -60.0]"}) {
         text += "[[building]]\nname = \"" + std::string(place) + "\"\nplace_m = " + place +
@@ -52,7 +53,7 @@ TEST_CASE("a street is redone from planes and library", "[whole][redone]") {
 
 // Anywhere in the picture, and where a mirror or a pane is seen.
 TEST_CASE("a net, a pane, a mirror and smoke are redone from planes and library",
-          "[whole][redone]") {
+          "[whole][redone][by_trace]") {
     const std::string folder = std::string(DIURNA_SOURCE_DIR) + "/scenes/";
     std::ostringstream file;
     file << std::ifstream(folder + "camouflage/scene.toml").rdbuf();
@@ -82,7 +83,8 @@ TEST_CASE("a net, a pane, a mirror and smoke are redone from planes and library"
 
 // A pond and a hangar's glass front, seen from low: what they mirror is listed with what is met
 // there, and the reflectances are those of the library's n and k.
-TEST_CASE("water and window glass are redone from planes and library", "[whole][redone]") {
+TEST_CASE("water and window glass are redone from planes and library",
+          "[whole][redone][by_trace]") {
     const Job job(waterside(GENERATE("15.0", "70.0")));
     for (const char* time : {"040000", "120000", "200000"}) {
         for (const char* band : {"3-5", "8-12", "0.62-0.66"}) {

@@ -241,7 +241,7 @@ const Outcome& outcome() {
 
 }  // namespace
 
-TEST_CASE("nothing a scene may say makes a facet unstable", "[thermal][stress]") {
+TEST_CASE("nothing a scene may say makes a facet unstable", "[thermal][stress][by_extreme]") {
     CAPTURE(seed);
     const Outcome& o = outcome();
     INFO(o.first);
@@ -260,7 +260,8 @@ TEST_CASE("nothing a scene may say makes a facet unstable", "[thermal][stress]")
 
 // 1.1e-9 at worst, where nothing flows and a milliwatt is the measure: there the last digit of a
 // temperature shows. Where more than a watt flows nearly all are below 1e-12.
-TEST_CASE("extreme columns close their energy to 1e-8, most to 1e-12", "[thermal][stress]") {
+TEST_CASE("extreme columns close their energy to 1e-8, most to 1e-12",
+          "[thermal][stress][by_extreme][by_trace]") {
     const Outcome& o = outcome();
     INFO(o.first);
     CHECK(o.open == 0);
@@ -268,7 +269,8 @@ TEST_CASE("extreme columns close their energy to 1e-8, most to 1e-12", "[thermal
     CHECK(o.tight >= 0.9 * o.shining);
 }
 
-TEST_CASE("half a millimetre of steel on foam takes a switched sun", "[thermal][stress]") {
+TEST_CASE("half a millimetre of steel on foam takes a switched sun",
+          "[thermal][stress][by_extreme]") {
     PointJob job;
     job.surface.albedo = 0.1;
     job.surface.emissivity = 0.9;

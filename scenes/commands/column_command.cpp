@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
@@ -26,6 +27,7 @@ namespace {
 struct ColumnArguments {
     std::filesystem::path file;
     std::filesystem::path out;  // empty: to stdout
+    std::vector<std::string> settings;
     bool allow_outside = false;
 };
 
@@ -40,7 +42,7 @@ PointResult followed(const PointJob& job, const std::filesystem::path& file) {
 
 void column_verb(const ColumnArguments& a) {
     const FilesRead opened;
-    const PointJob job = read_column_job(a.file, a.allow_outside);
+    const PointJob job = read_column_job(a.file, a.allow_outside, a.settings);
     if (!a.out.empty()) check_output_file(a.out, opened.files());
     // Of the weather: what is hardly meant.
     for (const Mistake& doubt : weather_doubts(job.weather, job.site, job.start, job.end,
@@ -73,6 +75,8 @@ void add_column_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("column", "one facet driven by a weather file");
     verb->add_option("COLUMN", a->file, "column file (TOML)")->required();
     verb->add_option("--out", a->out, "CSV file; without it the result goes to stdout");
+    verb->add_option("--set", a->settings,
+                     "key=value in place of what the file says: material.albedo=0.2");
     verb->add_flag("--allow-outside", a->allow_outside,
                    "read files beyond the column's folder and the program's data");
     verb->callback([a] { column_verb(*a); });

@@ -17,6 +17,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/plain_text.hpp"
 #include "materials/base/unfinished.hpp"
+#include "scenes/commands/calibrate_command.hpp"
 #include "scenes/commands/column_command.hpp"
 #include "scenes/commands/contrast_command.hpp"
 #include "scenes/commands/crossover_command.hpp"
@@ -48,7 +49,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_mesh_verb,      add_visibility_verb,  add_materials_verb, add_model_verb,
     add_movie_verb,     add_verify_verb,      add_keys_verb,      add_doctor_verb,
     add_signature_verb, add_detection_verb,   add_crossover_verb, add_contrast_verb,
-    add_new_verb,       add_sensitivity_verb,
+    add_new_verb,       add_sensitivity_verb, add_calibrate_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

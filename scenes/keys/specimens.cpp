@@ -193,6 +193,9 @@ sun = "bird"
 precipitable_water_cm = 1.5
 [material]
 name = "asphalt"
+[calibrate]
+measured = "measured.csv"
+sought = [{ key = "material.albedo", low = 0.1, high = 0.2 }]
 )",
                                                 R"(
 [sky]

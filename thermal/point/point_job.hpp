@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "materials/matter/material.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
+#include "thermal/point/calibration.hpp"
 #include "thermal/weather/sky_state.hpp"
 #include "thermal/weather/weather.hpp"
 
@@ -41,6 +43,7 @@ struct PointJob {
     double initial_temperature = not_measured;  // [K] uniform, for SpinUp::none
     /// Ground at the start, for SpinUp::none: straight between ascending depths, constant beyond.
     std::vector<SoilPoint> initial_profile;
+    std::optional<Calibration> calibrate{};  // for thermal/point/calibrate.hpp alone
 };
 
 }  // namespace diurna

@@ -14,6 +14,7 @@
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
 #include "materials/matter/spectrum_notes.hpp"
+#include "thermal/point/calibration_section.hpp"
 #include "thermal/weather/sky_section.hpp"
 #include "thermal/weather_file/weather_section.hpp"
 
@@ -155,6 +156,7 @@ PointJob read_column_job(const Document& document) {
     materials.push_back(read.name);
     const std::string measured_over = read_measured_over(weather, materials);
     read_time(root.required_section("time", "the span, its start and its steps"), job);
+    job.calibrate = read_calibration(root);
     document.finish();
     options.asked = {job.start, job.end};
     job.weather = read_weather(weather_file, options);
@@ -168,8 +170,11 @@ PointJob read_column_job(const Document& document) {
     return job;
 }
 
-PointJob read_column_job(const std::filesystem::path& file, bool allow_outside) {
-    return read_column_job(Document::from_file(file, confines_of(file, allow_outside)));
+PointJob read_column_job(const std::filesystem::path& file, bool allow_outside,
+                         const std::vector<std::string>& settings) {
+    Document document = Document::from_file(file, confines_of(file, allow_outside));
+    for (const std::string& setting : settings) document.set(setting);
+    return read_column_job(document);
 }
 
 }  // namespace diurna

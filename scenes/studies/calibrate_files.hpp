@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "scenes/studies/study_files.hpp"
+#include "thermal/point/calibrate.hpp"
+
+namespace diurna {
+
+/// The files of a column's calibration: CSV of its numbers (a line each, with correlations beside
+/// it), JSON of all, SVG of the curves.
+StudyTexts calibration_texts(const CalibrationReport& report);
+
+/// time,measured_K,before_K,after_K
+std::string calibrated_curve_csv(const CalibrationReport& report);
+
+}  // namespace diurna

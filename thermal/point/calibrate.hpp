@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "materials/base/least_squares.hpp"
+#include "terrain/place/instant.hpp"
+#include "thermal/point/calibration.hpp"
+
+namespace diurna {
+
+/// A column fitted to a measured curve.
+struct CalibrationReport {
+    Calibration asked;
+    std::vector<Instant> when;     // of what was measured within the span
+    std::vector<double> measured;  // [K]
+    std::size_t beyond = 0;        // rows before or after the span, left out
+    std::size_t missing = 0;       // empty cells
+    Fit fit;                       // its `before` and `after` [K]
+    std::vector<std::string> notes{};
+    bool heat_converged = true;  // of every column that was run
+};
+
+/// Finds the numbers that [calibrate] of a column file asks for, by runs of the column that differ
+/// in them. Between rows of the result (time.step_s) temperatures are straight. Throws InputError
+/// for what cannot be: a file without [calibrate], numbers that change nothing, a curve of fewer
+/// values than numbers, bounds at which the column cannot be read.
+///
+/// - settings: "key=value" given on the command line
+CalibrationReport calibrate(const std::filesystem::path& file,
+                            const std::vector<std::string>& settings, bool allow_outside);
+
+}  // namespace diurna

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace diurna {
+
+/// A number of a column file that is to be found.
+struct SoughtNumber {
+    std::string key;  // its path: "material.layers.0.conductivity_W_mK"
+    double low = 0.0, high = 1.0, start = 0.5;
+    std::string where{};  // in the file
+};
+
+/// Which temperature of the facet was measured.
+enum class MeasuredOf { surface, back, ground, leaf };
+
+/// What a column is to be fitted to: [calibrate] of its file.
+struct Calibration {
+    std::filesystem::path file;       // CSV of time (instants with their offset) and `column`
+    std::string column{};             // its name; "": the only one beside time
+    double factor = 1.0, zero = 0.0;  // K = factor · value + zero
+    MeasuredOf of = MeasuredOf::surface;
+    std::vector<SoughtNumber> sought{};  // one to four
+    std::string where{};                 // in the file
+};
+
+}  // namespace diurna

@@ -1,0 +1,87 @@
+#include "thermal/point/calibration_section.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr std::size_t most_sought = 4;
+
+struct Unit {
+    double factor, zero;
+    bool operator==(const Unit&) const = default;
+};
+
+std::vector<SoughtNumber> read_sought(const Section& section) {
+    std::vector<SoughtNumber> sought;
+    std::set<std::string> keys;
+    const std::vector<Section> given =
+        section.sections("sought", "a number of this file that is to be found");
+    for (const Section& one : given) {
+        SoughtNumber number;
+        number.key = one.text("key", "its path: \"material.layers.0.conductivity_W_mK\"");
+        number.low = one.number("low", "the least that it may be");
+        number.high = one.number("high", "the most that it may be");
+        number.start = one.number_or("start", "where the search begins",
+                                     {0.5 * (number.low + number.high), "half way"});
+        number.where = one.where();
+        if (!one.amiss()) {
+            if (!(number.low < number.high)) {
+                one.mistake("high", fmt::format("found {:g}, expected above low = {:g}",
+                                                number.high, number.low));
+            } else if (number.start < number.low || number.start > number.high) {
+                one.mistake("start", fmt::format("found {:g}, expected {:g} to {:g}", number.start,
+                                                 number.low, number.high));
+            }
+            for (const char* own : {"calibrate.", "time.", "weather.file"}) {
+                if (!number.key.starts_with(own)) continue;
+                one.mistake("key", "expected a number that the heat balance depends on");
+            }
+            if (!keys.insert(number.key).second) {
+                one.mistake("key", fmt::format("\"{}\" twice", number.key));
+            }
+        }
+        sought.push_back(std::move(number));
+    }
+    if (sought.empty() || sought.size() > most_sought) {
+        section.mistake("sought", fmt::format("found {}, expected one to four tables with key, "
+                                              "low, high",
+                                              sought.size()));
+    }
+    return sought;
+}
+
+}  // namespace
+
+std::optional<Calibration> read_calibration(const Section& root) {
+    const Section section = root.section(
+        "calibrate", "what was measured, and which numbers are to be found: diurna calibrate");
+    if (!root.has("calibrate")) return std::nullopt;
+    Calibration asked;
+    asked.file = section.file(
+        "measured", "CSV of time (instants with their offset) and a temperature; empty: missing");
+    asked.column = section.text_or("column", "the temperature's name in its header",
+                                   {std::string(), "the only one beside time"});
+    const Unit unit = section.choice_or("unit", "of that column", Unit{1.0, 0.0},
+                                        {{"K", {1.0, 0.0}},
+                                         {"degC", {1.0, zero_celsius}},
+                                         {"degF", {5.0 / 9.0, zero_celsius - 160.0 / 9.0}}});
+    asked.factor = unit.factor;
+    asked.zero = unit.zero;
+    asked.of = section.choice_or("of", "of the facet, or with a canopy of the ground or its leaves",
+                                 MeasuredOf::surface,
+                                 {{"surface", MeasuredOf::surface},
+                                  {"back", MeasuredOf::back},
+                                  {"ground", MeasuredOf::ground},
+                                  {"leaf", MeasuredOf::leaf}});
+    asked.sought = read_sought(section);
+    asked.where = section.where();
+    return asked;
+}
+
+}  // namespace diurna

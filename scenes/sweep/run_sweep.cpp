@@ -60,6 +60,8 @@ struct Group {
             const bool kept = options.resume && record.done && record.key == key_of(variant) &&
                               is_whole(variant_folder(options.out, variant.name), record.outputs);
             if (!kept) left.push_back(&variant);
+            // One that was killed when all was written but for this.
+            if (kept) fs::remove(variant_folder(options.out, variant.name) / ledger_file);
         }
         return left;
     }

@@ -170,8 +170,11 @@ void check_shards() {
     }
     CHECK(printed(command + " 2>/dev/null").find("4 variants, 2 solves") != std::string::npos);
     check_same(whole().out, folder.path / "killed");
+    // Killed after all else: its ledger is still there.
+    write_text(folder.path / "killed/variants/v1/ledger.jsonl", "{}\n");
     CHECK(printed(command + " 2>/dev/null").find("0 variants rendered, 4 kept, 0 heats solved") !=
           std::string::npos);
+    check_same(whole().out, folder.path / "killed");
 }
 
 void check_manifest() {

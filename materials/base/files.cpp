@@ -11,7 +11,7 @@ namespace diurna {
 
 namespace fs = std::filesystem;
 
-std::string read_text(const fs::path& path, std::size_t limit) {
+std::ifstream open_file(const fs::path& path, std::uintmax_t limit) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
     if (!fs::exists(status)) throw InputError(path.string(), "no such file");
@@ -22,7 +22,11 @@ std::string read_text(const fs::path& path, std::size_t limit) {
                                             " bytes, expected at most " + std::to_string(limit));
     }
     note_file_read(path);
-    std::ifstream file(path, std::ios::binary);
+    return std::ifstream(path, std::ios::binary);
+}
+
+std::string read_text(const fs::path& path, std::size_t limit) {
+    const std::ifstream file = open_file(path, limit);
     std::ostringstream text;
     text << file.rdbuf();
     if (!file) throw InputError(path.string(), "cannot be read");

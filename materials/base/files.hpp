@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +12,9 @@
 #include "materials/base/files_read.hpp"
 
 namespace diurna {
+
+/// A regular file of at most `limit` bytes, to be read bit by bit. Throws as read_text().
+std::ifstream open_file(const std::filesystem::path& path, std::uintmax_t limit);
 
 /// The text of a regular file of at most `limit` bytes. Throws InputError naming the file if it is
 /// missing, not a regular file, unreadable or larger.

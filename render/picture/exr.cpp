@@ -45,24 +45,23 @@ class MemoryOut : public OPENEXR_IMF_NAMESPACE::OStream {
     std::size_t place_ = 0;
 };
 
-class MemoryIn : public OPENEXR_IMF_NAMESPACE::IStream {
+/// A file that is larger than what is wanted of it.
+class FileIn : public OPENEXR_IMF_NAMESPACE::IStream {
  public:
-    explicit MemoryIn(std::string_view bytes) : IStream("memory"), bytes_(bytes) {}
+    explicit FileIn(std::ifstream file) : IStream("picture"), file_(std::move(file)) {}
     bool read(char to[], int n) override {
-        const auto count = static_cast<std::size_t>(n);
-        if (n < 0 || place_ > bytes_.size() || count > bytes_.size() - place_) {
-            throw std::runtime_error("ends too early");
-        }
-        std::memcpy(to, bytes_.data() + place_, count);
-        place_ += count;
-        return place_ < bytes_.size();
+        if (n < 0 || !file_.read(to, n)) throw std::runtime_error("ends too early");
+        return file_.peek() != std::ifstream::traits_type::eof();
     }
-    std::uint64_t tellg() override { return place_; }
-    void seekg(std::uint64_t place) override { place_ = place; }
+    std::uint64_t tellg() override { return static_cast<std::uint64_t>(file_.tellg()); }
+    void seekg(std::uint64_t place) override {
+        file_.clear();
+        file_.seekg(static_cast<std::streamoff>(place));
+    }
+    void clear() override { file_.clear(); }
 
  private:
-    std::string_view bytes_;
-    std::size_t place_ = 0;
+    std::ifstream file_;
 };
 
 Imf::Compression openexr(ExrCompression compression) {
@@ -109,19 +108,19 @@ Imf::Slice slice(const float* pixel, int width) {
                       sizeof(float) * static_cast<std::size_t>(width));
 }
 
+constexpr std::uintmax_t most_exr_bytes = std::uintmax_t{1} << 36;
+
 constexpr std::string_view instant_key = "diurna.instant", observer_key = "diurna.observer",
                            unit_prefix = "unit.", note_prefix = "note.";
 
-std::size_t values_of(const Imf::Header& header, int& width, int& height) {
+std::size_t pixels_of(const Imf::Header& header, int& width, int& height) {
     const auto& window = header.dataWindow();
     const auto w = std::int64_t{window.max.x} - window.min.x + 1;
     const auto h = std::int64_t{window.max.y} - window.min.y + 1;
-    std::size_t planes = 0;
-    for (auto c = header.channels().begin(); c != header.channels().end(); ++c) ++planes;
     if (w < 1 || h < 1 || w > 65536 || h > 65536) throw std::runtime_error("has no sensible size");
     width = static_cast<int>(w);
     height = static_cast<int>(h);
-    return static_cast<std::size_t>(w * h) * planes;
+    return static_cast<std::size_t>(w * h);
 }
 
 /// - wanted: null: every plane
@@ -176,15 +175,12 @@ Frame read_exr(const std::filesystem::path& path, std::span<const std::string> w
 namespace {
 
 Frame read_planes(const std::filesystem::path& path, const std::span<const std::string>* wanted) {
-    const std::string bytes = read_text(path, std::size_t{1} << 31);
     try {
-        MemoryIn memory(bytes);
-        Imf::InputFile file(memory, 0);
+        FileIn opened(open_file(path, most_exr_bytes));
+        Imf::InputFile file(opened, 0);
         const Imf::Header& header = file.header();
         Frame frame;
-        if (values_of(header, frame.width, frame.height) > most_exr_values) {
-            throw std::runtime_error("is larger than 2^28 values");
-        }
+        const std::size_t pixels = pixels_of(header, frame.width, frame.height);
         if (!file.isComplete()) throw std::runtime_error("is incomplete");
         for (auto it = header.begin(); it != header.end(); ++it) {
             const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute());
@@ -200,10 +196,12 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
             }
         }
         Imf::FrameBuffer buffer;
+        std::size_t left = most_exr_values / pixels;  // planes
         for (auto c = header.channels().begin(); c != header.channels().end(); ++c) {
             if (wanted && std::find(wanted->begin(), wanted->end(), c.name()) == wanted->end()) {
                 continue;
             }
+            if (left-- == 0) throw std::runtime_error("is larger than 2^28 values");
             const auto* unit = header.findTypedAttribute<Imf::StringAttribute>(
                 std::string(unit_prefix) + c.name());
             frame.planes.push_back({.name = c.name(),

@@ -25,11 +25,12 @@ void write_exr(const std::filesystem::path& path, const Frame& frame,
                ExrCompression compression = ExrCompression::none,
                const CameraTags* camera = nullptr);
 
-/// Of all planes of a file together.
+/// Of all planes together that are read of a file.
 inline constexpr std::size_t most_exr_values = std::size_t{1} << 28;
 
 /// Reads such a file back; planes in alphabetical order, as OpenEXR keeps them. Throws InputError
-/// for a file that is missing, damaged, truncated, or of more than 2^28 values.
+/// for a file that is missing, damaged, truncated, or where more than 2^28 values
+/// are asked for.
 Frame read_exr(const std::filesystem::path& path);
 
 /// The same, but only the planes of these names, as far as the file has them.

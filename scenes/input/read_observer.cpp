@@ -25,7 +25,7 @@ bool sees_motion(const ObserverInput& observer, const TerrainInput& terrain) {
                        [](const ObjectInput& object) { return !object.trajectory.empty(); });
 }
 
-/// A picture that nobody could read back; those with planes for terms or surfaces end sooner.
+/// A picture that could not be read back at once, without planes for terms or surfaces.
 void check_picture_size(const Section& section, const ObserverInput& observer) {
     constexpr double least_planes = 10.0;
     const double values = least_planes * observer.width * observer.height;

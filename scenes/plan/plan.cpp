@@ -31,8 +31,13 @@ constexpr double cast_per_ray = 0.3e-6;       // and what it meets by mirrors
 constexpr double render_per_pixel = 0.75e-6;  // and band
 constexpr double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
 constexpr double air_per_band = 0.09;         // and frame: tables of paths and backgrounds
-constexpr double blur_per_sample = 0.7e-6;    // of an instrument's radiance and frame
-constexpr double detect_per_pixel = 1.0e-6;   // and frame
+constexpr double air_per_channel = 0.027;     // likewise of a cube
+constexpr double render_per_channel = 0.12e-6;
+constexpr double planes_of_picture = 14.0;   // of truth, beside those of its bands
+constexpr double bytes_of_channel = 32.0;    // of a value of a cube: seen, put in two files
+constexpr double bytes_of_value = 8.0;       // of a plane, and of the file that is made of it
+constexpr double blur_per_sample = 0.7e-6;   // of an instrument's radiance and frame
+constexpr double detect_per_pixel = 1.0e-6;  // and frame
 constexpr double annotate_per_pixel = 0.25e-6;
 constexpr double seen_through = 2.5;  // of casting and rendering, where rays pass smoke or nets
 
@@ -102,6 +107,12 @@ void count_work(const Scene& scene, const World& world, Plan& plan) {
     plan.frames.erase(std::unique(plan.frames.begin(), plan.frames.end()), plan.frames.end());
 }
 
+double channels_of(const Scene& scene, const std::string& cube) {
+    const auto at = std::find_if(scene.cubes.begin(), scene.cubes.end(),
+                                 [&](const CubeInput& one) { return one.name == cube; });
+    return at == scene.cubes.end() ? 0.0 : double(at->channels);
+}
+
 /// What instruments add, in seconds of the processor; their rays are added to the plan's.
 double instrument_seconds(const Scene& scene, double through, Plan& plan) {
     double seconds = 0.0;
@@ -141,13 +152,21 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
     const bool looks_through = !scene.plumes.empty();
     const double through = looks_through ? seen_through : 1.0;
     double band_pixels = 0.0, band_pictures = 0.0, largest_view = 0.0;
+    double channel_pixels = 0.0, channel_pictures = 0.0;
     for (const ObserverInput& observer : scene.observers) {
         const double pixels = double(observer.width) * observer.height;
         const double pictures = double(observer.bands.size()) * double(observer.frames.size());
         band_pictures += pictures;
         band_pixels += pixels * pictures;
+        double channels = 0.0;
+        for (const std::string& cube : observer.cubes) channels += channels_of(scene, cube);
+        const double planes =
+            planes_of_picture + double(observer.bands.size()) * (observer.terms ? 8.0 : 2.0);
+        channel_pictures += channels * double(observer.frames.size());
+        channel_pixels += pixels * channels * double(observer.frames.size());
         largest_view = std::max(largest_view,
-                                pixels * (160.0 + (looks_through ? 64.0 * observer.samples : 0.0)));
+                                pixels * (160.0 + (looks_through ? 64.0 * observer.samples : 0.0) +
+                                          bytes_of_value * planes + bytes_of_channel * channels));
     }
     const double points = point_seconds(scene, world, weather);
     const double instruments = instrument_seconds(scene, through, plan);
@@ -166,6 +185,7 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
         {"write temperatures", write_per_value * values},
         {"views", through * cast_per_ray * double(plan.view_rays) / threads},
         {"frames", (through * render_per_pixel * band_pixels + air_per_band * band_pictures +
+                    render_per_channel * channel_pixels + air_per_channel * channel_pictures +
                     light_per_facet * facets * double(plan.pictures)) /
                        threads},
         {"report", annotate_per_pixel * double(plan.frame_pixels)},

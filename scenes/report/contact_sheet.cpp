@@ -18,18 +18,13 @@ namespace {
 /// The plane to be shown of every frame, with the one that tells sky from ground.
 std::vector<Frame> shown_frames(const fs::path& folder, const std::string& observer,
                                 const Band& band, const std::vector<Instant>& frames) {
-    const std::string plane = shown_plane(band);
+    const std::vector<std::string> planes{shown_plane(band), "temperature"};
     std::vector<Frame> pictures(frames.size());
     for_each_index(
         frames.size(),
         [&](std::size_t i) {
-            const Frame whole =
-                read_exr(folder / (frame_base(observer, band.name, frames[i]) + ".exr"));
-            pictures[i] = whole;
-            pictures[i].planes = {whole[plane]};
-            if (const Plane* solid = whole.find("temperature")) {
-                pictures[i].planes.push_back(*solid);
-            }
+            pictures[i] =
+                read_exr(folder / (frame_base(observer, band.name, frames[i]) + ".exr"), planes);
         },
         1);
     return pictures;

@@ -51,6 +51,7 @@ void calibrate_verb(const CalibrateArguments& a) {
                                ? std::string(", at its bound")
                                : fmt::format(", 95 % {:.5g} to {:.5g}", found.least, found.most));
         for (std::size_t j = 0; j < i; ++j) {
+            if (found.at_bound || fit.number[j].at_bound) continue;
             fmt::print("    correlation with {}: {:+.3f}\n", plain(report.asked.sought[j].key),
                        fit.correlation[i][j]);
         }

@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 std::string numbers_csv(const CalibrationReport& report) {
     const auto& sought = report.asked.sought;
     std::string text = "key,low,high,start,value,deviation,least_95,most_95,at_bound";
-    for (const SoughtNumber& one : sought) text += "," + csv_cell("correlation " + one.key);
+    for (const SoughtNumber& one : sought)
+        text += fmt::format(",{}", csv_cell("correlation " + one.key));
     text += '\n';
     for (std::size_t i = 0; i < sought.size(); ++i) {
         const FittedNumber& found = report.fit.number[i];

@@ -58,7 +58,7 @@ std::string crossover_csv(const CrossoverInput& input, const CrossoverReport& re
                           double utc_offset) {
     std::string text = "band_um,time,kind,warmer_after,slope_K_per_h,least_K,sigma_s,refined_s";
     for (const UncertainInput& one : input.uncertain) {
-        text += "," + csv_cell("shift_s " + one.key);
+        text += fmt::format(",{}", csv_cell("shift_s " + one.key));
     }
     text += '\n';
     for (const CrossoverDay& day : report.band) {
@@ -67,7 +67,7 @@ std::string crossover_csv(const CrossoverInput& input, const CrossoverReport& re
                                 format_local(one.when, utc_offset), word_of(one.kind),
                                 csv_cell(warmer_after(input, one)), cell(hourly(one), "{:.4g}"),
                                 one.least, one.sigma, cell(one.refined));
-            for (const auto& shift : one.shift) text += "," + cell(shift);
+            for (const auto& shift : one.shift) text += fmt::format(",{}", cell(shift));
             text += '\n';
         }
     }

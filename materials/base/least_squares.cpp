@@ -14,6 +14,7 @@ namespace {
 constexpr int most_passes = 60, most_tries = 12;
 constexpr double settled = 1e-6;      // of all ranges
 constexpr double small_share = 1e-4;  // of a variance, that a step would take
+constexpr double stuck_share = 1e-2;  // the same where no step betters the fit
 constexpr double held_apart = 1e-14;  // least eigenvalue of slopes of length one
 constexpr double confidence = 0.95;
 
@@ -83,12 +84,24 @@ Eigen::MatrixXd of_free(const Eigen::MatrixXd& all, const std::vector<Eigen::Ind
     return all(free, free);
 }
 
-/// Correlation of each residual with the next, 0 where it is negative.
-double alike_with_next(const Eigen::VectorXd& residual) {
-    const Eigen::Index n = residual.size();
+/// Correlation of each residual with the one so many places on.
+double alike(const Eigen::VectorXd& residual, Eigen::Index apart) {
+    const Eigen::Index left = residual.size() - apart;
     const double sum = residual.squaredNorm();
-    if (n < 3 || sum <= 0.0) return 0.0;
-    return std::clamp(residual.head(n - 1).dot(residual.tail(n - 1)) / sum, 0.0, 0.9999);
+    if (left <= 0 || sum <= 0.0) return 0.0;
+    return residual.head(left).dot(residual.tail(left)) / sum;
+}
+
+/// How many neighbouring residuals are worth one: 1 + 2 sum of their correlations, as long as those
+/// of two distances one after the other have a positive sum (Geyer 1992, section 3.3).
+double worth_one(const Eigen::VectorXd& residual) {
+    double sum = -1.0;
+    for (Eigen::Index k = 0; k < residual.size(); k += 2) {
+        const double two = alike(residual, k) + alike(residual, k + 1);
+        if (two <= 0.0) break;
+        sum += 2.0 * two;
+    }
+    return std::max(1.0, sum);
 }
 
 /// Deviations, intervals and correlations at the place that was found.
@@ -96,8 +109,8 @@ void tell_errors(const Eigen::MatrixXd& slope, const Eigen::VectorXd& residual, 
                  const Eigen::VectorXd& u, const std::vector<Eigen::Index>& free, Fit& found) {
     const auto p = std::size_t(u.size());
     const double n = double(residual.size());
-    found.alike = alike_with_next(residual);
-    const double widened = (1.0 + found.alike) / (1.0 - found.alike);
+    found.alike = std::max(0.0, alike(residual, 1));
+    const double widened = worth_one(residual);
     found.independent = n / widened;
     found.correlation.assign(p, std::vector<double>(p, 0.0));
     for (std::size_t i = 0; i < p; ++i) {
@@ -167,19 +180,26 @@ Fit fit(const LeastSquares& problem) {
             damped.diagonal() *= 1.0 + by;
             return Eigen::VectorXd(damped.ldlt().solve(pull));
         };
-        if (pull.dot(step_of(held_apart)) <= small_share * variance) {
+        const auto moved_by = [&](const Eigen::VectorXd& step) {
+            Eigen::VectorXd next = u;
+            next(free) += step;
+            return Eigen::VectorXd(next.cwiseMax(0.0).cwiseMin(1.0));
+        };
+        const auto moves = [&](const Eigen::VectorXd& next) {
+            return (next - u).cwiseAbs().maxCoeff() > settled;
+        };
+        // What the step without damping would take off the squares. That damped steps are short
+        // says nothing.
+        const Eigen::VectorXd whole = step_of(held_apart);
+        const double gain = pull.dot(whole);
+        if (gain <= small_share * variance || !moves(moved_by(whole))) {
             found.converged = true;
             break;
         }
         bool better = false;
-        double moved = 0.0;
         for (int i = 0; i < most_tries && !better; ++i) {
-            const Eigen::VectorXd step = step_of(damping);
-            Eigen::VectorXd next = u;
-            next(free) += step;
-            next = next.cwiseMax(0.0).cwiseMin(1.0);
-            moved = (next - u).cwiseAbs().maxCoeff();
-            if (moved <= settled) break;
+            const Eigen::VectorXd next = moved_by(step_of(damping));
+            if (!moves(next)) break;
             const Eigen::VectorXd tried = scaled.model(next), left = scaled.residual(tried);
             better = left.squaredNorm() < residual.squaredNorm();  // false of no number
             damping *= better ? 0.2 : 5.0;
@@ -188,8 +208,8 @@ Fit fit(const LeastSquares& problem) {
             model = tried;
             residual = left;
         }
-        if (!better || moved <= settled) {
-            found.converged = moved <= settled;
+        if (!better) {
+            found.converged = gain <= stuck_share * variance;
             break;
         }
         slope = scaled.slopes(u);

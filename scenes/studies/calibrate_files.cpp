@@ -34,8 +34,8 @@ std::string numbers_json(const CalibrationReport& report) {
               {"converged", fit.converged},     {"columns_run", fit.runs},
               {"residuals_alike", fit.alike},   {"values_that_count", fit.independent}};
     json["interval"] =
-        "95 % by Student's t, wider where each residual is like the next (Bayley & Hammersley "
-        "1946); deviation is that of independent errors";
+        "95 % by Student's t, wider where residuals are like those near them (Geyer 1992); "
+        "deviation is that of independent errors";
     json["numbers"] = Json::array();
     for (std::size_t i = 0; i < report.asked.sought.size(); ++i) {
         const SoughtNumber& one = report.asked.sought[i];

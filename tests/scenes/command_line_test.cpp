@@ -89,6 +89,7 @@ TEST_CASE("bad usage gets one line and code 2", "[command_line]") {
              {"path --band 8:12 --zenith-deg 120 --to-space", "ends on the ground"},
              {"mesh nowhere.tif --tolerance-m 1", "nowhere.tif"},
              {"column nowhere.toml", "nowhere.toml: no such file"},
+             {"calibrate nowhere.toml", "nowhere.toml: no such file"},
          }) {
         CAPTURE(arguments);
         const Ran ran = diurna(arguments);
@@ -235,6 +236,48 @@ TEST_CASE("a column that does not converge keeps its results, says so and fails"
     CHECK(ran.code == 1);
     CHECK(ran.out.find("diurna: the spin-up has not converged in ") != std::string::npos);
     CHECK(lines(contents(folder.path).at("out.csv")) == 49 + 2);  // header and what was modelled
+}
+
+TEST_CASE("a calibration writes its four files, the same bytes again, or none", "[command_line]") {
+    const ScratchFolder folder("calibration");
+    const std::string weather = std::string(DIURNA_SOURCE_DIR) + "/scenes/jacksboro/weather.csv",
+                      file = (folder.path / "column.toml").string();
+    write_text(folder.path / "measured.csv",
+               "time,skin\n2026-07-15T05:00:00-04:00,292\n2026-07-15T09:00:00-04:00,305\n"
+               "2026-07-15T13:00:00-04:00,325\n2026-07-15T19:00:00-04:00,309\n");
+    const auto calibrate = [&](const std::string& high, const std::string& out,
+                               const std::string& more = "") {
+        write_text(
+            folder.path / "column.toml",
+            "[site]\nlatitude_deg = 36.32\nlongitude_deg = -84.2\n[weather]\nfile = \"" + weather +
+                "\"\ninterval = \"instant\"\n[time]\n" +
+                "start = 2026-07-15T00:00:00-04:00\nend = 2026-07-16T00:00:00-04:00\n" +
+                "[material]\nname = \"asphalt\"\n[calibrate]\nmeasured = \"measured.csv\"\n" +
+                "sought = [{ key = \"material.albedo\", low = 0.05, high = " + high + " }]\n");
+        return diurna("calibrate '" + file + "' --out '" + (folder.path / out).string() + "' " +
+                      more);
+    };
+    const Ran found = calibrate("0.4", "out");
+    CAPTURE(found.out);
+    CHECK(found.code == 0);
+    const auto files = contents(folder.path / "out");
+    REQUIRE(files.size() == 4);
+    for (const char* one : {"calibrate.csv", "calibrate.json", "calibrate.svg"}) {
+        CHECK(files.count(one) == 1);
+    }
+    CHECK(lines(files.at("calibrate_curve.csv")) == 1 + 4);
+    CHECK(calibrate("0.4", "again").code == 0);
+    CHECK(contents(folder.path / "again") == files);
+
+    const Ran bad = calibrate("1.4", "none");
+    CAPTURE(bad.out);
+    CHECK(bad.code == 2);
+    CHECK(lines(bad.out) == 1);
+    const Ran deep = calibrate("0.4", "none", "--set calibrate.depth_m=90");
+    CAPTURE(deep.out);
+    CHECK(deep.code == 2);
+    CHECK(lines(deep.out) == 1);
+    CHECK_FALSE(fs::exists(folder.path / "none"));
 }
 
 TEST_CASE("a model as a file of its own", "[command_line]") {

@@ -57,22 +57,24 @@ sought = [
 )" + sought + "]\n");
 }
 
-/// Carslaw & Jaeger 2.6: T = T_air + q0 / h + Re q1 exp(i w t) / (h + sqrt(i w k C)).
-double exact(double t, double conductivity, double h) {
+/// Carslaw & Jaeger 2.6: T = T_air + q0 / h + Re q1 exp(i w t - z sqrt(i w C / k)) / (h + sqrt(i w
+/// k C)).
+double exact(double t, double conductivity, double h, double depth = 0.0) {
     const double omega = 2.0 * std::numbers::pi / day;
     const std::complex<double> i(0.0, 1.0);
     const std::complex<double> wave =
-        swing * std::exp(i * omega * t) / (h + std::sqrt(i * omega * conductivity * 2.0e6));
+        swing * std::exp(i * omega * t - depth * std::sqrt(i * omega * 2.0e6 / conductivity)) /
+        (h + std::sqrt(i * omega * conductivity * 2.0e6));
     return 290.0 + mean / h + wave.real();
 }
 
-void lay_curve(const ScratchFolder& folder, double conductivity, double noise) {
+void lay_curve(const ScratchFolder& folder, double conductivity, double noise, double depth = 0.0) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal(0.0, 1.0);
     std::string curve = "time,skin\n";
     for (double t = 300.0; t < day; t += 1700.0) {
         curve += fmt::format("{},{:.5f}\n", format_instant(later(start, t)),
-                             exact(t, conductivity, film) + noise * normal(random) - 273.15);
+                             exact(t, conductivity, film, depth) + noise * normal(random) - 273.15);
     }
     curve += "2020-06-01T23:59:59Z,\n2020-06-05T00:00:00Z,20\n";
     write_text(folder.path / "measured.csv", curve);
@@ -100,6 +102,22 @@ TEST_CASE("a half-space's conductivity and film are found from its closed form",
     CHECK(report.fit.number[1].value == Approx(film).epsilon(0.001));
     CHECK(report.fit.rms_before > 5.0);
     CHECK(report.fit.rms < 0.05);  // straight lines between rows, steps of the column
+}
+
+TEST_CASE("a thermometer below the surface tells both as well",
+          "[thermal][column_tool][calibrate][by_comparison]") {
+    const ScratchFolder folder("calibrate_depth");
+    const double deep = GENERATE(0.02, 0.1, 0.25);  // 0.15, 0.75, 1.9 of the daily wave's depth
+    CAPTURE(deep);
+    lay_half_space(folder, both);
+    lay_curve(folder, 1.3, 0.0, deep);
+    const std::string at = fmt::format("calibrate.depth_m={}", deep);
+    const CalibrationReport report =
+        calibrate(folder.path / "column.toml", {"calibrate.unit=degC", at}, false);
+    CHECK(report.fit.converged);
+    CHECK(report.fit.number[0].value == Approx(1.3).epsilon(0.01));
+    CHECK(report.fit.number[1].value == Approx(film).epsilon(0.002));
+    CHECK(report.fit.rms < 0.05);
 }
 
 TEST_CASE("noise of a curve is in the interval", "[thermal][column_tool][calibrate]") {
@@ -144,6 +162,10 @@ TEST_CASE("what cannot be calibrated is told in a line", "[thermal][column_tool]
     CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.of=back"}),
                Contains("no exposed back"));
     CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.column=skn"}), Contains("skin"));
+    CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.depth_m=5"}),
+               Contains("depth_m = 5: the column's deepest node lies at 4 m"));
+    CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.of=surface", "calibrate.depth_m=1"}),
+               Contains("has no meaning beside of"));
     CHECK_THAT(told(both, {"calibrate.unit=degC", "time.end=2020-06-01T00:50:00Z"}),
                Contains("2 values"));
 }

@@ -17,8 +17,9 @@ namespace {
 constexpr double coldest = 30.0, hottest = 3000.0;  // [K] that may have been measured
 constexpr double close = 0.95;                      // of correlations
 
-double temperature_of(const PointRow& row, MeasuredOf of) {
-    switch (of) {
+double temperature_of(const PointRow& row, const Calibration& asked) {
+    if (asked.depth > 0.0) return row.depth_temperature;
+    switch (asked.of) {
         case MeasuredOf::back:
             return row.back_temperature;
         case MeasuredOf::ground:
@@ -84,14 +85,20 @@ std::vector<double> at_instants(const PointJob& job, const PointResult& result,
     for (const Instant when : report.when) {
         const double place = seconds_between(job.start, when) / job.step;
         const std::size_t left = std::min(std::size_t(std::max(0.0, place)), result.row.size() - 2);
-        values.push_back(std::lerp(temperature_of(result.row[left], report.asked.of),
-                                   temperature_of(result.row[left + 1], report.asked.of),
+        values.push_back(std::lerp(temperature_of(result.row[left], report.asked),
+                                   temperature_of(result.row[left + 1], report.asked),
                                    std::clamp(place - double(left), 0.0, 1.0)));
     }
     return values;
 }
 
+/// Layers may be among what is sought: of every column that is run.
 void check_of(const PointResult& result, const Calibration& asked) {
+    if (asked.depth > result.depth.back()) {
+        throw InputError(asked.where,
+                         fmt::format("depth_m = {:g}: the column's deepest node lies at {:.4g} m",
+                                     asked.depth, result.depth.back()));
+    }
     const bool there = asked.of == MeasuredOf::surface ||
                        (asked.of == MeasuredOf::back ? result.has_back : result.has_canopy);
     if (there) return;
@@ -112,16 +119,18 @@ void tell(CalibrationReport& report) {
     }
     if (fit.alike > 0.1) {
         report.notes.push_back(fmt::format(
-            "each residual is like the next (correlation {:.2f}): {} values count as {:.0f}, the "
-            "intervals are as much wider",
-            fit.alike, report.measured.size(), fit.independent));
+            "each residual is like those near it (the next by {:.2f}): {} values count as {:.0f}, "
+            "intervals are {:.1f} times as wide as of independent ones",
+            fit.alike, report.measured.size(), fit.independent,
+            std::sqrt(double(report.measured.size()) / fit.independent)));
     }
     for (std::size_t i = 0; i < sought.size(); ++i) {
         if (fit.number[i].at_bound) {
             report.notes.push_back(fmt::format(
-                "{} is held at its bound {:g}: what was measured asks for more, or another number "
-                "is wrong",
-                sought[i].key, fit.number[i].value));
+                "{} is held at its bound {:g}: what was measured asks for {}, or another number is "
+                "wrong",
+                sought[i].key, fit.number[i].value,
+                fit.number[i].value > sought[i].low ? "more" : "less"));
         } else if (fit.number[i].least < sought[i].low || fit.number[i].most > sought[i].high) {
             report.notes.push_back(
                 fmt::format("the interval of {} goes beyond {:g} to {:g}: what was measured says "
@@ -180,12 +189,10 @@ CalibrationReport calibrate(const std::filesystem::path& file,
             }
         }
     }
-    bool checked = false;
     problem.model = [&](std::span<const double> numbers) {
         const PointJob job = job_with(numbers, sought);
         const PointResult result = run_column(job);
-        if (!checked) check_of(result, report.asked);
-        checked = true;
+        check_of(result, report.asked);
         report.heat_converged &= result.converged;
         return at_instants(job, result, report);
     };

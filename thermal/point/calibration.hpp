@@ -22,6 +22,7 @@ struct Calibration {
     std::string column{};             // its name; "": the only one beside time
     double factor = 1.0, zero = 0.0;  // K = factor · value + zero
     MeasuredOf of = MeasuredOf::surface;
+    double depth = 0.0;                  // [m] below the surface, in place of `of`; 0: none
     std::vector<SoughtNumber> sought{};  // one to four
     std::string where{};                 // in the file
 };

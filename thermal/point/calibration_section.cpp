@@ -79,6 +79,11 @@ std::optional<Calibration> read_calibration(const Section& root) {
                                   {"back", MeasuredOf::back},
                                   {"ground", MeasuredOf::ground},
                                   {"leaf", MeasuredOf::leaf}});
+    asked.depth = section.number_or("depth_m", "of a thermometer in the layers below the surface",
+                                    {0.0, "of"}, {0.0, 100.0});
+    if (asked.depth > 0.0 && section.has("of")) {
+        section.mistake("depth_m", "has no meaning beside of");
+    }
     asked.sought = read_sought(section);
     asked.where = section.where();
     return asked;

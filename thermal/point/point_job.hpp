@@ -43,6 +43,7 @@ struct PointJob {
     double initial_temperature = not_measured;  // [K] uniform, for SpinUp::none
     /// Ground at the start, for SpinUp::none: straight between ascending depths, constant beyond.
     std::vector<SoilPoint> initial_profile;
+    double depth = 0.0;  // [m] of PointRow::depth_temperature, within the column's nodes
     std::optional<Calibration> calibrate{};  // for thermal/point/calibrate.hpp alone
 };
 

@@ -157,6 +157,7 @@ PointJob read_column_job(const Document& document) {
     const std::string measured_over = read_measured_over(weather, materials);
     read_time(root.required_section("time", "the span, its start and its steps"), job);
     job.calibrate = read_calibration(root);
+    if (job.calibrate) job.depth = job.calibrate->depth;
     document.finish();
     options.asked = {job.start, job.end};
     job.weather = read_weather(weather_file, options);

@@ -60,7 +60,19 @@ PointJob before_start(const PointJob& job) {
     return before;
 }
 
-PointRow row_of(const PointFacet& facet, Instant when, double melt) {
+/// Straight between nodes, which lie on the layers' boundaries; below the last as there.
+double temperature_at(const PointFacet& facet, double depth) {
+    const NonlinearColumn& column = facet.column;
+    const auto node = [&](std::size_t i) { return column.temperature(i, facet.u[i]); };
+    std::size_t below = 0;
+    while (below < column.size() && column.depth(below) < depth) ++below;
+    if (below == 0) return node(0);
+    if (below == column.size()) return node(below - 1);
+    const double above = column.depth(below - 1);
+    return std::lerp(node(below - 1), node(below), (depth - above) / (column.depth(below) - above));
+}
+
+PointRow row_of(const PointFacet& facet, Instant when, double melt, double depth) {
     const SurfaceTerms terms = facet.terms(when);
     const HeatBalance& b = terms.balance;
     return {.instant = when,
@@ -77,7 +89,8 @@ PointRow row_of(const PointFacet& facet, Instant when, double melt) {
             .leaf_temperature = terms.leaf,
             .water_mm = facet.standing.water,
             .frost_mm = facet.standing.frost,
-            .melt = melt};
+            .melt = melt,
+            .depth_temperature = temperature_at(facet, depth)};
 }
 
 /// What columns the result has.
@@ -97,13 +110,13 @@ PointResult empty_result(const PointJob& job) {
 void follow(const PointJob& job, PointFacet& facet, PointResult& result) {
     const auto rows =
         static_cast<long long>(std::floor(seconds_between(job.start, job.end) / job.step + 1e-9));
-    result.row.push_back(row_of(facet, job.start, 0.0));
+    result.row.push_back(row_of(facet, job.start, 0.0, job.depth));
     facet.water = {};
     for (long long i = 0; i < rows; ++i) {
         const Instant from = later(job.start, double(i) * job.step);
         const Instant to = later(job.start, double(i + 1) * job.step);
         const double melted = facet.advance(from, to);
-        result.row.push_back(row_of(facet, to, melted / job.step));
+        result.row.push_back(row_of(facet, to, melted / job.step, job.depth));
     }
     result.water = facet.water;
     result.worst_energy_closure = facet.count.worst_closure;

@@ -20,6 +20,7 @@ struct PointRow {
     double leaf_temperature;    // [K] of a canopy
     double water_mm, frost_mm;  // standing on the surface
     double melt;  // heat that melts snow or frost, mean since the row before [W m⁻²]
+    double depth_temperature;  // [K] at PointJob::depth
 };
 
 struct PointResult {
@@ -36,7 +37,7 @@ struct PointResult {
     /// Steps that had to be taken otherwise than asked: backward Euler at the shortest step,
     /// because the equations were not solved or the error stayed too large. Zero in normal use.
     int limited = 0;
-    std::vector<double> depth, final_profile;  // (node) [m], [K]
+    std::vector<double> depth, final_profile;  // (node) [m], ascending, the first 0; [K]
 };
 
 PointResult run_column(const PointJob& job);

@@ -14,6 +14,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/files_read.hpp"
 #include "materials/base/plain_text.hpp"
+#include "scenes/commands/told_lines.hpp"
 #include "scenes/studies/calibrate_files.hpp"
 #include "thermal/point/calibrate.hpp"
 #include "thermal/point/point_job_file.hpp"
@@ -57,7 +58,7 @@ void calibrate_verb(const CalibrateArguments& a) {
         }
     }
     fmt::print("{}.csv, .json, .svg, _curve.csv\n", (a.out / name).string());
-    for (const std::string& note : report.notes) fmt::print(stderr, "note: {}\n", plain(note));
+    print_notes(report.notes);
     if (!fit.converged) {
         throw std::runtime_error(
             fmt::format("the numbers have not settled in {} passes", fit.passes));

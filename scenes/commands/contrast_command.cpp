@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -11,8 +10,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
 #include "scenes/studies/contrast_files.hpp"
 #include "scenes/studies/signature_scene.hpp"
 #include "scenes/studies/study_files.hpp"
@@ -78,7 +77,7 @@ void contrast_verb(const SceneArguments& a, const std::filesystem::path& tempera
         reports.push_back(contrast_of(study.stages(), input, field, study.progress()));
     }
     study.progress().finish();
-    for (const std::string& note : study.notes()) fmt::print(stderr, "note: {}\n", plain(note));
+    print_notes(study.notes());
     for (std::size_t i = 0; i < reports.size(); ++i) {
         const ContrastInput& input = scene.contrasts[i];
         const std::vector<std::string> own = own_notes(input, reports[i]);
@@ -90,7 +89,7 @@ void contrast_verb(const SceneArguments& a, const std::filesystem::path& tempera
                            .svg = contrast_svg(input, reports[i], scene)});
         print_worst(input, reports[i], scene);
         fmt::print("{}.csv, .json, .svg\n", (out / input.name).string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
+        print_notes(own);
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

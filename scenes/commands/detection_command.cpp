@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -12,8 +11,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
 #include "scenes/studies/detection_files.hpp"
 #include "scenes/studies/study_files.hpp"
 #include "terrain/place/local_time.hpp"
@@ -93,7 +92,7 @@ void detection_verb(const SceneArguments& a, const std::filesystem::path& temper
                            .svg = detection_svg(input, all[i], offset)});
         print_ranges(input, all[i], offset);
         fmt::print("{}.csv, .json, .svg\n", base.string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
+        print_notes(own);
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

@@ -18,6 +18,7 @@
 #include "materials/base/plain_text.hpp"
 #include "materials/base/unfinished.hpp"
 #include "scenes/commands/calibrate_command.hpp"
+#include "scenes/commands/check_command.hpp"
 #include "scenes/commands/column_command.hpp"
 #include "scenes/commands/contrast_command.hpp"
 #include "scenes/commands/crossover_command.hpp"

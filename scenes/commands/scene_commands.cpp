@@ -16,6 +16,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
 #include "scenes/doubts/doubts.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -29,23 +30,10 @@
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
-#include "scenes/world/targets.hpp"
 
 namespace diurna {
 
 namespace {
-
-void warn(const std::vector<std::string>& warnings) {
-    for (const std::string& line : warnings) fmt::print(stderr, "warning: {}\n", plain(line));
-}
-
-void tell(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) fmt::print(stderr, "note: {}\n", plain(note));
-}
-
-std::string told_count(const std::vector<std::string>& warnings) {
-    return warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", warnings.size());
-}
 
 /// Results that have not converged are kept, but the program fails.
 void check_converged(const std::string& not_converged) {
@@ -77,7 +65,7 @@ void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle s
     const SweepReport report = run_sweep(sweep, options);
     fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
                report.rendered, report.kept, report.solved, options.out.string());
-    tell(report.notes);
+    print_notes(report.notes);
     if (report.missing > 0) {
         fmt::print(stderr,
                    "note: {} variants are not there yet: whichever shard ends last writes "
@@ -101,44 +89,6 @@ Scene only_variant(const Sweep& sweep, const std::string& name, JobOptions& job)
     }
     throw InputError("--only", fmt::format("no variant '{}', expected {} to {}, or base", name,
                                            names.front(), names.back()));
-}
-
-/// All that can be known to be wrong before anything is computed; returns what is told of objects.
-std::vector<NetworkObject> checked(const Prepared& prepared) {
-    check_start(prepared);
-    return targets(prepared.world, prepared.scene);
-}
-
-void check_verb(const SceneArguments& a, bool strict) {
-    Scene scene = a.read();
-    std::vector<Mistake> found;
-    if (!scene.sweep.axes.empty()) {
-        const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
-        for_each_value(sweep, [&](Scene variant) {
-            const Prepared one = prepare(std::move(variant));
-            checked(one);
-            for (Mistake& doubt : doubts(one)) found.push_back(std::move(doubt));
-        });
-        fmt::print("{}: {}\n", a.scene.string(), count_told(sweep));
-    }
-    const Prepared prepared = prepare(std::move(scene));
-    const std::vector<NetworkObject> networks = checked(prepared);
-    for (Mistake& doubt : doubts(prepared)) found.push_back(std::move(doubt));
-    const std::vector<std::string> warnings = as_lines(found);
-    if (strict && !found.empty()) throw InputError(std::move(found));
-    fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
-               warnings.empty() ? "fine" : told_count(warnings), prepared.world.surfaces().size(),
-               prepared.sequences.size());
-    warn(warnings);
-    tell(prepared.notes);
-    if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
-        fmt::print(stderr,
-                   "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
-                   prepared.plan.memory / 1e9, most / 1e9);
-    }
-    for (const NetworkObject& network : networks) {
-        tell(network.notes);
-    }
 }
 
 void run_verb(const SceneArguments& a, RunArguments run) {
@@ -166,15 +116,16 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     fmt::print("{} facets, {} frames rendered, {} files, {:.1f} s: {}\n", report.plan.facets,
                report.frames_rendered, report.files.size(), seconds,
                (job.out / "report.html").string());
-    warn(report.warnings);
-    tell(report.notes);
-    for (const std::string& line : report.remade) fmt::print(stderr, "note: {}\n", plain(line));
+    print_warnings(report.warnings);
+    print_notes(report.notes);
+    print_notes(report.remade);
     if (!report.start.empty()) fmt::print(stderr, "note: start: {}\n", plain(report.start));
     check_converged(report.not_converged);
 }
 
 void tell_taken(const Stages& stages) {
-    if (std::string told = taken_told(stages.store()); !told.empty()) tell({std::move(told)});
+    if (std::string told = taken_told(stages.store()); !told.empty())
+        print_notes({std::move(told)});
 }
 
 /// Of verbs that know no variants.
@@ -190,7 +141,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_output_file(out, prepared.scene.files);
     check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);
-    warn(as_lines(doubts(prepared)));
+    print_warnings(as_lines(doubts(prepared)));
     Progress progress(a.style());
     progress.stage("sky view");
     const Stages stages(prepared, a.stages());
@@ -200,10 +151,10 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
     progress.finish();
     write_heat(prepared, heat.result, out);
-    tell(prepared.notes);
-    tell(told_as("note", heat));
+    print_notes(prepared.notes);
+    print_notes(told_as("note", heat));
     tell_taken(stages);
-    for (const std::string& start : told_as("start", heat)) tell({"start: " + start});
+    for (const std::string& start : told_as("start", heat)) print_notes({"start: " + start});
     check_converged(told_as("not converged", heat).front());
 }
 
@@ -252,35 +203,10 @@ void render_verb(const SceneArguments& a, const std::filesystem::path& temperatu
     tell_taken(stages);
     check_solved(stages, field, temperatures);
     const FramesReport report = render_frames(stages, field, out, progress);
-    for (const auto& notes : {report.notes, report.warnings}) {
-        tell(notes);
-    }
+    for (const auto& notes : {report.notes, report.warnings}) print_notes(notes);
 }
 
 }  // namespace
-
-void add_check_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("check", "every mistake of a scene file at once");
-    const auto a = scene_arguments(*verb);
-    const auto strict = std::make_shared<bool>(false);
-    verb->add_flag("--strict", *strict, "warnings are mistakes: exit code 2");
-    verb->callback([a, strict] { check_verb(*a, *strict); });
-}
-
-void add_plan_verb(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("plan", "what would be computed and what is skipped");
-    verb->callback([a = scene_arguments(*verb)] {
-        const Prepared prepared = prepare(a->read());
-        if (!prepared.scene.sweep.axes.empty()) {
-            fmt::print("{}", describe(read_sweep_variants(a->scene, a->settings, a->allow_outside),
-                                      prepared.plan));
-        }
-        fmt::print("{}", describe(prepared.plan));
-        warn(as_lines(doubts(prepared)));
-        for (const std::string& note : prepared.notes)
-            fmt::print(stderr, "note: {}\n", plain(note));
-    });
-}
 
 void add_run_verb(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("run", "the whole job: temperatures, frames, report");

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -15,6 +14,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/studies/sensitivity_files.hpp"
 #include "scenes/studies/study_files.hpp"
@@ -80,7 +80,7 @@ void sensitivity_verb(const SceneArguments& a, const std::filesystem::path& out)
     }
     study.progress().finish();
     bool converged = true;
-    for (const std::string& note : study.notes()) fmt::print(stderr, "note: {}\n", plain(note));
+    print_notes(study.notes());
     for (std::size_t i = 0; i < reports.size(); ++i) {
         const SensitivityInput& input = scene.sensitivities[i];
         std::vector<std::string> notes = study.notes();
@@ -91,9 +91,7 @@ void sensitivity_verb(const SceneArguments& a, const std::filesystem::path& out)
                            .svg = sensitivity_svg(input, reports[i])});
         print_report(input, reports[i]);
         fmt::print("{}.csv, .json, .svg\n", (out / input.name).string());
-        for (const std::string& note : reports[i].notes) {
-            fmt::print(stderr, "note: {}\n", plain(note));
-        }
+        print_notes(reports[i].notes);
         converged &= reports[i].converged;
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());

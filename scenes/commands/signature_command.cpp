@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -12,8 +11,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
-#include "materials/base/plain_text.hpp"
 #include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
 #include "scenes/studies/signature_files.hpp"
 #include "scenes/studies/study_files.hpp"
 
@@ -67,7 +66,7 @@ void signature_verb(const SceneArguments& a, const std::filesystem::path& temper
                            .svg = signature_svg(input, report, offset)});
         fmt::print("{}: {} rows: {}.csv, .json, .svg\n", input.name, report.rows.size(),
                    base.string());
-        for (const std::string& note : own) fmt::print(stderr, "note: {}\n", plain(note));
+        print_notes(own);
     }
     if (!study.not_converged().empty()) throw std::runtime_error(study.not_converged());
 }

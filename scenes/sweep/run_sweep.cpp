@@ -60,8 +60,6 @@ struct Group {
             const bool kept = options.resume && record.done && record.key == key_of(variant) &&
                               is_whole(variant_folder(options.out, variant.name), record.outputs);
             if (!kept) left.push_back(&variant);
-            // One that was killed when all was written but for this.
-            if (kept) fs::remove(variant_folder(options.out, variant.name) / ledger_file);
         }
         return left;
     }
@@ -173,6 +171,11 @@ void run_group(Group group, Progress& progress, SweepReport& report) {
     group.key = heat_key(group.sweep, group.variants.front());
     const std::vector<const Variant*> pending = group.pending();
     report.kept += group.variants.size() - pending.size();
+    for (const Variant& variant : group.variants) {
+        const bool kept = std::find(pending.begin(), pending.end(), &variant) == pending.end();
+        // One that was killed when all was written but for this.
+        if (kept) fs::remove(variant_folder(group.options.out, variant.name) / ledger_file);
+    }
     if (pending.empty()) {
         tell(read_heat_record(group.folder()), group.variants.front().heat, report);
         return;

@@ -50,15 +50,15 @@ namespace {
 
 /// How many of 400 curves' intervals hold the slope and level that noise was laid on: a share of
 /// its variance is carried on from value to value, the rest is each value's own.
-double covered(double carried, double share, int values) {
+double covered(double carried, double share, int length) {
     std::mt19937 random(7);
     std::normal_distribution<double> normal(0.0, 1.0);
     int held = 0, all = 0;
     for (int trial = 0; trial < 400; ++trial) {
         std::vector<double> x, y;
         double noise = normal(random);
-        for (int i = 0; i < values; ++i) {
-            x.push_back(double(i) / values);
+        for (int i = 0; i < length; ++i) {
+            x.push_back(double(i) / length);
             noise = carried * noise + std::sqrt(1.0 - carried * carried) * normal(random);
             y.push_back(3.0 + 2.0 * x.back() + std::sqrt(share) * noise +
                         std::sqrt(1.0 - share) * normal(random));

@@ -29,24 +29,7 @@ constexpr double turn = 2.0 * std::numbers::pi / 86400.0, hour = 3600.0;
 
 /// With a black plate of 30 m, seen from 60 m above.
 std::string plate_on_plain(const std::string& more) {
-    return black_plain(R"(
-[[ground]]
-name = "plate"
-material = "black"
-rectangle_m = [0.0, 0.0, 30.0, 30.0, 0.0]
-largest_edge_m = 10.0
-[[observer]]
-name = "drone"
-place_m = [0.0, 0.0]
-height_above_ground_m = 60.0
-azimuth_deg = 0.0
-elevation_deg = -90.0
-horizontal_fov_deg = 60.0
-width = 48
-height = 32
-samples = 4
-bands = ["0.5-0.6", "8-12", "3-5"]
-)" + more);
+    return black_plain(plate_below_drone("black", R"(["0.5-0.6", "8-12", "3-5"])") + more);
 }
 
 double plate_at(double t) { return 300.0 + 10.0 * std::cos(turn * (t - 13.0 * hour)); }

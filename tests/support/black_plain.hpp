@@ -32,6 +32,25 @@ frame_every_s = 21600.0
 )") + more;
 }
 
+/// A plate of 30 m in the middle of it, and a drone 60 m above.
+inline std::string plate_below_drone(const std::string& material, const std::string& bands) {
+    return "[[ground]]\nname = \"plate\"\nmaterial = \"" + material + R"("
+rectangle_m = [0.0, 0.0, 30.0, 30.0, 0.0]
+largest_edge_m = 10.0
+[[observer]]
+name = "drone"
+place_m = [0.0, 0.0]
+height_above_ground_m = 60.0
+azimuth_deg = 0.0
+elevation_deg = -90.0
+horizontal_fov_deg = 60.0
+width = 48
+height = 32
+samples = 4
+bands = )" +
+           bands + "\n";
+}
+
 /// Such a scene in a folder of its own, with the level ground that it names.
 inline void lay(const ScratchFolder& folder, const std::string& text) {
     for (const char* name : {"level.asc", "level.prj"}) {

@@ -22,23 +22,8 @@ inline void lay_heated_plate(const ScratchFolder& folder, const std::string& mor
 [material.heated]
 like = "black"
 internal_schedule = [[6.0, 200.0], [12.0, 400.0], [18.0, 200.0]]
-[[ground]]
-name = "plate"
-material = "heated"
-rectangle_m = [0.0, 0.0, 30.0, 30.0, 0.0]
-largest_edge_m = 10.0
-[[observer]]
-name = "drone"
-place_m = [0.0, 0.0]
-height_above_ground_m = 60.0
-azimuth_deg = 0.0
-elevation_deg = -90.0
-horizontal_fov_deg = 60.0
-width = 48
-height = 32
-samples = 4
-bands = ["0.5-0.6", "8-12"]
-)" + more);
+)" + plate_below_drone("heated", R"(["0.5-0.6", "8-12"])") +
+                                   more);
     text = with(text, DIURNA_SOURCE_DIR "/scenes/jacksboro/weather.csv", "dark.csv");
     text = with(text, "albedo = 0.0",
                 "albedo = 0.0\ninternal_heat_W_m2 = 300.0\n"

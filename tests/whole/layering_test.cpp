@@ -98,6 +98,7 @@ const std::map<std::string, std::set<std::string>> homes = {
     {"CLI/",
      {"scenes/commands/main.cpp",
       "scenes/commands/calibrate_command.cpp",
+      "scenes/commands/check_command.cpp",
       "scenes/commands/column_command.cpp",
       "scenes/commands/doctor_command.cpp",
       "scenes/commands/keys_command.cpp",

@@ -117,7 +117,7 @@ void tell(CalibrationReport& report) {
     if (report.missing > 0) {
         report.notes.push_back(fmt::format("{} measured values are missing", report.missing));
     }
-    if (fit.alike > 0.1) {
+    if (fit.independent < 0.9 * double(report.measured.size())) {
         report.notes.push_back(fmt::format(
             "each residual is like those near it (the next by {:.2f}): {} values count as {:.0f}, "
             "intervals are {:.1f} times as wide as of independent ones",

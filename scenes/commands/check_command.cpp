@@ -1,0 +1,90 @@
+#include "scenes/commands/check_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
+#include "scenes/doubts/doubts.hpp"
+#include "scenes/plan/memory_limit.hpp"
+#include "scenes/plan/prepared.hpp"
+#include "scenes/run/heat.hpp"
+#include "scenes/sweep/sweep_plan.hpp"
+#include "scenes/sweep/variants.hpp"
+#include "scenes/world/targets.hpp"
+
+namespace diurna {
+
+namespace {
+
+std::string told_count(const std::vector<std::string>& warnings) {
+    return warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", warnings.size());
+}
+
+/// All that can be known to be wrong before anything is computed; returns what is told of objects.
+std::vector<NetworkObject> checked(const Prepared& prepared) {
+    check_start(prepared);
+    return targets(prepared.world, prepared.scene);
+}
+
+void check_verb(const SceneArguments& a, bool strict) {
+    Scene scene = a.read();
+    std::vector<Mistake> found;
+    if (!scene.sweep.axes.empty()) {
+        const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
+        for_each_value(sweep, [&](Scene variant) {
+            const Prepared one = prepare(std::move(variant));
+            checked(one);
+            for (Mistake& doubt : doubts(one)) found.push_back(std::move(doubt));
+        });
+        fmt::print("{}: {}\n", a.scene.string(), count_told(sweep));
+    }
+    const Prepared prepared = prepare(std::move(scene));
+    const std::vector<NetworkObject> networks = checked(prepared);
+    for (Mistake& doubt : doubts(prepared)) found.push_back(std::move(doubt));
+    const std::vector<std::string> warnings = as_lines(found);
+    if (strict && !found.empty()) throw InputError(std::move(found));
+    fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
+               warnings.empty() ? "fine" : told_count(warnings), prepared.world.surfaces().size(),
+               prepared.sequences.size());
+    print_warnings(warnings);
+    print_notes(prepared.notes);
+    if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
+        fmt::print(stderr,
+                   "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
+                   prepared.plan.memory / 1e9, most / 1e9);
+    }
+    for (const NetworkObject& network : networks) print_notes(network.notes);
+}
+
+}  // namespace
+
+void add_check_verb(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("check", "every mistake of a scene file at once");
+    const auto a = scene_arguments(*verb);
+    const auto strict = std::make_shared<bool>(false);
+    verb->add_flag("--strict", *strict, "warnings are mistakes: exit code 2");
+    verb->callback([a, strict] { check_verb(*a, *strict); });
+}
+
+void add_plan_verb(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("plan", "what would be computed and what is skipped");
+    verb->callback([a = scene_arguments(*verb)] {
+        const Prepared prepared = prepare(a->read());
+        if (!prepared.scene.sweep.axes.empty()) {
+            fmt::print("{}", describe(read_sweep_variants(a->scene, a->settings, a->allow_outside),
+                                      prepared.plan));
+        }
+        fmt::print("{}", describe(prepared.plan));
+        print_warnings(as_lines(doubts(prepared)));
+        print_notes(prepared.notes);
+    });
+}
+
+}  // namespace diurna

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace diurna {
+
+/// What is known of a scene before anything is computed: its mistakes and doubts, and its plan.
+void add_check_verb(CLI::App& app);
+void add_plan_verb(CLI::App& app);
+
+}  // namespace diurna

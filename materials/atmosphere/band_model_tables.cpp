@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "materials/base/csv.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "materials/base/interval.hpp"
 #include "materials/base/monotone_cubic.hpp"
 #include "materials/base/units.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 
 namespace diurna {
 
@@ -34,8 +34,7 @@ bool lies_beneath(const fs::path& file, const fs::path& folder) {
 
 Confines confines_of(const fs::path& file) {
     return {.folders = {resolved_root(file.parent_path()), resolved_root(file),
-                        resolved_root(data_folder()),
-                        resolved_root(fs::path(DIURNA_SOURCE_DIR) / "scenes")}};
+                        resolved_root(data_folder()), resolved_root(samples_folder())}};
 }
 
 Confines confines_of(const fs::path& file, bool allow_outside) {

@@ -1,6 +1,5 @@
 #include "materials/base/files.hpp"
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 
@@ -63,11 +62,6 @@ void check_output_file(const fs::path& path, const std::vector<FileRead>& inputs
                          "is what the results are made of: they would take its place",
                          "choose another name");
     }
-}
-
-fs::path data_folder() {
-    const char* named = std::getenv("DIURNA_DATA");
-    return named != nullptr ? fs::path(named) : fs::path(DIURNA_SOURCE_DIR) / "materials";
 }
 
 }  // namespace diurna

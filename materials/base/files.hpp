@@ -29,8 +29,4 @@ void write_whole_file(const std::filesystem::path& path, std::string_view text);
 /// pipe, a folder, one of the `inputs` they are made of; or where its folder is none.
 void check_output_file(const std::filesystem::path& path, const std::vector<FileRead>& inputs = {});
 
-/// Where the project's own data lie (`materials/` with its tables and spectra): the environment's
-/// DIURNA_DATA if set, else the source tree this program was built from.
-std::filesystem::path data_folder();
-
 }  // namespace diurna

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/radiation/band.hpp"
 #include "materials/radiation/planck.hpp"
 

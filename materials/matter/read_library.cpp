@@ -4,7 +4,7 @@
 #include <map>
 #include <mutex>
 
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/matter/read_material.hpp"
 
 namespace diurna {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/material.hpp"
 #include "materials/matter/varied.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "materials/base/csv.hpp"
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/matter/microfacet.hpp"
 
 namespace diurna {

@@ -58,8 +58,8 @@ void column_verb(const ColumnArguments& a) {
         fmt::print(stderr, "{} rows, {} passes, periodic to {:.1e} K, energy closed to {:.1e}\n",
                    result.row.size(), result.passes, result.periodic_residual,
                    result.worst_energy_closure);
-        if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     }
+    if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     if (result.converged) return;
     throw std::runtime_error(
         fmt::format("the spin-up has not converged in {} passes: periodic to {:.1e} K (tolerance "

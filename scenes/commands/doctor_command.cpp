@@ -7,7 +7,7 @@
 
 #include "materials/air/profile.hpp"
 #include "materials/atmosphere/band_model.hpp"
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/matter/library.hpp"
 #include "materials/matter/read_library.hpp"

@@ -76,8 +76,10 @@ file = "{}"{}
 )",
                         in_quotes(scene.weather),
                         scene.weather_made_up
-                            ? "  # made up: a clear day of 15 to 29 degrees Celsius. Put a "
-                              "measured file here"
+                            ? "  # made up, no measurement: put a measured file here. A clear day, "
+                              "air straight between\n# 15 degC at 5 h and 29 degC at 15 h, "
+                              "vapour of half saturation at 15 h, wind of 2 m/s; sun and sky are "
+                              "modelled"
                             : "  # what was not measured is modelled, and told");
     if (scene.weather_made_up) text += "interval = \"instant\"\n";
     text += fmt::format(R"(
@@ -116,12 +118,7 @@ targets = ["truck", "generator"]
 std::string clear_day(Instant day, double utc_offset) {
     constexpr double coldest = 288.15, warmest = 302.15, cold_hour = 5.0, warm_hour = 15.0;
     const double vapour = 0.5 * saturation_vapour_pressure(warmest);
-    std::string text =
-        "# Made up by diurna new: a clear day, no measurement. Air straight between 15 degC at 5 "
-        "h\n"
-        "# and 29 degC at 15 h, vapour of half saturation at 15 h, wind of 2 m/s. Sun and sky are\n"
-        "# modelled.\n"
-        "time,air_temperature_K,relative_humidity,wind_speed_m_s\n";
+    std::string text = "time,air_temperature_K,relative_humidity,wind_speed_m_s\n";
     for (int hour = -24; hour <= 48; ++hour) {
         const double clock = (hour + 24) % 24;
         const double up = (clock - cold_hour) / (warm_hour - cold_hour);

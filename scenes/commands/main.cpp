@@ -29,6 +29,7 @@
 #include "scenes/commands/model_command.hpp"
 #include "scenes/commands/movie_command.hpp"
 #include "scenes/commands/new_command.hpp"
+#include "scenes/commands/pages_command.hpp"
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
 #include "scenes/commands/scene_commands.hpp"
@@ -50,7 +51,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_mesh_verb,      add_visibility_verb,  add_materials_verb, add_model_verb,
     add_movie_verb,     add_verify_verb,      add_keys_verb,      add_doctor_verb,
     add_signature_verb, add_detection_verb,   add_crossover_verb, add_contrast_verb,
-    add_new_verb,       add_sensitivity_verb, add_calibrate_verb,
+    add_new_verb,       add_sensitivity_verb, add_calibrate_verb, add_pages_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

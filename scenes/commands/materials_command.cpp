@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "materials/matter/read_library.hpp"
 #include "scenes/report/material_pages.hpp"
 #include "scenes/report/swatch_chart.hpp"

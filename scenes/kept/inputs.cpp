@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/files.hpp"
 #include "scenes/kept/digest.hpp"
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <string>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/document.hpp"
-#include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/read_library.hpp"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "materials/base/csv.hpp"
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/directional_optics.hpp"
 #include "materials/matter/library_notes.hpp"

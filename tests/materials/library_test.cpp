@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/read_library.hpp"

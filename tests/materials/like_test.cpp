@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/document.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/files.hpp"
 #include "materials/matter/read_library.hpp"
 #include "scenes/report/material_figures.hpp"

@@ -32,7 +32,7 @@ TEST_CASE("a first scene of an elevation file alone is one that solves", "[scene
     REQUIRE(verb("new '" + scene.string() + "' --dem '" + elevation + "'", told) == 0);
     CHECK(read_text(told).find("its weather is made up") != std::string::npos);
     CHECK(fs::exists(scene / "elevation.tif"));
-    CHECK(read_text(scene / "weather.csv").find("no measurement") != std::string::npos);
+    CHECK(read_text(scene / "scene.toml").find("no measurement") != std::string::npos);
     // Noon of its clock is within half an hour of the sun's.
     const Scene read = read_scene(scene / "scene.toml");
     CHECK(std::abs(read.time.utc_offset / 3600.0 - read.site->longitude_deg / 15.0) <= 0.5);
@@ -67,7 +67,7 @@ TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
     const fs::path scene = folder.path / "place", told = folder.path / "told.txt";
     const std::string begin = "new '" + scene.string() + "' --dem ";
     for (const auto& [arguments, says] :
-         {std::pair{"'" + folder.path.string() + "/none.tif'", std::string("none.tif")},
+         {std::pair{fmt::format("'{}/none.tif'", folder.path.string()), std::string("none.tif")},
           {"'" + elevation + "' --at 36.3", std::string("degrees north and east")},
           {"'" + elevation + "' --at 10.0,20.0", std::string("expected 60 at least")},
           {"'" + elevation + "' --weather '" + elevation + "'", std::string("elevation.tif")}}) {

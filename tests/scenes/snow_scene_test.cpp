@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "materials/base/files.hpp"
+#include "materials/base/data_folder.hpp"
 #include "materials/matter/broadband.hpp"
 #include "materials/radiation/planck.hpp"
 #include "render/picture/exr.hpp"

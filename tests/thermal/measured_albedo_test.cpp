@@ -9,7 +9,6 @@
 #include "materials/base/units.hpp"
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
-#include "thermal/point/point_csv.hpp"
 #include "thermal/point/point_job_file.hpp"
 #include "thermal/point/run_column.hpp"
 #include "thermal/solve/solver.hpp"
@@ -120,8 +119,7 @@ TEST_CASE("a column's material is what its weather was measured over, unless ano
                        "[time]\nstart = 2026-06-21T00:00:00Z\nend = 2026-06-22T00:00:00Z\n"
                        "step_s = 21600.0\n");
         const PointResult result = run_column(read_column_job(folder.path / "column.toml"));
-        note = column_csv(result);
-        note = note.substr(0, note.find('\n'));
+        note = result.note;
         return result.row.at(2).absorbed_solar;
     };
     std::string note;

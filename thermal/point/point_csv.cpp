@@ -9,7 +9,6 @@ namespace diurna {
 std::string column_csv(const PointResult& result) {
     fmt::memory_buffer text;
     const auto out = std::back_inserter(text);
-    if (!result.note.empty()) fmt::format_to(out, "# {}\n", result.note);
     fmt::format_to(out,
                    "time,surface_temperature_K,absorbed_solar_W_m2,longwave_in_W_m2,"
                    "longwave_out_W_m2,sensible_W_m2,latent_W_m2,conducted_W_m2{}{}{}{}\n",

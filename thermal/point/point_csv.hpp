@@ -6,7 +6,7 @@
 
 namespace diurna {
 
-/// The result as text: `time,surface_temperature_K,...`, comment lines first for what was modelled.
+/// The result as text, its header `time,surface_temperature_K,...` first; without its note.
 std::string column_csv(const PointResult& result);
 
 }  // namespace diurna

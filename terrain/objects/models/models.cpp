@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "materials/base/data_folder.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
 #include "terrain/objects/models/families.hpp"
 
 namespace diurna {

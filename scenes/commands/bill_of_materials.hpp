@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace diurna {
+
+/// The libraries the program is built with, their versions, licences and packages of Debian 12, as
+/// CycloneDX 1.4 in JSON: the bill of materials that those ask for who install it.
+std::string bill_of_materials();
+
+}  // namespace diurna

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace diurna {
+
+/// The manual page of the program in the language of man(7): every verb of `app` with what it
+/// takes, exit codes, environment.
+std::string man_page(const CLI::App& app, const std::string& version);
+
+/// A script for bash that completes verbs, their options and the words an option chooses from;
+/// files elsewhere.
+std::string bash_completion(const CLI::App& app);
+
+}  // namespace diurna

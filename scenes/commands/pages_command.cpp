@@ -1,0 +1,31 @@
+#include "scenes/commands/pages_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "scenes/commands/bill_of_materials.hpp"
+#include "scenes/commands/command_pages.hpp"
+
+namespace diurna {
+
+void add_pages_verb(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("pages", "this command line for man and bash; libraries");
+    struct Asked {
+        bool man = false, bash = false, bill = false;
+    };
+    const auto asked = std::make_shared<Asked>();
+    auto* which = verb->add_option_group("page");
+    which->add_flag("--man", asked->man, "the manual page, for man -l");
+    which->add_flag("--bash", asked->bash, "what bash completes, for source");
+    which->add_flag("--bill", asked->bill, "the libraries it is made of, CycloneDX 1.4 in JSON");
+    which->require_option(1);
+    verb->callback([asked, &app] {
+        if (asked->man) fmt::print("{}", man_page(app, DIURNA_VERSION));
+        if (asked->bash) fmt::print("{}", bash_completion(app));
+        if (asked->bill) fmt::print("{}\n", bill_of_materials());
+    });
+}
+
+}  // namespace diurna

@@ -1,0 +1,13 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace diurna {
+
+/// `diurna pages --man | --bash | --bill`: the manual page, what a shell completes, and the bill
+/// of materials, for packages.
+void add_pages_verb(CLI::App& app);
+
+}  // namespace diurna

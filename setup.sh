@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that diurna is built from; with --tests also the programs that some tests drive, which they
-# pass over where there are none; with --fuzz also clang, for .ci/fuzz. Without root it names what is missing and stops.
+# pass over where there are none; with --fuzz also clang, for .ci/fuzz; with --python what its Python module is built from.
+# Without root it names what is missing and stops.
 set -euo pipefail
 
 packages=(
@@ -16,6 +17,7 @@ packages=(
     catch2 libsundials-dev libbenchmark-dev
 )
 [ "${1:-}" != --tests ] || packages+=(chromium ffmpeg python3)
+[ "${1:-}" != --python ] || packages+=(python3-dev python3-venv pybind11-dev)
 [ "${1:-}" != --fuzz ] || packages+=(clang libclang-rt-14-dev)
 
 missing=()

@@ -208,6 +208,7 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
                                     .unit = unit ? unit->value() : "",
                                     .pixel = std::vector<float>(frame.pixels())});
         }
+        if (frame.planes.empty()) return frame;  // none of those wanted: OpenEXR refuses to read
         const auto corner = header.dataWindow().min;
         for (const Plane& plane : frame.planes) {
             const std::ptrdiff_t offset =

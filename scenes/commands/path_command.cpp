@@ -15,7 +15,7 @@
 
 #include "materials/air/radiosonde.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
-#include "materials/atmosphere/sun_field.hpp"
+#include "materials/atmosphere/paths_in_bands.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/units.hpp"
@@ -34,88 +34,19 @@ struct PathArguments {
     double co2_ppm = todays_co2_ppm;
     double ground_km = 0.0;  // where the haze begins
     double rain_mm_h = 0.0;
-    double height_km = 0.0;   // start of the path, above the sea
-    double zenith_deg = 0.0;  // there
-    std::optional<double> range_km, to_height_km;
-    bool to_ground = false, to_space = false;
-    std::optional<double> sun_zenith_deg;  // named: scattered sunlight too
-    double azimuth_from_sun_deg = 0.0;     // of the path
-    double ground_albedo = 0.2;
+    AirPath path;
     std::vector<std::string> bands;
     std::filesystem::path csv;  // whole spectrum, if named
     std::string modtran;        // absolute path of MODTRAN 5, which then stands in for the model
 };
 
-/// Length [km] of the line from one height to another under a zenith angle at its start.
-double range_to_height(double from_km, double to_km, double zenith_deg) {
-    const double r0 = earth_radius_km + from_km, r1 = earth_radius_km + to_km;
-    const double along = r0 * std::cos(radians(zenith_deg));
-    const double inside = along * along + r1 * r1 - r0 * r0;
-    if (inside >= 0.0) {
-        for (const double range : {-along - std::sqrt(inside), -along + std::sqrt(inside)}) {
-            if (range > 0.0) return range;
-        }
-    }
-    throw InputError("--to-height-km", fmt::format("a path from {:g} km under zenith angle {:g}° "
-                                                   "never reaches {:g} km",
-                                                   from_km, zenith_deg, to_km));
-}
-
-SightLine line_of(const PathArguments& a, const BandModel& model) {
-    const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
-    if (ends != 1) {
-        throw InputError("path",
-                         fmt::format("found {} ends of the path, expected one of --range-km, "
-                                     "--to-height-km, --to-ground, --to-space",
-                                     ends));
-    }
-    if (a.range_km) return sight_line(a.height_km, a.zenith_deg, *a.range_km);
-    if (a.to_height_km) {
-        return sight_line(a.height_km, a.zenith_deg,
-                          range_to_height(a.height_km, *a.to_height_km, a.zenith_deg));
-    }
-    if (a.to_ground != ends_on_ground(model, a.height_km, a.zenith_deg)) {
-        throw InputError(
-            a.to_ground ? "--to-ground" : "--to-space",
-            fmt::format("a path from {:g} km under zenith angle {:g}° ends {}", a.height_km,
-                        a.zenith_deg, a.to_ground ? "in space" : "on the ground"));
-    }
-    return line_of(model, a.height_km, a.zenith_deg);
-}
-
-/// What a path has in a band.
-struct BandResult {
-    double transmittance;       // mean over wavelength
-    double thermal, scattered;  // [W m⁻² sr⁻¹]
-};
-
-std::vector<BandResult> by_band_model(const PathArguments& a, const BandModel& model,
-                                      const SightLine& line, std::span<const Band> bands) {
-    std::vector<BandResult> results;
-    for (const Band& band : bands) {
-        const PathSpectrum path = path_at_nodes(model, line, band.node_um);
-        BandResult& result = results.emplace_back();
-        result.transmittance = band_mean_nodes(band, path.transmittance);
-        result.thermal = band_sum_nodes(band, path.radiance);
-        result.scattered = 0.0;
-        if (!a.sun_zenith_deg) continue;
-        const SunField field(model,
-                             {.zenith_deg = *a.sun_zenith_deg, .ground_albedo = a.ground_albedo},
-                             band.node_um);
-        result.scattered = band_sum_nodes(
-            band, a.to_space ? field.sky(a.height_km, a.zenith_deg, a.azimuth_from_sun_deg)
-                             : field.path(line, a.zenith_deg, a.azimuth_from_sun_deg));
-    }
-    return results;
-}
-
 /// The same path for MODTRAN.
 ModtranDeck deck_of(const PathArguments& a, const BandModel& model, const SightLine& line,
                     std::span<const Band> bands) {
     ModtranDeck deck;
-    deck.emission =
-        a.sun_zenith_deg ? ModtranDeck::Emission::thermal_and_sun : ModtranDeck::Emission::thermal;
-    deck.multiple_scattering = a.sun_zenith_deg.has_value();
+    deck.emission = a.path.sun_zenith_deg ? ModtranDeck::Emission::thermal_and_sun
+                                          : ModtranDeck::Emission::thermal;
+    deck.multiple_scattering = a.path.sun_zenith_deg.has_value();
     const auto names = afgl_profile_names();
     if (std::find(names.begin(), names.end(), a.profile) != names.end()) {
         deck.model = a.profile;
@@ -127,16 +58,16 @@ ModtranDeck deck_of(const PathArguments& a, const BandModel& model, const SightL
     deck.rain_mm_h = a.rain_mm_h;
     deck.co2_ppm = a.co2_ppm;
     deck.ground_km = a.ground_km;
-    deck.albedo = a.ground_albedo;
-    deck.h1_km = a.height_km;
-    deck.zenith_deg = a.zenith_deg;
+    deck.albedo = a.path.ground_albedo;
+    deck.h1_km = a.path.height_km;
+    deck.zenith_deg = a.path.zenith_deg;
     deck.range_km = line.range_km();
     deck.h2_km = std::max(0.0, line.height_within(line.size() - 1, 1.0));
-    deck.path = a.to_space             ? ModtranDeck::PathType::to_space
-                : a.zenith_deg == 90.0 ? ModtranDeck::PathType::level
-                                       : ModtranDeck::PathType::between_heights;
-    if (a.sun_zenith_deg) deck.sun_zenith_deg = *a.sun_zenith_deg;
-    deck.sun_azimuth_deg = a.azimuth_from_sun_deg;
+    deck.path = a.path.to_space             ? ModtranDeck::PathType::to_space
+                : a.path.zenith_deg == 90.0 ? ModtranDeck::PathType::level
+                                            : ModtranDeck::PathType::between_heights;
+    if (a.path.sun_zenith_deg) deck.sun_zenith_deg = *a.path.sun_zenith_deg;
+    deck.sun_azimuth_deg = a.path.azimuth_from_sun_deg;
     double from_um = 1e9, to_um = 0.0;
     for (const Band& band : bands) {
         from_um = std::min(from_um, band.from_um());
@@ -147,10 +78,10 @@ ModtranDeck deck_of(const PathArguments& a, const BandModel& model, const SightL
     return deck;
 }
 
-std::vector<BandResult> by_modtran(const ModtranRunner& runner, const ModtranDeck& deck,
+std::vector<PathInBand> by_modtran(const ModtranRunner& runner, const ModtranDeck& deck,
                                    std::span<const Band> bands) {
     const Tape7Spectra path = spectra_of(run_decks(runner, {deck}).front());
-    std::vector<BandResult> results;
+    std::vector<PathInBand> results;
     for (const Band& band : bands) {
         const double from = band.from_um(), to = band.to_um();
         const auto sum = [&](const std::vector<double>& value) {
@@ -188,14 +119,14 @@ void path_verb(const PathArguments& arguments) {
                           .ground_km = arguments.ground_km,
                           .rain_mm_h = arguments.rain_mm_h};
     check(model);
-    const SightLine line = line_of(arguments, model);
+    const SightLine line = line_of(arguments.path, model);
     std::vector<Band> bands;
     for (const std::string& band : arguments.bands) {
         bands.push_back(parse_band(band, bin_edges_um()));
     }
-    std::vector<BandResult> results;
+    std::vector<PathInBand> results;
     if (arguments.modtran.empty()) {
-        results = by_band_model(arguments, model, line, bands);
+        results = paths_in_bands(arguments.path, model, line, bands);
     } else {
         if (!arguments.csv.empty()) {
             throw InputError("--csv", "writes the embedded model's spectrum, not MODTRAN's");
@@ -204,11 +135,11 @@ void path_verb(const PathArguments& arguments) {
         results = by_modtran(*runner, deck_of(arguments, model, line, bands), bands);
     }
     std::string out = "band_um,transmittance,thermal_path_radiance_W_m2_sr";
-    out += arguments.sun_zenith_deg ? ",scattered_sun_W_m2_sr\n" : "\n";
+    out += arguments.path.sun_zenith_deg ? ",scattered_sun_W_m2_sr\n" : "\n";
     for (std::size_t b = 0; b < bands.size(); ++b) {
         out += fmt::format("{:g}-{:g},{:.6f},{:.6g}", bands[b].from_um(), bands[b].to_um(),
                            results[b].transmittance, results[b].thermal);
-        if (arguments.sun_zenith_deg) out += fmt::format(",{:.6g}", results[b].scattered);
+        if (arguments.path.sun_zenith_deg) out += fmt::format(",{:.6g}", results[b].scattered);
         out += '\n';
     }
     if (!arguments.csv.empty()) write_spectrum(arguments.csv, model, line);
@@ -228,15 +159,15 @@ void add_path_verb(CLI::App& app) {
     verb->add_option("--co2-ppm", a->co2_ppm);
     verb->add_option("--ground-km", a->ground_km, "where the haze begins");
     verb->add_option("--rain-mm-h", a->rain_mm_h);
-    verb->add_option("--height-km", a->height_km, "start of the path above the sea");
-    verb->add_option("--zenith-deg", a->zenith_deg, "at the start of the path");
-    verb->add_option("--range-km", a->range_km);
-    verb->add_option("--to-height-km", a->to_height_km);
-    verb->add_flag("--to-ground", a->to_ground);
-    verb->add_flag("--to-space", a->to_space);
-    verb->add_option("--sun-zenith-deg", a->sun_zenith_deg, "adds scattered sunlight");
-    verb->add_option("--azimuth-from-sun-deg", a->azimuth_from_sun_deg, "of the path");
-    verb->add_option("--ground-albedo", a->ground_albedo);
+    verb->add_option("--height-km", a->path.height_km, "start of the path above the sea");
+    verb->add_option("--zenith-deg", a->path.zenith_deg, "at the start of the path");
+    verb->add_option("--range-km", a->path.range_km);
+    verb->add_option("--to-height-km", a->path.to_height_km);
+    verb->add_flag("--to-ground", a->path.to_ground);
+    verb->add_flag("--to-space", a->path.to_space);
+    verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "adds scattered sunlight");
+    verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg, "of the path");
+    verb->add_option("--ground-albedo", a->path.ground_albedo);
     verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be given again")->required();
     verb->add_option("--csv", a->csv, "file for the whole spectrum");
     verb->add_option("--modtran", a->modtran,

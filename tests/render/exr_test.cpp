@@ -65,6 +65,18 @@ TEST_CASE("a frame comes back from its file bit by bit", "[render][exr]") {
     }
 }
 
+TEST_CASE("of a file those planes are read that are wanted and there", "[render][exr]") {
+    const Folder folder;
+    const auto path = folder.path / "frame.exr";
+    const Frame frame = noisy_frame();
+    write_exr(path, frame);
+    const std::string there = frame.planes[1].name;
+    CHECK(read_exr(path, std::vector<std::string>{there, "none"}).planes.size() == 1);
+    const Frame none = read_exr(path, std::vector<std::string>{"none"});
+    CHECK(none.planes.empty());
+    CHECK(none.observer == "ridge");
+}
+
 TEST_CASE("the same frame gives the same file", "[render][exr][by_replication]") {
     const Folder folder;
     write_exr(folder.path / "a.exr", noisy_frame());

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "materials/air/sight_line.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "materials/radiation/band.hpp"
+
+namespace diurna {
+
+/// A path through the air as `diurna path` and Python's diurna.path() take it: its start, the angle
+/// it leaves under, and one of four ends.
+struct AirPath {
+    double height_km = 0.0;   // start of the path, above the sea
+    double zenith_deg = 0.0;  // there
+    std::optional<double> range_km, to_height_km;
+    bool to_ground = false, to_space = false;
+    std::optional<double> sun_zenith_deg;  // named: scattered sunlight too
+    double azimuth_from_sun_deg = 0.0;     // of the path
+    double ground_albedo = 0.2;
+};
+
+/// Its line. Throws InputError unless it has one end, and one that it reaches.
+SightLine line_of(const AirPath& path, const BandModel& model);
+
+/// What a path has in a band.
+struct PathInBand {
+    double transmittance;       // mean over wavelength
+    double thermal, scattered;  // [W m⁻² sr⁻¹]; of sunlight 0 where no sun is named
+};
+
+/// (band), whose breakpoints are bin_edges_um()
+std::vector<PathInBand> paths_in_bands(const AirPath& path, const BandModel& model,
+                                       const SightLine& line, std::span<const Band> bands);
+
+}  // namespace diurna

@@ -1,0 +1,143 @@
+"""The sun, a path through the air, Planck's law, one facet under a weather file."""
+
+import os
+import tempfile
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from . import _core
+from .errors import NotConverged
+from .toml_text import toml_text
+
+
+class Sun(NamedTuple):
+    azimuth_deg: float  # clockwise from true north
+    elevation_deg: float
+    distance_au: float
+
+
+def instant_text(when):
+    """ISO 8601 with an offset of a text, a datetime with tzinfo or a datetime64 (which is UTC)."""
+    if isinstance(when, np.datetime64):
+        return str(when.astype("datetime64[ms]")) + "Z"
+    if hasattr(when, "isoformat"):
+        if when.tzinfo is None:
+            raise ValueError("an instant needs its offset from UTC (tzinfo)")
+        return when.isoformat(timespec="milliseconds")
+    return when
+
+
+def sun(latitude_deg, longitude_deg, time, height_m=0.0, pressure_hPa=None, temperature_C=15.0):
+    """Where the sun stands, refracted where the air's pressure is given."""
+    return Sun(*_core.sun(latitude_deg, longitude_deg, instant_text(time), height_m, pressure_hPa, temperature_C))
+
+
+def band_radiance(band, temperature_K):
+    """A black body's radiance [W m-2 sr-1] in a band of wavelengths ("8-12" um); of arrays, arrays."""
+    return _core.band_radiance(band, temperature_K)
+
+
+def apparent_temperature(band, radiance):
+    """[K] of the black body that has this radiance [W m-2 sr-1] in the band."""
+    return _core.apparent_temperature(band, radiance)
+
+
+class PathInBand(NamedTuple):
+    transmittance: float  # mean over wavelength
+    thermal_W_m2_sr: float
+    scattered_W_m2_sr: float  # of sunlight; 0 where no sun is named
+
+
+def path(bands, profile="US76", aerosol="none", visibility_km=23.0, co2_ppm=None, ground_km=0.0, rain_mm_h=0.0, **way):
+    """Transmittance and radiance of one path through the air, by band name.
+
+    The way: height_km, zenith_deg and one of range_km, to_height_km, to_ground, to_space; sun_zenith_deg,
+    azimuth_from_sun_deg and ground_albedo for scattered sunlight.
+    """
+    air_path = _core.AirPath()
+    for name, value in way.items():
+        if not hasattr(air_path, name):
+            raise TypeError(f"path() has no {name!r}")
+        setattr(air_path, name, value)
+    names = [bands] if isinstance(bands, str) else list(bands)
+    co2 = _core.todays_co2_ppm if co2_ppm is None else co2_ppm
+    rows = _core.path(names, profile, aerosol, visibility_km, co2, ground_km, rain_mm_h, air_path)
+    return dict(zip(names, (PathInBand(*row) for row in rows)))
+
+
+class Column:
+    """What one facet went through: arrays by name, as the CSV of `diurna column` has them; `column["latent_W_m2"]`."""
+
+    def __init__(self, raw):
+        self.columns, self.note = raw["columns"], raw["note"]
+        self.converged, self.passes = raw["converged"], raw["passes"]
+        self.depth_m, self.final_profile_K = raw["depth_m"], raw["final_profile_K"]
+
+    def __getitem__(self, name):
+        return self.columns[name]
+
+    def __repr__(self):
+        kelvin = self["surface_temperature_K"]
+        return f"<diurna.Column {len(kelvin)} rows, surface {kelvin.min():.2f} to {kelvin.max():.2f} K>"
+
+    def frame(self):
+        """As pandas.DataFrame, its index the instants in UTC."""
+        import pandas
+
+        return pandas.DataFrame(self.columns).set_index("time").tz_localize("UTC")
+
+    def _repr_svg_(self):
+        kelvin = np.asarray(self["surface_temperature_K"])
+        low, high = float(kelvin.min()), max(float(kelvin.max()), float(kelvin.min()) + 1e-3)
+        x = np.linspace(40, 590, len(kelvin))
+        y = 190 - 170 * (kelvin - low) / (high - low)
+        points = " ".join(f"{a:.1f},{b:.1f}" for a, b in zip(x, y))
+        first, last = (str(t)[:16] for t in (self["time"][0], self["time"][-1]))
+        return (
+            '<svg xmlns="http://www.w3.org/2000/svg" width="600" height="215" font-family="sans-serif" font-size="11">'
+            f'<polyline points="{points}" fill="none" stroke="#b3541e" stroke-width="1.5"/>'
+            f'<text x="2" y="24">{high:.1f} K</text><text x="2" y="194">{low:.1f} K</text>'
+            f'<text x="40" y="210">{first}Z</text><text x="590" y="210" text-anchor="end">{last}Z</text></svg>'
+        )
+
+
+def _weather_csv(weather, folder):
+    """A DataFrame (instants in a column `time` or as index) or dictionary of columns as the CSV of weather files."""
+    columns = {name: weather[name] for name in weather} if isinstance(weather, dict) else None
+    if columns is None:
+        if "time" not in weather:
+            weather = weather.rename_axis("time").reset_index()
+        columns = {name: weather[name] for name in weather.columns}
+    length = {name: len(values) for name, values in columns.items()}
+    if len(set(length.values())) != 1 or "time" not in columns:
+        raise ValueError(f"weather: expected `time` and columns of one length, found {length}")
+    file = Path(folder) / "weather.csv"
+    with open(file, "w") as out:
+        out.write(",".join(columns) + "\n")
+        for row in zip(*columns.values()):
+            cells = [instant_text(v) if n == "time" else ("" if v != v else repr(float(v))) for n, v in zip(columns, row)]
+            out.write(",".join(cells) + "\n")
+    return file
+
+
+def column(job, weather=None, settings=(), allow_outside=False):
+    """One facet driven by weather: `job` a column file or a dictionary of what one says.
+
+    weather: in place of [weather] file: a pandas.DataFrame or dictionary of columns as weather files have them, `time`
+    with its offset from UTC. What files the dictionary names lie beneath the working folder. What was modelled for want
+    of measurements is in `note`. Raises diurna.Error, and NotConverged with what there is.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        text, folders, settings = None, [], list(settings)
+        if isinstance(job, dict):
+            text, job = toml_text(job), os.path.abspath("column.toml")
+        if weather is not None:
+            folders = [folder]
+            settings.append(f'weather.file="{_weather_csv(weather, folder)}"')
+        raw = _core.column(job, text, settings, folders, allow_outside)
+    result = Column(raw)
+    if not result.converged:
+        raise NotConverged(f"the spin-up has not converged in {result.passes} passes", result)
+    return result

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "terrain/place/instant.hpp"
+
+// What the parts of the module share.
+
+namespace diurna::python {
+
+namespace py = pybind11;
+
+/// A vector as an array of this shape that owns it: nothing is copied.
+template <typename T>
+py::array_t<T> as_array(std::vector<T>&& values, std::vector<py::ssize_t> shape) {
+    auto owned = std::make_unique<std::vector<T>>(std::move(values));
+    T* const first = owned->data();
+    const py::capsule owner(owned.get(), [](void* it) { delete static_cast<std::vector<T>*>(it); });
+    owned.release();
+    return py::array_t<T>(std::move(shape), first, owner);
+}
+template <typename T>
+py::array_t<T> as_array(std::vector<T>&& values) {
+    const auto size = static_cast<py::ssize_t>(values.size());
+    return as_array(std::move(values), {size});
+}
+
+/// Instants as numpy's datetime64[ms], in UTC.
+py::object as_datetimes(const std::vector<Instant>& instants);
+
+void bind_point(py::module_& module);
+void bind_scene(py::module_& module);
+void bind_stepper(py::module_& module);
+
+}  // namespace diurna::python

@@ -1,0 +1,164 @@
+"""A scene from a dictionary, its folder read by other programs, and driven step by step."""
+
+import os
+import pathlib
+import struct
+import tempfile
+import threading
+import unittest
+import zlib
+
+import numpy as np
+
+import diurna
+
+os.environ["DIURNA_STAGES"] = "off"
+samples = pathlib.Path(diurna.data_folder()).parent / "scenes"
+
+
+def small_scene(folder):
+    """A level field of grass with a road, a picture an hour for six hours."""
+    cells = ("300 " * 6 + "\n") * 6
+    head = "ncols 6\nnrows 6\nxllcorner -0.0006\nyllcorner 39.9994\ncellsize 0.0002\n"
+    (folder / "level.asc").write_text(head + cells)
+    (folder / "level.prj").write_text((samples / "crossover" / "level.prj").read_text())
+    rows = ["time,air_temperature_K,wind_speed_m_s,relative_humidity"]
+    for hour in range(49):
+        day, clock = 20 + (hour + 12) // 24, (hour + 12) % 24
+        rows.append(f"2026-06-{day:02}T{clock:02}:00:00Z,{290 + 8 * np.sin((clock - 9) / 24 * 2 * np.pi):.2f},2.0,0.5")
+    (folder / "weather.csv").write_text("\n".join(rows) + "\n")
+    return {
+        "terrain": {"elevation": "level.asc", "material": "grass"},
+        "weather": {"file": "weather.csv", "interval": "instant"},
+        "time": {"start": "2026-06-21T00:00:00Z", "duration_h": 6, "step_s": 600.0},
+        "building": [
+            {"name": "crate", "place_m": [0.0, 10.0], "width_m": 3.0, "depth_m": 2.0, "height_m": 2.0, "wall": "brick"}
+        ],
+        "observer": [
+            {
+                "name": "eye",
+                "place_m": [0.0, -25.0],
+                "height_above_ground_m": 10.0,
+                "look_at_m": [0.0, 10.0],
+                "width": 64,
+                "height": 48,
+                "bands": ["8-12"],
+            }
+        ],
+    }
+
+
+class SmallScene(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.hold = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.hold.name)
+        cls.table = small_scene(cls.folder)
+        cls.scene = diurna.Scene(cls.table, file=cls.folder / "scene.toml")
+        counted = []
+        done = threading.Event()
+
+        def count():  # goes on only if the run lets other threads in
+            while not done.wait(0.001):
+                counted.append(1)
+
+        other = threading.Thread(target=count)
+        other.start()
+        cls.run_ = cls.scene.run(cls.folder / "out", fresh=True)
+        done.set()
+        other.join()
+        cls.counted = len(counted)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.hold.cleanup()
+
+    def test_check_and_plan(self):
+        check = self.scene.check()
+        self.assertEqual(check.observers, 1)
+        plan = self.scene.plan()
+        self.assertEqual(plan["facets"], check.facets)
+        self.assertEqual(plan["pictures"], 6)
+        self.assertEqual(self.run_.facets, check.facets)
+        self.assertIn("facets", repr(plan))
+
+    def test_a_scene_is_not_overwritten(self):
+        with self.assertRaises(FileExistsError):
+            diurna.Scene(self.table, file=self.folder / "scene.toml")
+
+    def test_mistakes(self):
+        wrong = {**self.table, "terrain": {**self.table["terrain"], "material": "gras"}}
+        with self.assertRaises(diurna.Error) as caught:
+            diurna.Scene(wrong, file=self.folder / "wrong.toml").check()
+        self.assertEqual(caught.exception.key, "terrain.material")
+        self.assertEqual(caught.exception.file, str(self.folder / "wrong.toml"))
+        with self.assertRaises(diurna.Error):
+            diurna.Scene(self.folder / "none.toml").check()
+
+    def test_others_ran_meanwhile(self):
+        self.assertGreater(self.counted, 20)
+
+    def test_temperatures_as_netcdf_has_them(self):
+        try:
+            import netCDF4
+        except ImportError:
+            self.skipTest("netCDF4 is not here")
+        found = self.run_.temperatures()
+        with netCDF4.Dataset(self.run_.folder / "temperatures.nc") as file:
+            name = next(n for n, v in file.variables.items() if v.ndim == 2 and getattr(v, "units", "") == "K")
+            np.testing.assert_array_equal(found.kelvin, file[name][:].filled(np.nan))
+        self.assertEqual(found.time[0], np.datetime64("2026-06-21T00:00:00"))
+        self.assertFalse(found.kelvin.flags.owndata)
+
+    def test_frames_as_another_reader_has_them(self):
+        frames = list(self.run_.frames())
+        self.assertEqual(len(frames), 6)
+        frame = frames[3]
+        self.assertEqual(frame["radiance.8-12"].shape, (48, 64))
+        # radiance and apparent temperature agree by Planck's law
+        kelvin = diurna.apparent_temperature("8-12", frame["radiance.8-12"])
+        np.testing.assert_allclose(kelvin, frame["apparent_temperature.8-12"], atol=2e-4)
+        with self.assertRaises(KeyError):
+            frame["radiance.3-5"]
+        with self.assertRaisesRegex(diurna.Error, "radiance.8-12"):
+            diurna.read_frame(self.run_.frame_files()[0], ["radiance.8-13"])
+        try:
+            import OpenImageIO as oiio
+        except ImportError:
+            self.skipTest("OpenImageIO is not here")
+        picture = oiio.ImageBuf(str(self.run_.frame_files()[3]))
+        place = picture.spec().channelnames.index("apparent_temperature.8-12")
+        np.testing.assert_array_equal(picture.get_pixels(oiio.FLOAT)[:, :, place], frame["apparent_temperature.8-12"])
+
+    def test_a_frame_shows_itself(self):
+        png = next(self.run_.frames())._repr_png_()
+        self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
+        width, height = struct.unpack(">II", png[16:24])
+        self.assertEqual((width, height), (64, 48))
+        data = png[png.index(b"IDAT") + 4 :]
+        self.assertEqual(len(zlib.decompressobj().decompress(data)), 48 * 65)
+
+    def test_stepper_is_the_run(self):
+        stepper = self.scene.stepper()
+        self.assertTrue(stepper.now.startswith("2026-06-21T00:00:00"))
+        stepper.advance("2026-06-21T03:00:00Z")
+        found = self.run_.temperatures()
+        place = list(found.time).index(np.datetime64("2026-06-21T03:00:00"))
+        np.testing.assert_allclose(stepper.temperature(), found.kelvin[place], atol=0.02)
+        facets = stepper.facets()
+        self.assertEqual(len(facets["area_m2"]), found.kelvin.shape[1])
+        corner = facets["vertex_m"][facets["corner"]].astype(float)
+        cross = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+        np.testing.assert_allclose(np.linalg.norm(cross, axis=1) / 2, facets["area_m2"], rtol=1e-3)
+        pose = stepper.observer("eye")
+        near = stepper.picture("eye")
+        pose.position_m = pose.position_m + np.array([0.0, 0.0, 100.0])
+        pose.elevation_deg = -60.0
+        far = stepper.picture("eye", pose)
+        self.assertGreater(np.nanmedian(far["range"]), np.nanmedian(near["range"]) + 50)
+        with self.assertRaises(diurna.Error):
+            stepper.advance("2026-06-21T01:00:00Z")
+
+
+if __name__ == "__main__":
+    unittest.main()

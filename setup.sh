@@ -17,7 +17,7 @@ packages=(
     catch2 libsundials-dev libbenchmark-dev
 )
 [ "${1:-}" != --tests ] || packages+=(chromium ffmpeg python3)
-[ "${1:-}" != --python ] || packages+=(python3-dev python3-venv pybind11-dev)
+[ "${1:-}" != --python ] || packages+=(python3-dev python3-venv pybind11-dev python3-numpy python3-pandas python3-netcdf4 python3-openimageio)
 [ "${1:-}" != --fuzz ] || packages+=(clang libclang-rt-14-dev)
 
 missing=()

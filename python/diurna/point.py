@@ -103,10 +103,17 @@ class Column:
         )
 
 
+def settings_given(settings):
+    """Of "key.path=value"; one by itself is taken for a list of one."""
+    return [settings] if isinstance(settings, str) else list(settings)
+
+
 def _weather_csv(weather, folder):
     """A DataFrame (instants in a column `time` or as index) or dictionary of columns as the CSV of weather files."""
     columns = {name: weather[name] for name in weather} if isinstance(weather, dict) else None
     if columns is None:
+        if not hasattr(weather, "columns"):
+            raise TypeError(f"weather: found {type(weather).__name__}, expected a DataFrame or a dictionary of columns")
         if "time" not in weather:
             weather = weather.rename_axis("time").reset_index()
         columns = {name: weather[name] for name in weather.columns}
@@ -130,7 +137,7 @@ def column(job, weather=None, settings=(), allow_outside=False):
     of measurements is in `note`. Raises diurna.Error, and NotConverged with what there is.
     """
     with tempfile.TemporaryDirectory() as folder:
-        text, folders, settings = None, [], list(settings)
+        text, folders, settings = None, [], settings_given(settings)
         if isinstance(job, dict):
             text, job = toml_text(job), os.path.abspath("column.toml")
         if weather is not None:

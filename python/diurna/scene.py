@@ -8,7 +8,7 @@ from typing import NamedTuple
 from . import _core
 from .errors import NotConverged, Warning
 from .pictures import Frame, read_frame
-from .point import instant_text
+from .point import instant_text, settings_given
 from .toml_text import toml_text
 
 
@@ -76,7 +76,7 @@ class Scene:
         elif file is not None:
             raise TypeError("Scene of a file takes no other file=")
         self.file = Path(scene)
-        self._given = (os.fspath(self.file), list(settings), allow_outside)
+        self._given = (os.fspath(self.file), settings_given(settings), allow_outside)
 
     def check(self, strict=False):
         """All that can be known to be wrong before anything is computed: raises diurna.Error. Doubts are told as

@@ -7,6 +7,8 @@ import re
 
 
 def _key(name):
+    if not isinstance(name, str):
+        raise TypeError(f"{name!r}: found {type(name).__name__}, expected a key as text")
     return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else json.dumps(name, ensure_ascii=False)
 
 
@@ -41,7 +43,7 @@ def toml_text(table, path=()):
     """
     own, below = [], []
     for name, value in table.items():
-        here = (*path, name)
+        here = (*path, str(name))
         where = ".".join(here)
         if value is None:
             continue

@@ -32,7 +32,7 @@ py::tuple sun(double latitude_deg, double longitude_deg, const std::string& time
     return py::make_tuple(at.azimuth_deg, at.elevation_deg, at.distance_au);
 }
 
-py::array_t<double> radiance(const std::string& band, py::array_t<double> kelvin) {
+py::object radiance(const std::string& band, py::array_t<double> kelvin) {
     const Band of = parse_band(band);
     const auto each = [&](double t) {
         check_within("temperature", t, 0.0, 20000.0);
@@ -41,7 +41,7 @@ py::array_t<double> radiance(const std::string& band, py::array_t<double> kelvin
     return py::vectorize(each)(std::move(kelvin));
 }
 
-py::array_t<double> apparent_temperature(const std::string& band, py::array_t<double> radiance) {
+py::object apparent_temperature(const std::string& band, py::array_t<double> radiance) {
     const Band of = parse_band(band);
     const auto each = [&](double value) {
         if (!std::isfinite(value)) throw InputError("radiance", "found one that is not finite");

@@ -48,6 +48,11 @@ class Point(unittest.TestCase):
                 self.assertAlmostEqual(found[row, column] / expected, 1, delta=1e-9)
         np.testing.assert_allclose(diurna.apparent_temperature("8-12", found), kelvin, atol=1e-6)
 
+        self.assertIsInstance(diurna.band_radiance("8-12", 300.0), float)
+        for wrong in (-3.0, float("nan")):
+            with self.assertRaisesRegex(diurna.Error, "temperature: found"):
+                diurna.band_radiance("8-12", wrong)
+
     def test_path_of_modtran(self):
         # MODTRAN 5, tropical, rural haze of 23 km, 5 km level, 330 ppm: 0.2772 (3-5 um), 0.1535 (8-12 um)
         found = diurna.path(["3-5", "8-12"], "TROP", "rural", 23, co2_ppm=360, zenith_deg=90, range_km=5)
@@ -133,6 +138,10 @@ class OneFacet(unittest.TestCase):
             diurna.column(plate, bad)
         with self.assertRaisesRegex(ValueError, "one length"):
             diurna.column(plate, {**weather(), "wind_speed_m_s": [1.0]})
+        with self.assertRaisesRegex(TypeError, "DataFrame"):
+            diurna.column(plate, 3)
+        with self.assertRaises(TypeError):
+            diurna.toml_text({1: 2})
 
     def test_toml(self):
         table = {"a b": 1, "t": {"x": [1.5, 2], "deep": {"y": 'q"\\\n\x7f'}}, "list": [{"n": "é"}, {"n": True}], "e": []}

@@ -144,7 +144,7 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
     const int three = file.dimension("corner", 3);
 
     file.text(NC_GLOBAL, "Conventions", "CF-1.8 UGRID-1.0");
-    file.text(NC_GLOBAL, "title", "diurna facet temperatures");
+    file.text(NC_GLOBAL, "title", temperatures_title);
     for (const auto& [name, value] : {std::pair{"site_latitude_deg", site.latitude_deg},
                                       std::pair{"site_longitude_deg", site.longitude_deg},
                                       std::pair{"site_height_m", site.height}}) {

@@ -42,6 +42,7 @@ inline constexpr std::array<TermName, heat_terms> heat_term_names{{
      "it"},
 }};
 
+inline constexpr const char* temperatures_title = "diurna facet temperatures";
 inline constexpr const char* solved_as_name = "solved_as";
 
 }  // namespace diurna

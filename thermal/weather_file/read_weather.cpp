@@ -73,34 +73,6 @@ const char* name_of(Stamp stamp) {
     return stamp == Stamp::start ? "start" : "end";
 }
 
-WeatherTable read_table(const std::filesystem::path& file, const WeatherOptions& options) {
-    const WeatherFormat format = weather_format(file);
-    if (format != WeatherFormat::csv && format != WeatherFormat::era5_csv &&
-        !options.columns.empty()) {
-        throw InputError(file.string(),
-                         "is of a format that has its own columns; those of [weather.columns] are "
-                         "declared of CSV only");
-    }
-    switch (format) {
-        case WeatherFormat::epw:
-            return read_epw(file, options.asked);
-        case WeatherFormat::tmy3:
-            return read_tmy3(file, options.asked);
-        case WeatherFormat::surfrad:
-            return read_surfrad(file);
-        case WeatherFormat::bsrn:
-            return read_bsrn(file);
-        case WeatherFormat::era5_netcdf:
-            return read_era5_netcdf(file);
-        case WeatherFormat::era5_csv:
-            if (options.columns.empty()) return read_era5_csv(file);
-            [[fallthrough]];
-        case WeatherFormat::csv:
-            break;
-    }
-    return read_own_csv(file, options.columns);
-}
-
 Stamp stamps_of(const WeatherTable& table, const WeatherOptions& options) {
     if (table.stamps && options.interval && *table.stamps != *options.interval) {
         throw InputError(
@@ -208,8 +180,36 @@ WeatherFormat weather_format(const std::filesystem::path& file) {
     return found;
 }
 
+WeatherTable read_weather_table(const std::filesystem::path& file, const WeatherOptions& options) {
+    const WeatherFormat format = weather_format(file);
+    if (format != WeatherFormat::csv && format != WeatherFormat::era5_csv &&
+        !options.columns.empty()) {
+        throw InputError(file.string(),
+                         "is of a format that has its own columns; those of [weather.columns] are "
+                         "declared of CSV only");
+    }
+    switch (format) {
+        case WeatherFormat::epw:
+            return read_epw(file, options.asked);
+        case WeatherFormat::tmy3:
+            return read_tmy3(file, options.asked);
+        case WeatherFormat::surfrad:
+            return read_surfrad(file);
+        case WeatherFormat::bsrn:
+            return read_bsrn(file);
+        case WeatherFormat::era5_netcdf:
+            return read_era5_netcdf(file);
+        case WeatherFormat::era5_csv:
+            if (options.columns.empty()) return read_era5_csv(file);
+            [[fallthrough]];
+        case WeatherFormat::csv:
+            break;
+    }
+    return read_own_csv(file, options.columns);
+}
+
 Weather read_weather(const std::filesystem::path& file, const WeatherOptions& options) {
-    WeatherTable table = read_table(file, options);
+    WeatherTable table = read_weather_table(file, options);
     const Stamp stamps = stamps_of(table, options);
     table.wind_height = options.wind_height.value_or(table.wind_height);
     table.air_height = options.air_height.value_or(table.air_height);

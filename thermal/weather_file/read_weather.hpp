@@ -11,6 +11,7 @@
 #include "thermal/weather_file/gaps.hpp"
 #include "thermal/weather_file/own_csv.hpp"
 #include "thermal/weather_file/typical_year.hpp"
+#include "thermal/weather_file/weather_table.hpp"
 
 namespace diurna {
 
@@ -38,6 +39,11 @@ enum class WeatherFormat { csv, epw, tmy3, surfrad, bsrn, era5_csv, era5_netcdf 
 /// Recognises a file by its first lines, and by its extension where that promises a format. Throws
 /// InputError where the two contradict each other.
 WeatherFormat weather_format(const std::filesystem::path& file);
+
+/// A file of any format as it stands: its rows in SI, gaps as they are, nothing filled or changed.
+/// Of the options `asked` (the year that a typical one stands for) and `columns` count. Throws
+/// InputError as read_weather does of what it reads.
+WeatherTable read_weather_table(const std::filesystem::path& file, const WeatherOptions& options);
 
 /// Reads a weather file of any format: recognise it, fill its gaps, place its rows.
 ///

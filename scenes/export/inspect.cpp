@@ -1,0 +1,102 @@
+#include "scenes/export/inspect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "materials/base/csv.hpp"
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "thermal/temperature_mesh.hpp"
+#include "thermal/temperature_names.hpp"
+#include "thermal/weather_file/read_weather.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The first bytes.
+std::string head_of(const fs::path& file) {
+    std::ifstream in = open_file(file, std::uintmax_t{1} << 44);
+    std::string head(4096, '\0');
+    in.read(head.data(), std::streamsize(head.size()));
+    head.resize(std::size_t(std::max<std::streamsize>(0, in.gcount())));
+    return head;
+}
+
+Found inspect_netcdf(const fs::path& file, const InspectOptions& options) {
+    const std::string title = netcdf_title(file);
+    if (title == temperatures_title) return inspect_temperatures(file);
+    if (title.starts_with("diurna")) {
+        return {.kind = "state of heat",
+                .fact = {{"title", {title}}},
+                .table = {},
+                .next = "name it as state in [time] of a scene of the same mesh that starts there"};
+    }
+    try {
+        return inspect_weather(file);
+    } catch (const InputError&) {
+        return inspect_raster(file, options);
+    }
+}
+
+/// Weather of any text format; of CSV what has a time and a column that weather has.
+bool is_weather(const fs::path& file) {
+    if (weather_format(file) != WeatherFormat::csv) return true;
+    const CsvTable table = read_csv(file);
+    return std::any_of(table.header.begin(), table.header.end(), [](const std::string& column) {
+        return quantity_of_column(column).has_value();
+    });
+}
+
+Found inspect_text(const fs::path& file) {
+    if (is_weather(file)) return inspect_weather(file);
+    throw InputError(file.string(),
+                     fmt::format("is a table of {}: none of these is weather's",
+                                 fmt::format("{}", fmt::join(read_csv(file).header, ", "))),
+                     "a scene declares the columns of another's weather in [weather.columns]");
+}
+
+}  // namespace
+
+Found inspect(const fs::path& file, const InspectOptions& options) {
+    if (fs::is_directory(file)) {
+        if (fs::is_regular_file(file / "manifest.json")) {
+            return inspect_json(file / "manifest.json");
+        }
+        throw InputError(file.string(), "is a folder without manifest.json: of no run");
+    }
+    const std::string head = head_of(file), ends = small_letters(file.extension().string());
+    if (head.empty()) throw InputError(file.string(), "is empty");
+    if (head.starts_with("\x76\x2f\x31\x01")) return inspect_exr(file);
+    if (head.starts_with("CDF") || head.starts_with("\x89HDF")) {
+        return inspect_netcdf(file, options);
+    }
+    if (is_one_of(ends, {".obj", ".ply", ".stl", ".gltf", ".glb"})) {
+        return inspect_mesh(file, options);
+    }
+    if (ends == ".toml") return inspect_toml(file);
+    if (is_one_of(ends, {".json", ".geojson"})) return inspect_json(file);
+    if (ends == ".txt") return inspect_label_lines(file);
+    if (is_one_of(ends, {".csv", ".epw", ".dat", ".tab"})) return inspect_text(file);
+    const bool raster = head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF") ||
+                        head.starts_with("II*") || head.starts_with("MM") ||
+                        head.starts_with("II+");
+    if (raster || is_one_of(ends, {".tif", ".tiff", ".asc", ".hgt", ".dem", ".dt0", ".dt1", ".dt2",
+                                   ".img", ".bil"})) {
+        return inspect_raster(file, options);
+    }
+    throw InputError(file.string(), "is of no kind that is known here",
+                     "elevation, weather, meshes, OpenEXR, temperatures.nc, TOML, manifests, "
+                     "labels");
+}
+
+}  // namespace diurna

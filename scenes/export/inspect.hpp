@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+
+#include "scenes/export/found.hpp"
+
+namespace diurna {
+
+struct InspectOptions {
+    bool allow_outside = false;  // files beside a raster or a mesh may lie anywhere
+};
+
+/// What a file holds, told by its content and the end of its name: elevation and other rasters,
+/// weather of every format read here, meshes, OpenEXR pictures, temperatures and states of heat,
+/// scenes, columns, manifests and labels; a run's folder by its manifest. Throws InputError, one
+/// line, for what is none of these or cannot be read.
+Found inspect(const std::filesystem::path& file, const InspectOptions& options = {});
+
+/// Each of its kind; the same errors.
+Found inspect_raster(const std::filesystem::path& file, const InspectOptions& options);
+Found inspect_weather(const std::filesystem::path& file);
+Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& options);
+Found inspect_exr(const std::filesystem::path& file);
+Found inspect_temperatures(const std::filesystem::path& file);
+Found inspect_toml(const std::filesystem::path& file);
+Found inspect_json(const std::filesystem::path& file);
+/// Lists beside pictures: boxes of YOLO or KITTI, classes, names of pictures.
+Found inspect_label_lines(const std::filesystem::path& file);
+
+}  // namespace diurna

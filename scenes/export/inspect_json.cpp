@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "scenes/export/inspect.hpp"
+
+namespace diurna {
+
+namespace {
+
+using Json = nlohmann::json;
+
+long long size_of(const Json& json, const char* key) {
+    return json.contains(key) ? static_cast<long long>(json[key].size()) : 0;
+}
+
+std::string text_of(const Json& json, const char* key) {
+    return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
+}
+
+Found manifest(const Json& json, const std::filesystem::path& file) {
+    const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
+    const bool sweep = json.contains("variants");
+    Found found{.kind = sweep ? "manifest of a sweep" : "manifest of a run"};
+    found.fact = {{"program", {text_of(json, "program")}}, {"scene", {text_of(json, "scene")}}};
+    if (sweep) {
+        found.fact.push_back({"variants", {size_of(json, "variants")}});
+        found.next = fmt::format("diurna verify {}", folder);
+        return found;
+    }
+    found.fact.push_back({"state", {text_of(json, "state")}});
+    if (!text_of(json, "not_converged").empty()) {
+        found.fact.push_back({"not_converged", {text_of(json, "not_converged")}});
+    }
+    if (size_of(json, "span") == 2 && json["span"][0].is_string() && json["span"][1].is_string()) {
+        found.fact.push_back(
+            {"span", {json["span"][0].get<std::string>(), json["span"][1].get<std::string>()}});
+    }
+    found.fact.push_back({"frames", {size_of(json, "frames")}});
+    found.fact.push_back({"cameras", {size_of(json, "cameras")}});
+    found.fact.push_back({"inputs", {size_of(json, "inputs")}});
+    found.fact.push_back({"outputs", {size_of(json, "outputs")}});
+    found.next =
+        fmt::format("diurna verify {0}; diurna export {0} --to csv --out curves.csv", folder);
+    return found;
+}
+
+Found annotations(const Json& json) {
+    Found found{.kind = "labels (COCO)"};
+    found.fact = {{"images", {size_of(json, "images")}},
+                  {"annotations", {size_of(json, "annotations")}}};
+    FoundTable classes{"categories", {"id", "name"}, {}};
+    for (const Json& one : json["categories"]) {
+        if (!one.is_object() || !one.contains("id") || !one["id"].is_number_integer()) continue;
+        classes.row.push_back({one["id"].get<long long>(), text_of(one, "name")});
+    }
+    found.table.push_back(std::move(classes));
+    found.next = "file names are from its own folder; any reader of COCO takes it";
+    return found;
+}
+
+}  // namespace
+
+Found inspect_json(const std::filesystem::path& file) {
+    const Json json = Json::parse(read_text(file, std::size_t{1} << 30), nullptr, false);
+    if (json.is_discarded()) throw InputError(file.string(), "is no JSON");
+    if (json.is_object() && text_of(json, "program").starts_with("diurna")) {
+        return manifest(json, file);
+    }
+    if (json.is_object() && json.contains("annotations") && json.contains("categories") &&
+        json["categories"].is_array()) {
+        return annotations(json);
+    }
+    if (json.is_object() && text_of(json, "type") == "FeatureCollection") {
+        return {.kind = "shapes (GeoJSON)",
+                .fact = {{"features", {size_of(json, "features")}}},
+                .table = {},
+                .next =
+                    "name it as file of shapes of a scene's terrain; diurna keys tells the "
+                    "keys"};
+    }
+    throw InputError(file.string(), "is JSON, but no manifest, no COCO labels and no GeoJSON");
+}
+
+}  // namespace diurna

@@ -1,0 +1,65 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "materials/base/confines.hpp"
+#include "materials/base/error.hpp"
+#include "scenes/export/inspect.hpp"
+#include "terrain/objects/mesh_file.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// What the library that reads meshes calls a material that the file does not name.
+constexpr const char* unnamed = "DefaultMaterial";
+
+}  // namespace
+
+Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& options) {
+    const MeshFile mesh = read_mesh_file(file, confines_of(file, options.allow_outside));
+    Eigen::Vector3d low = mesh.vertex.front(), high = low;
+    for (const Eigen::Vector3d& v : mesh.vertex) {
+        low = low.cwiseMin(v);
+        high = high.cwiseMax(v);
+    }
+    struct Part {
+        std::set<std::string> materials;
+        long long facets = 0;
+    };
+    std::map<std::string, Part> parts;
+    std::set<std::string> materials;
+    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+        const MeshFile::Part& part = mesh.part[mesh.part_of[t]];
+        Part& of = parts[part.node];
+        ++of.facets;
+        if (part.material.empty() || part.material == unnamed) continue;
+        of.materials.insert(part.material);
+        materials.insert(part.material);
+    }
+    const std::string kind = small_letters(file.extension().string());
+    const bool metres = kind == ".gltf" || kind == ".glb";
+    Found found{.kind = "mesh"};
+    found.fact = {{"facets", {static_cast<long long>(mesh.triangle.size())}},
+                  {"vertices", {static_cast<long long>(mesh.vertex.size())}},
+                  {"parts", {static_cast<long long>(parts.size())}},
+                  {"unit",
+                   {std::string(metres ? "m (glTF's)"
+                                       : "the file does not say; a scene's object "
+                                         "gives it by its key unit")}},
+                  {"low", {low.x(), low.y(), low.z()}},
+                  {"high", {high.x(), high.y(), high.z()}},
+                  {"size", {high.x() - low.x(), high.y() - low.y(), high.z() - low.z()}},
+                  {"materials", {materials.begin(), materials.end()}}};
+    FoundTable table{"groups", {"group", "facets", "materials"}, {}};
+    for (const auto& [name, part] : parts) {
+        table.row.push_back({name, part.facets, fmt::format("{}", fmt::join(part.materials, " "))});
+    }
+    found.table.push_back(std::move(table));
+    found.next = "name it as file of an [[object]] of a scene; diurna keys tells the keys";
+    return found;
+}
+
+}  // namespace diurna

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include "materials/base/confines.hpp"
+#include "materials/base/error.hpp"
+#include "scenes/export/inspect.hpp"
+#include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/raster_facts.hpp"
+#include "terrain/raster/read_dem.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// What only elevation has. Throws InputError where it is none.
+void add_elevation(const std::filesystem::path& file, const Confines& confines, Found& found) {
+    const Dem dem = read_dem(file, {.voids = VoidPolicy::leave, .confines = confines});
+    const Geodetic centre = dem_centre(dem);
+    const Eigen::Vector2d posting = post_spacing(dem);
+    found.kind = "elevation raster";
+    found.fact.push_back({"posting_m", {posting.x(), posting.y()}});
+    found.fact.push_back({"centre_latitude_deg", {centre.latitude_deg}});
+    found.fact.push_back({"centre_longitude_deg", {centre.longitude_deg}});
+    found.fact.push_back({"centre_height_m", {centre.height}});
+    found.fact.push_back({"voids", {static_cast<long long>(dem.voids)}});
+    if (!dem.notes.empty()) {
+        found.fact.push_back({"notes", {dem.notes.begin(), dem.notes.end()}});
+    }
+    found.next = fmt::format("diurna new FOLDER --dem {}", file.string());
+}
+
+}  // namespace
+
+Found inspect_raster(const std::filesystem::path& file, const InspectOptions& options) {
+    const Confines confines = confines_of(file, options.allow_outside);
+    const RasterFacts facts = read_raster_facts(file, confines);
+    Found found{.kind = facts.crs.empty() ? "picture" : "raster"};
+    found.fact = {{"format", {facts.driver}},
+                  {"columns", {static_cast<long long>(facts.columns)}},
+                  {"rows", {static_cast<long long>(facts.rows)}},
+                  {"crs", {facts.crs.empty() ? std::string("none") : facts.crs}}};
+    if (facts.transform) {
+        const GeoTransform& t = *facts.transform;
+        found.fact.push_back({"upper_left", {t[0], t[3]}});
+        found.fact.push_back({"pixel", {t[1], t[5]}});
+        if (t[2] != 0.0 || t[4] != 0.0) found.fact.push_back({"turned_by", {t[2], t[4]}});
+        if (!facts.unit.empty()) found.fact.push_back({"map_unit", {facts.unit}});
+    }
+    FoundTable bands{
+        "bands", {"band", "unit", "type", "no_data", "least", "most", "mean", "valid_px"}, {}};
+    for (const BandFacts& band : facts.band) {
+        const FoundValue none =
+            band.no_data ? FoundValue(fmt::format("{:g}", *band.no_data)) : FoundValue("none");
+        bands.row.push_back(
+            {band.name, band.unit, band.type, none, band.least, band.most, band.mean, band.valid});
+    }
+    found.table.push_back(std::move(bands));
+    const bool variables = facts.band.empty();  // of netCDF, one of which may be elevation
+    if (variables || (facts.band.size() == 1 && !facts.crs.empty())) {
+        try {
+            add_elevation(file, confines, found);
+        } catch (const InputError& error) {
+            found.fact.push_back({"not_elevation_because", {error.mistakes().front().problem}});
+        }
+    }
+    return found;
+}
+
+}  // namespace diurna

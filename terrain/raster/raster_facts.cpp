@@ -1,0 +1,98 @@
+#include "terrain/raster/raster_facts.hpp"
+
+#include <fmt/format.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/gdal_file.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double most_values = 1e9;
+const char* const drivers[] = {"GTiff", "PNG",     "JPEG",    "ENVI",   "AAIGrid",
+                               "DTED",  "SRTMHGT", "USGSDEM", "netCDF", nullptr};
+
+BandFacts facts_of(GDALRasterBand& band, const std::string& where, const QuietGdal& gdal) {
+    BandFacts facts{.name = band.GetDescription(),
+                    .unit = band.GetUnitType(),
+                    .type = GDALGetDataTypeName(band.GetRasterDataType()),
+                    .no_data = std::nullopt};
+    int declared = 0;
+    const double no_data = band.GetNoDataValue(&declared);
+    if (declared) facts.no_data = no_data;
+    facts.least = std::numeric_limits<double>::infinity();
+    facts.most = -facts.least;
+    double sum = 0.0;
+    std::vector<double> row(static_cast<std::size_t>(band.GetXSize()));
+    for (int y = 0; y < band.GetYSize(); ++y) {
+        if (band.RasterIO(GF_Read, 0, y, band.GetXSize(), 1, row.data(), band.GetXSize(), 1,
+                          GDT_Float64, 0, 0) != CE_None) {
+            throw InputError(where, "cannot be read" + gdal.because());
+        }
+        for (const double v : row) {
+            if (!std::isfinite(v) || (declared && v == no_data)) continue;
+            facts.least = std::min(facts.least, v);
+            facts.most = std::max(facts.most, v);
+            sum += v;
+            ++facts.valid;
+        }
+    }
+    facts.mean = sum / static_cast<double>(facts.valid);
+    if (facts.valid == 0) facts.least = facts.most = std::nan("");
+    return facts;
+}
+
+}  // namespace
+
+RasterFacts read_raster_facts(const std::filesystem::path& file,
+                              const std::optional<Confines>& confines) {
+    const QuietGdal gdal;
+    const GdalGate gate(confines ? *confines : confines_of(file));
+    const std::string where = file.string();
+    const auto data = open_gdal_file(
+        file, GDAL_OF_RASTER, drivers,
+        "known formats: GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM HGT, USGS DEM, netCDF",
+        gdal, gate);
+    RasterFacts facts{.driver = data->GetDriverName(),
+                      .columns = data->GetRasterXSize(),
+                      .rows = data->GetRasterYSize(),
+                      .band = {},
+                      .transform = std::nullopt,
+                      .crs = "",
+                      .unit = ""};
+    const double pixels = double(facts.columns) * facts.rows;
+    double bytes = 0.0;
+    for (GDALRasterBand* band : data->GetBands()) {
+        bytes += pixels * GDALGetDataTypeSizeBytes(band->GetRasterDataType());
+    }
+    constexpr double small = 1e6;  // pictures of one colour may be packed better
+    if (pixels * data->GetRasterCount() > most_values || claims_too_much(bytes - small, file)) {
+        throw InputError(where, fmt::format("claims {} bands of {} x {} but has only {} bytes",
+                                            data->GetRasterCount(), facts.columns, facts.rows,
+                                            std::filesystem::file_size(file)));
+    }
+    GeoTransform transform{};
+    if (data->GetGeoTransform(transform.data()) == CE_None) facts.transform = transform;
+    if (const OGRSpatialReference* crs = data->GetSpatialRef()) {
+        facts.crs = crs->GetName() != nullptr ? crs->GetName() : "unnamed";
+        if (const char* code = crs->GetAuthorityCode(nullptr)) {
+            facts.crs += fmt::format(" ({}:{})", crs->GetAuthorityName(nullptr), code);
+        }
+        const char* unit = nullptr;
+        crs->IsGeographic() ? crs->GetAngularUnits(&unit) : crs->GetLinearUnits(&unit);
+        facts.unit = unit != nullptr ? unit : "";
+    }
+    for (GDALRasterBand* band : data->GetBands()) {
+        facts.band.push_back(facts_of(*band, where, gdal));
+    }
+    gate.check();
+    return facts;
+}
+
+}  // namespace diurna

@@ -24,6 +24,7 @@
 #include "scenes/commands/crossover_command.hpp"
 #include "scenes/commands/detection_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
+#include "scenes/commands/export_command.hpp"
 #include "scenes/commands/inspect_command.hpp"
 #include "scenes/commands/keys_command.hpp"
 #include "scenes/commands/materials_command.hpp"
@@ -53,7 +54,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_movie_verb,     add_verify_verb,      add_keys_verb,      add_doctor_verb,
     add_signature_verb, add_detection_verb,   add_crossover_verb, add_contrast_verb,
     add_new_verb,       add_sensitivity_verb, add_calibrate_verb, add_pages_verb,
-    add_inspect_verb,
+    add_inspect_verb,   add_export_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

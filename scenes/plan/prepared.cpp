@@ -14,6 +14,7 @@
 #include "scenes/input/bands.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
+#include "scenes/world/elevation.hpp"
 #include "scenes/world/ground_point.hpp"
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
@@ -21,7 +22,6 @@
 #include "scenes/world/stepping.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
-#include "terrain/raster/read_dem.hpp"
 
 namespace diurna {
 
@@ -116,9 +116,7 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
 
 Prepared prepare(Scene scene) {
     const FilesRead opened;
-    std::vector<std::filesystem::path> tiles{scene.terrain.elevation};
-    tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
-    const Dem dem = read_dem(tiles, scene.terrain.reading);
+    const Dem dem = elevation_of(scene);
     refuse_depths(dem);
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials), world.copies);

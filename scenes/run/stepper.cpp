@@ -12,20 +12,14 @@
 #include "scenes/run/heat.hpp"
 #include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/stage_heat.hpp"
+#include "scenes/world/elevation.hpp"
 #include "scenes/world/ground_point.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/local_time.hpp"
-#include "terrain/raster/read_dem.hpp"
 
 namespace diurna {
 
 namespace {
-
-Dem elevation_of(const Scene& scene) {
-    std::vector<std::filesystem::path> tiles{scene.terrain.elevation};
-    tiles.insert(tiles.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
-    return read_dem(tiles, scene.terrain.reading);
-}
 
 /// The scene with its objects somewhere, what its facets see there, and what heat asks of it.
 struct SceneInPlace {

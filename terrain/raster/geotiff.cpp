@@ -21,9 +21,11 @@ namespace {
 }  // namespace
 
 void write_geotiff(const std::filesystem::path& file, const Dem& dem,
-                   const std::vector<RasterBand>& bands) {
+                   const std::vector<RasterBand>& bands, TiffLayout layout) {
     GDALAllRegister();
-    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+    GDALDriver* cloud =
+        layout == TiffLayout::cloud ? GetGDALDriverManager()->GetDriverByName("COG") : nullptr;
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(cloud ? "MEM" : "GTiff");
     if (driver == nullptr) fail(file);
     // In memory first: a disk that fills up then leaves no half file.
     const std::string memory = "/vsimem/diurna-" + file.filename().string();
@@ -31,7 +33,7 @@ void write_geotiff(const std::filesystem::path& file, const Dem& dem,
     {
         const std::unique_ptr<GDALDataset> set(
             driver->Create(memory.c_str(), dem.columns, dem.rows, static_cast<int>(bands.size()),
-                           GDT_Float32, const_cast<char**>(options)));
+                           GDT_Float32, cloud ? nullptr : const_cast<char**>(options)));
         if (!set) fail(file);
         std::array<double, 6> transform = dem.transform;
         set->SetGeoTransform(transform.data());
@@ -40,12 +42,20 @@ void write_geotiff(const std::filesystem::path& file, const Dem& dem,
             assert(bands[b].value.size() == dem.height.size());
             GDALRasterBand* band = set->GetRasterBand(static_cast<int>(b) + 1);
             band->SetDescription(bands[b].name.c_str());
+            if (!bands[b].unit.empty()) band->SetUnitType(bands[b].unit.c_str());
             band->SetNoDataValue(std::numeric_limits<double>::quiet_NaN());
             if (band->RasterIO(GF_Write, 0, 0, dem.columns, dem.rows,
                                const_cast<float*>(bands[b].value.data()), dem.columns, dem.rows,
                                GDT_Float32, 0, 0) != CE_None) {
                 fail(file);
             }
+        }
+        if (cloud) {
+            const char* how[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE",
+                                 nullptr};
+            const std::unique_ptr<GDALDataset> copy(cloud->CreateCopy(
+                memory.c_str(), set.get(), FALSE, const_cast<char**>(how), nullptr, nullptr));
+            if (!copy) fail(file);
         }
     }
     vsi_l_offset size = 0;

@@ -13,12 +13,17 @@ namespace diurna {
 struct RasterBand {
     std::string name;
     std::span<const float> value;  // (row, column) as in the Dem; NaN where there is none
+    std::string unit = "";         // "K"; empty: none is told
 };
+
+/// Cloud-optimised: tiles, with overviews (means) of what is larger than one, the directory first;
+/// plain where GDAL has no such driver.
+enum class TiffLayout { plain, cloud };
 
 /// Writes quantities of an elevation raster's posts as a GeoTIFF in its place and CRS (32-bit
 /// float, DEFLATE, NaN for no data), whole or not at all. Throws std::runtime_error with the
 /// reason.
 void write_geotiff(const std::filesystem::path& file, const Dem& dem,
-                   const std::vector<RasterBand>& bands);
+                   const std::vector<RasterBand>& bands, TiffLayout layout = TiffLayout::plain);
 
 }  // namespace diurna

@@ -115,6 +115,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/check_command.cpp",
       "scenes/commands/column_command.cpp",
       "scenes/commands/doctor_command.cpp",
+      "scenes/commands/export_command.cpp",
       "scenes/commands/inspect_command.cpp",
       "scenes/commands/keys_command.cpp",
       "scenes/commands/materials_command.cpp",

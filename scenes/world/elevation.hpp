@@ -1,0 +1,12 @@
+#pragma once
+
+#include "scenes/input/scene.hpp"
+#include "terrain/raster/dem.hpp"
+
+namespace diurna {
+
+/// The elevation that a scene stands on: its raster and tiles, the window and the unit it asks for.
+/// Throws InputError as read_dem (terrain/raster/read_dem.hpp) does.
+Dem elevation_of(const Scene& scene);
+
+}  // namespace diurna

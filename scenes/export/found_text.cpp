@@ -22,7 +22,7 @@ std::string said(const FoundValue& value) {
 std::string said(const std::vector<FoundValue>& values) {
     std::string line;
     for (const FoundValue& value : values) line += (line.empty() ? "" : ", ") + said(value);
-    return line;
+    return line.empty() ? "-" : line;
 }
 
 std::string said(const FoundTable& table) {

@@ -42,7 +42,9 @@ std::string listed(const std::vector<std::string>& names) {
     for (std::size_t i = 0; i < names.size(); ++i) {
         text += fmt::format("{}{} {}", i == 0 ? "" : ", ", i, names[i]);
     }
-    for (std::size_t at; (at = text.find("--")) != text.npos;) text.replace(at, 2, "__");
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        if (text[i - 1] == '-' && text[i] == '-') text[i] = '_';
+    }
     return text;
 }
 

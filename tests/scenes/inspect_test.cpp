@@ -1,0 +1,95 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "tests/support/independent_reader.hpp"
+#include "tests/support/small_scene.hpp"
+
+// What `diurna inspect` says of files, beside what programs that are not ours find in them.
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Ran inspected(const fs::path& file) {
+    return ran("'" DIURNA_BINARY "' inspect '" + file.string() + "' 2>&1");
+}
+
+}  // namespace
+
+TEST_CASE("others find in files what inspect tells of them", "[scenes][inspect]") {
+    if (!independent_readers()) return;
+    const ScratchFolder folder("inspect");
+    write_text(folder.path / "scene.toml", small_scene());
+    const Ran solved = ran("'" DIURNA_BINARY "' solve '" + (folder.path / "scene.toml").string() +
+                           "' --set time.duration_h=2 --out '" +
+                           (folder.path / "temperatures.nc").string() + "' 2>&1");
+    INFO(solved.out);
+    REQUIRE((solved.code == 0 || solved.code == 1));  // two hours repeat badly
+    const Ran read = read_by("inspect_reader.py", "'" DIURNA_BINARY "' '" DIURNA_SOURCE_DIR "' '" +
+                                                      folder.path.string() + "'");
+    INFO(read.out);
+    CHECK(read.code == 0);
+}
+
+TEST_CASE("inspect tells texts apart and what to call next", "[scenes][inspect]") {
+    const ScratchFolder folder("inspect_texts");
+    for (const auto& [name, text] : std::map<std::string, std::string>{
+             {"yolo.txt", "0 0.5 0.5 0.25 0.125\n1 0.1 0.2 0.3 0.4\n"},
+             {"kitti.txt", "truck 0.00 0 0.5 21 17 51 36 10.2 2.0 6.0 0.0 462.2 2282.5 0.5\n"},
+             {"train.txt", "images/east_8-12.png\n"},
+             {"shapes.geojson", R"({"type": "FeatureCollection", "features": [{}, {}]})"},
+             {"annotations.json", R"({"images": [{}], "annotations": [{}, {}, {}],
+                 "categories": [{"id": 1, "name": "truck"}]})"},
+             {"manifest.json", R"({"program": "diurna 0.1.0", "scene": "s", "state": "done"})"}}) {
+        write_text(folder.path / name, text);
+    }
+    const fs::path place = DIURNA_SOURCE_DIR "/scenes/jacksboro";
+    for (const auto& [file, says] : std::map<fs::path, std::string>{
+             {folder.path / "yolo.txt", "labels (YOLO)\nboxes: 2\n"},
+             {folder.path / "kitti.txt", "labels (KITTI)\nobjects: 1\n"},
+             {folder.path / "train.txt", "list of pictures\npictures: 1\n"},
+             {folder.path / "shapes.geojson", "shapes (GeoJSON)\nfeatures: 2\n"},
+             {folder.path / "annotations.json", "labels (COCO)\nimages: 1\nannotations: 3\n"},
+             {folder.path / "manifest.json", "manifest of a run\n"},
+             {folder.path, "next: diurna verify "},
+             {place / "scene.toml", "scene\nnext: diurna check "},
+             {place / "column.toml", "column\nnext: diurna column "},
+             {place / "idling.parts.toml", "parts of a target\n"},
+             {place / "trucks.png", "picture\nformat: PNG\n"}}) {
+        const Ran told = inspected(file);
+        CAPTURE(file, told.out);
+        CHECK(told.code == 0);
+        CHECK(told.out.find(says) != std::string::npos);
+    }
+}
+
+TEST_CASE("what inspect does not know gets one line and code 2", "[scenes][inspect]") {
+    const ScratchFolder folder("inspect_unknown");
+    for (const auto& [name, text] :
+         std::map<std::string, std::string>{{"empty", ""},
+                                            {"page.html", "<html></html>"},
+                                            {"bytes.bin", "\x01\x02\x03"},
+                                            {"broken.json", "{"},
+                                            {"other.json", "[1, 2]"},
+                                            {"other.toml", "a = 1\n"},
+                                            {"broken.toml", "a = \n"},
+                                            {"table.csv", "a,b\n1,2\n"},
+                                            {"words.txt", "hello there\n"},
+                                            {"broken.tif", "II*\x01"},
+                                            {"broken.exr", "\x76\x2f\x31\x01zzzz"},
+                                            {"broken.nc", "CDF\x01zzzz"},
+                                            {"broken.obj", "v 1 2\n"},
+                                            {"deep.json", std::string(200'000, '[')}}) {
+        write_text(folder.path / name, text);
+        const Ran told = inspected(folder.path / name);
+        CAPTURE(name, told.out);
+        CHECK(told.code == 2);
+        CHECK(std::count(told.out.begin(), told.out.end(), '\n') == 1);
+        CHECK(told.out.find(name) != std::string::npos);
+    }
+    fs::create_directory(folder.path / "folder");
+    CHECK(inspected(folder.path / "folder").code == 2);
+    CHECK(inspected(folder.path / "none").code == 2);
+}

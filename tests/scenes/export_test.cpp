@@ -1,5 +1,9 @@
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -16,7 +20,7 @@ Ran diurna(const std::string& arguments) {
     return ran("'" DIURNA_BINARY "' " + arguments + " 2>&1");
 }
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+std::string quoted(const fs::path& path) { return fmt::format("'{}'", path.string()); }
 
 /// Two hours of the small scene, as a run's folder has them.
 fs::path two_hours(const ScratchFolder& folder) {

@@ -45,6 +45,8 @@ TEST_CASE("others read in exports what temperatures.nc holds", "[scenes][export]
           "vtu --out " + quoted(folder.path / "day.pvd"),
           "geotiff --out " + quoted(folder.path / "ground.tif") + " --scene " +
               quoted(folder.path / "scene.toml"),
+          "kmz --out " + quoted(folder.path / "overlay.kmz") + " --scene " +
+              quoted(folder.path / "scene.toml"),
           "ply --out " + quoted(folder.path / "mesh.ply") + " --at 2026-07-15T00:15:00-04:00"}) {
         const Ran made = diurna(begin + arguments);
         CAPTURE(arguments, made.out);
@@ -66,6 +68,8 @@ TEST_CASE("an export that cannot be writes nothing", "[scenes][export]") {
              {x + " --to vtu", "expected FILE.pvd"},
              {x + " --to geotiff", "--scene: is needed"},
              {x + " --to geotiff --scene '" + other + "'", "is of another scene"},
+             {x + " --to kmz", "--scene: is needed"},
+             {x + " --to csv --scene '" + other + "'", "are for --to geotiff and kmz"},
              {x + " --to ply", "expected one"},
              {x + " --to ply --of object:hangar --at 2026-07-15T04:10:00Z", "is for --to csv"},
              {x + " --to csv --of object:hangr", "did you mean 'object:hangar'?"},

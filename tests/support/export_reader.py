@@ -1,6 +1,7 @@
-"""Reads what `diurna export` wrote with xml, csv, struct, OpenImageIO and netCDF4, and compares it with temperatures.nc.
+"""Reads what `diurna export` wrote with xml, csv, struct, zipfile, OpenImageIO and netCDF4, and compares it with temperatures.nc.
 
-    export_reader.py FOLDER   holds run/temperatures.nc, curves.csv, day.pvd, ground.tif, mesh.ply
+    export_reader.py FOLDER   holds run/temperatures.nc, curves.csv, day.pvd, ground.tif, mesh.ply,
+                              overlay.kmz
 """
 
 import base64
@@ -9,6 +10,8 @@ import datetime
 import pathlib
 import struct
 import sys
+import tempfile
+import zipfile
 import xml.etree.ElementTree as xml
 
 import netCDF4
@@ -163,8 +166,41 @@ def mesh():
     check((numpy.diff(light[order]) > -6).all(), "warmer is lighter")
 
 
+def overlay():
+    """Beside the GeoTIFF, whose own test is above: its raster is on latitude and longitude, too."""
+    archive = zipfile.ZipFile(folder / "overlay.kmz")
+    check(archive.testzip() is None and archive.namelist()[0] == "doc.kml", "archive")
+    name = "{http://www.opengis.net/kml/2.2}"
+    found = xml.fromstring(archive.read("doc.kml")).iter(name + "GroundOverlay")
+    overlays = [{e.tag.replace(name, ""): e.text for e in o.iter()} for o in found]
+    begins, ends = ([utc(o[k]) for o in overlays] for k in ("begin", "end"))
+    check(begins == [s for s in seconds if (s - seconds[0]) % 3600 == 0], "instants")
+    check(ends[:-1] == begins[1:] and ends[-1] == begins[-1] + 3600, "spans")
+    value = OpenImageIO.ImageInput.open(str(folder / "ground.tif")).read_image("float")
+    tag = tags(folder / "ground.tif")
+    (dx, dy, _), (_, _, _, x0, y0, _) = tag[33550], tag[33922]
+    for i, o in enumerate(overlays):
+        with tempfile.NamedTemporaryFile(suffix=".png") as file:
+            file.write(archive.read(o["href"]))
+            file.flush()
+            picture = OpenImageIO.ImageInput.open(file.name).read_image("uint8")
+        north, south, east, west = (float(o[k]) for k in ("north", "south", "east", "west"))
+        rows, columns = numpy.indices(picture.shape[:2])
+        latitude = north - (north - south) * (rows + 0.5) / picture.shape[0]
+        longitude = west + (east - west) * (columns + 0.5) / picture.shape[1]
+        row, column = numpy.rint((y0 - latitude) / dy - 0.5).astype(int), numpy.rint((longitude - x0) / dx - 0.5).astype(int)
+        check(row.min() >= 0 and column.min() >= 0 and row.max() < value.shape[0] and column.max() < value.shape[1], "box")
+        shown = value[row, column, i]
+        check(numpy.isfinite(value[..., i]).sum() == numpy.isfinite(shown).sum(), "all ground")
+        check(((picture[..., 3] == 255) == numpy.isfinite(shown)).all(), "opacity")
+        seen = picture[..., 3] > 0
+        light = (picture[seen][:, :3].astype(float) @ [0.2126, 0.7152, 0.0722])[numpy.argsort(shown[seen], kind="stable")]
+        check((numpy.diff(light) > -6).all() and light[-1] > light[0] + 10, "warmer is lighter")
+
+
 curves()
 meshes()
 ground()
 mesh()
+overlay()
 print("as in temperatures.nc")

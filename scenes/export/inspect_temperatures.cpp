@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scenes/export/inspect.hpp"
+#include "scenes/export/run_heat.hpp"
 #include "scenes/report/curves.hpp"
 #include "terrain/place/local_time.hpp"
 #include "thermal/temperature_field.hpp"
@@ -12,18 +13,15 @@ namespace diurna {
 
 namespace {
 
-/// Names that facets have, with their number and area.
-FoundTable named(const std::string& what, const std::vector<std::string>& names,
-                 const std::vector<std::size_t>& number, const std::vector<float>& area) {
+/// Names of a kind that facets have, with their number and area.
+FoundTable named(const std::string& what, const std::vector<NamedGroup>& groups,
+                 const std::vector<float>& area) {
     FoundTable table{what + "s", {what, "facets", "area_m2"}, {}};
-    std::vector<long long> facets(names.size(), 0);
-    std::vector<double> sum(names.size(), 0.0);
-    for (std::size_t f = 0; f < number.size() && !names.empty(); ++f) {
-        ++facets[number[f]];
-        sum[number[f]] += area[f];
-    }
-    for (std::size_t n = 0; n < names.size(); ++n) {
-        if (facets[n] > 0) table.row.push_back({names[n], facets[n], sum[n]});
+    for (const auto& [kind, group] : groups) {
+        if (kind != what) continue;
+        double sum = 0.0;
+        for (const std::uint32_t f : group.facet) sum += area[f];
+        table.row.push_back({group.name, static_cast<long long>(group.facet.size()), sum});
     }
     return table;
 }
@@ -45,13 +43,10 @@ Found inspect_temperatures(const std::filesystem::path& file) {
                   {"site_height_m", {mesh.site.height}},
                   {"water_followed_facets", {static_cast<long long>(field.water.facet.size())}},
                   {"all_facets_solved", {field.solved_as.empty()}}};
-    std::vector<std::size_t> number;
-    for (const MaterialId m : facets.material) number.push_back(index(m));
-    found.table.push_back(named("material", mesh.materials, number, facets.area));
-    number.clear();
-    for (const ObjectId o : facets.object) number.push_back(static_cast<std::size_t>(o));
-    found.table.push_back(named("object", mesh.objects, number, facets.area));
-
+    const std::vector<NamedGroup> groups = all_groups(mesh);
+    for (const char* kind : {"material", "object"}) {
+        found.table.push_back(named(kind, groups, facets.area));
+    }
     FacetGroup all{"all", {}};
     for (std::uint32_t f = 0; f < field.facets; ++f) all.facet.push_back(f);
     FoundTable times{"temperatures", {"utc", "local_time", "least_K", "mean_K", "most_K"}, {}};

@@ -74,14 +74,18 @@ std::vector<Instant> every_hour(const RunHeat& heat) {
     return all;
 }
 
-std::vector<NamedGroup> named_groups(const RunHeat& heat, std::span<const std::string> asked) {
-    const FacetSet& facets = heat.mesh.facets;
+std::vector<NamedGroup> all_groups(const TemperatureMesh& mesh) {
     std::vector<std::size_t> material, object;
-    for (const MaterialId m : facets.material) material.push_back(index(m));
-    for (const ObjectId o : facets.object) object.push_back(static_cast<std::size_t>(o));
+    for (const MaterialId m : mesh.facets.material) material.push_back(index(m));
+    for (const ObjectId o : mesh.facets.object) object.push_back(static_cast<std::size_t>(o));
     std::vector<NamedGroup> all;
-    add_groups("material", heat.mesh.materials, material, all);
-    add_groups("object", heat.mesh.objects, object, all);
+    add_groups("material", mesh.materials, material, all);
+    add_groups("object", mesh.objects, object, all);
+    return all;
+}
+
+std::vector<NamedGroup> named_groups(const RunHeat& heat, std::span<const std::string> asked) {
+    std::vector<NamedGroup> all = all_groups(heat.mesh);
     if (all.empty()) throw InputError(heat.file.string(), "names no materials and no objects");
     if (asked.empty()) return all;
     std::vector<std::string> known;

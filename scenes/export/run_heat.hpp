@@ -40,9 +40,12 @@ struct NamedGroup {
     FacetGroup group;
 };
 
-/// Those asked for ("material:grass", "object:hangar"); of none all that have facets, materials
-/// first, in the order of the file. Names are those of the file. Throws InputError with the nearest
-/// name for one that has no facet.
+/// All that have facets, materials first, in the order of the file; of those that share a name,
+/// such as both sides of a sheet, one. None where the file names none.
+std::vector<NamedGroup> all_groups(const TemperatureMesh& mesh);
+
+/// Those asked for ("material:grass", "object:hangar"); of none all. Names are those of the file.
+/// Throws InputError with the nearest name for one that has no facet.
 std::vector<NamedGroup> named_groups(const RunHeat& heat, std::span<const std::string> asked);
 
 }  // namespace diurna

@@ -28,6 +28,14 @@ void add_elevation(const std::filesystem::path& file, const Confines& confines, 
     found.next = fmt::format("diurna new FOLDER --dem {}", file.string());
 }
 
+/// Whether the file does not say that it holds another thing, as our own do.
+bool may_be_elevation(const RasterFacts& facts) {
+    if (facts.band.empty()) return true;  // variables of netCDF, one of which may be
+    const BandFacts& band = facts.band.front();
+    return facts.band.size() == 1 && !facts.crs.empty() && band.unit != "K" &&
+           band.name != "sky view";
+}
+
 }  // namespace
 
 Found inspect_raster(const std::filesystem::path& file, const InspectOptions& options) {
@@ -54,8 +62,7 @@ Found inspect_raster(const std::filesystem::path& file, const InspectOptions& op
             {band.name, band.unit, band.type, none, band.least, band.most, band.mean, band.valid});
     }
     found.table.push_back(std::move(bands));
-    const bool variables = facts.band.empty();  // of netCDF, one of which may be elevation
-    if (variables || (facts.band.size() == 1 && !facts.crs.empty())) {
+    if (may_be_elevation(facts)) {
         try {
             add_elevation(file, confines, found);
         } catch (const InputError& error) {

@@ -44,6 +44,9 @@ def raster():
     check(near(told["posting_m"][0], 89860 / 1200, 2e-3) and near(told["posting_m"][1], 110970 / 1200, 2e-3), "posting")
     check(near(told["centre_latitude_deg"], told["upper_left"][1] - 344 / 2 / 1200), "latitude")
     check(near(told["centre_longitude_deg"], told["upper_left"][0] + 403 / 2 / 1200), "longitude")
+    subprocess.run([program, "visibility", str(place / "elevation.tif"), "--azimuths", "4", "--out", str(folder / "sky.tif")],
+                   stdout=subprocess.DEVNULL, check=True)
+    check(inspect(folder / "sky.tif")["kind"] == "raster", "no elevation")
 
 
 def weather():

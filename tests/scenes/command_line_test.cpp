@@ -85,7 +85,7 @@ TEST_CASE("bad usage gets one line and code 2", "[command_line]") {
              {"sun --latitude-deg 5 --longitude-deg 0 --time yesterday", "--time"},
              {"path --band 8:12 --profile MLSS --to-space", "did you mean 'MLS'?"},
              {"path --band 12:8 --to-space", "12"},
-             {"path --band 8:12", "expected one of --range-km"},
+             {"path --band 8:12", "expected one of range_km"},
              {"path --band 8:12 --zenith-deg 120 --to-space", "ends on the ground"},
              {"mesh nowhere.tif --tolerance-m 1", "nowhere.tif"},
              {"column nowhere.toml", "nowhere.toml: no such file"},

@@ -49,17 +49,19 @@ std::string option_roff(const CLI::Option& option) {
     if (!names.empty()) names.erase(names.size() - 2);
     if (names.empty()) names = option.get_name();  // a positional
     const std::string value = option.get_positional() ? "" : value_of(option);
-    return fmt::format(".TP\n.B \"{}\"{}\n{}{}\n", plain_roff(names),
-                       value.empty() ? "" : fmt::format("\n.I \"{}\"", plain_roff(value)),
-                       plain_roff(option.get_description()),
+    const std::string tag =
+        value.empty() ? fmt::format(".B \"{}\"", plain_roff(names))
+                      : fmt::format(".BI \"{} \" \"{}\"", plain_roff(names), plain_roff(value));
+    return fmt::format(".TP\n{}\n{}{}\n", tag, plain_roff(option.get_description()),
                        option.get_required() ? " (required)" : "");
 }
 
 std::vector<const CLI::Option*> options_of(const CLI::App& verb) {
     std::vector<const CLI::Option*> options = verb.get_options();
     for (const CLI::App* group : verb.get_subcommands([](const CLI::App*) { return true; })) {
-        const auto more = group->get_options();  // option groups are verbs without a name
-        options.insert(options.end(), more.begin(), more.end());
+        for (const CLI::Option* option : group->get_options()) {  // verbs without a name
+            if (option != group->get_help_ptr()) options.push_back(option);
+        }
     }
     return options;
 }

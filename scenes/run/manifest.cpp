@@ -51,6 +51,7 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     nlohmann::ordered_json json;
     json["program"] = "diurna " DIURNA_VERSION;
     json["compiler"] = "g++ " __VERSION__;
+    json["libraries"] = DIURNA_LIBRARIES;
     json["state"] = manifest.outputs.empty() ? "running" : "done";
     if (!manifest.not_converged.empty()) json["not_converged"] = manifest.not_converged;
     json["key"] = manifest.key;

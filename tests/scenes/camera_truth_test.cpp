@@ -82,6 +82,8 @@ TEST_CASE("labels and manifest carry camera, sun, air and what numbers stand for
     CHECK(image["time"]["utc"] == "2026-03-20T00:00:00Z");
     const Json manifest = Json::parse(read_text(yard().out / "manifest.json"));
     CHECK(manifest["cameras"]["o"] == image["camera"]);
+    CHECK_THAT(manifest["libraries"].get<std::string>(),
+               Catch::Contains("Embree 3.") && Catch::Contains(", GDAL 3."));
     CHECK(manifest["frames"][0]["sun"] == image["sun"]);
     CHECK(image["sun"]["elevation_deg"] < -60.0);  // midnight at Greenwich
     std::map<int, std::string> kind, material;

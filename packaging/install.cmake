@@ -1,15 +1,12 @@
 # cmake --install and cpack: the program with its data, manual page and completion (component
 # `program`), and the libraries for find_package(diurna) (component `development`).
 include(GNUInstallDirs)
-set(data ${CMAKE_INSTALL_DATADIR}/diurna)  # what materials/base/data_folder.cpp looks for
 set(config ${CMAKE_INSTALL_LIBDIR}/cmake/diurna)
 
 install(TARGETS diurna RUNTIME COMPONENT program)
-install(FILES materials/library.toml materials/LIBRARY.md DESTINATION ${data}/materials COMPONENT program)
-install(DIRECTORY materials/atmosphere materials/models materials/spectra DESTINATION ${data}/materials
-    COMPONENT program FILES_MATCHING PATTERN "*.csv" PATTERN "*.toml" PATTERN "*.md")
-install(DIRECTORY scenes/approach scenes/bondville scenes/camouflage scenes/crossover scenes/instruments
-    scenes/jacksboro DESTINATION ${data}/scenes COMPONENT program PATTERN "*.png" EXCLUDE)
+include(packaging/data.cmake)
+install_data(${CMAKE_INSTALL_DATADIR}/diurna program
+    approach bondville camouflage crossover instruments jacksboro)
 install(FILES README.md SECURITY.md scenes/KEYS.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 

@@ -3,11 +3,14 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "render/picture/frame.hpp"
+#include "scenes/input/scene_file.hpp"
 #include "terrain/place/instant.hpp"
 
 // What the parts of the module share.
@@ -33,6 +36,13 @@ py::array_t<T> as_array(std::vector<T>&& values) {
 
 /// Instants as numpy's datetime64[ms], in UTC.
 py::object as_datetimes(const std::vector<Instant>& instants);
+
+/// A scene file. Throws InputError where it is to be swept through: many scenes.
+Scene one_scene(const std::filesystem::path& file, const std::vector<std::string>& settings,
+                bool allow_outside);
+
+/// A picture's planes by name, as arrays of its height by its width, and what is known of them.
+py::dict as_dict(Frame&& frame);
 
 void bind_point(py::module_& module);
 void bind_scene(py::module_& module);

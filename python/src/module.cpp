@@ -43,7 +43,15 @@ PYBIND11_MODULE(_core, module) {
         }
     });
     module.def("data_folder", [] { return data_folder().string(); });
-    module.def("set_threads", &set_thread_count, py::arg("threads"));
+    module.def(
+        "set_threads",
+        [](int threads) {
+            if (threads < 0)
+                throw InputError("threads", "found " + std::to_string(threads),
+                                 "expected 0 (as many as there are) or more");
+            set_thread_count(threads);
+        },
+        py::arg("threads"));
     python::bind_point(module);
     python::bind_scene(module);
     python::bind_stepper(module);

@@ -1,10 +1,10 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "materials/base/error.hpp"
 #include "python/src/bind.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/doubts/doubts.hpp"
-#include "scenes/input/scene_file.hpp"
 #include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
@@ -16,6 +16,15 @@
 
 namespace diurna::python {
 
+Scene one_scene(const std::filesystem::path& file, const std::vector<std::string>& settings,
+                bool allow_outside) {
+    Scene scene = read_scene(file, settings, allow_outside);
+    if (!scene.sweep.axes.empty())
+        throw InputError(file.string() + ": sweep", "diurna.Scene is of one scene, not of many",
+                         "diurna run SCENE goes through them");
+    return scene;
+}
+
 namespace {
 
 using Settings = std::vector<std::string>;
@@ -26,7 +35,7 @@ py::dict check_scene(const std::filesystem::path& file, const Settings& settings
     std::size_t facets = 0, observers = 0;
     {
         const py::gil_scoped_release free;
-        const Prepared prepared = prepare(read_scene(file, settings, allow_outside));
+        const Prepared prepared = prepare(one_scene(file, settings, allow_outside));
         check_start(prepared);
         const auto networks = targets(prepared.world, prepared.scene);
         warnings = as_lines(doubts(prepared));
@@ -49,7 +58,7 @@ py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
     Plan plan;
     {
         const py::gil_scoped_release free;
-        plan = prepare(read_scene(file, settings, allow_outside)).plan;
+        plan = prepare(one_scene(file, settings, allow_outside)).plan;
     }
     py::dict out, stages;
     for (const PlannedStage& stage : plan.stages) stages[stage.name.c_str()] = stage.seconds;
@@ -80,10 +89,7 @@ py::dict run_scene(const std::filesystem::path& file, const Settings& settings, 
     JobReport report;
     {
         const py::gil_scoped_release free;
-        const Scene scene = read_scene(file, settings, allow_outside);
-        if (!scene.sweep.axes.empty())
-            throw InputError(file.string() + ": sweep", "diurna.Scene.run does not go through it",
-                             "diurna run SCENE does");
+        const Scene scene = one_scene(file, settings, allow_outside);
         report = run_job(scene, {.out = out_folder,
                                  .settings = settings,
                                  .stages = fresh ? nullptr : StageStore::of_user(),
@@ -125,18 +131,7 @@ py::dict frame_of(const std::filesystem::path& file, const std::optional<Setting
             if (frame.find(wanted) == nullptr) read_exr(file)[wanted];  // throws, names the nearest
         }
     }
-    py::dict out, found, units;
-    for (Plane& plane : frame.planes) {
-        units[plane.name.c_str()] = plane.unit;
-        found[plane.name.c_str()] = as_array(std::move(plane.pixel), {frame.height, frame.width});
-    }
-    out["planes"] = found;
-    out["units"] = units;
-    out["instant"] = as_datetimes({frame.instant});
-    out["observer"] = frame.observer;
-    out["notes"] = frame.notes;
-    out["attributes"] = frame.attributes;
-    return out;
+    return as_dict(std::move(frame));
 }
 
 }  // namespace

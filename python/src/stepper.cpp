@@ -3,7 +3,6 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "python/src/bind.hpp"
-#include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/stepper.hpp"
 
@@ -21,19 +20,7 @@ py::dict picture_of(Stepper& scene, const std::string& name, const Observer& pos
         const py::gil_scoped_release free;
         picture = scene.picture(name, pose);
     }
-    Frame& frame = picture.frame;
-    py::dict out, planes, units;
-    for (Plane& plane : frame.planes) {
-        units[plane.name.c_str()] = plane.unit;
-        planes[plane.name.c_str()] = as_array(std::move(plane.pixel), {frame.height, frame.width});
-    }
-    out["planes"] = planes;
-    out["units"] = units;
-    out["instant"] = as_datetimes({frame.instant});
-    out["observer"] = frame.observer;
-    out["notes"] = frame.notes;
-    out["attributes"] = frame.attributes;
-    return out;
+    return as_dict(std::move(picture.frame));
 }
 
 py::dict facets_of(const Stepper& scene) {
@@ -75,7 +62,7 @@ void bind_stepper(py::module_& module) {
     py::class_<Stepper>(module, "Stepper")
         .def(py::init([](const std::filesystem::path& file,
                          const std::vector<std::string>& settings, bool allow_outside) {
-                 return std::make_unique<Stepper>(read_scene(file, settings, allow_outside));
+                 return std::make_unique<Stepper>(one_scene(file, settings, allow_outside));
              }),
              Free())
         .def("now", [](const Stepper& s) { return format_instant(s.now()); })

@@ -95,6 +95,17 @@ class SmallScene(unittest.TestCase):
         with self.assertRaises(diurna.Error):
             diurna.Scene(self.folder / "none.toml").check()
 
+    def test_a_sweep_is_many_scenes(self):
+        table = {**self.table, "sweep": {"axis": [{"key": "scene.seed", "values": [1, 2]}]}}
+        swept = diurna.Scene(table, file=self.folder / "swept.toml")
+        for call in (swept.check, swept.plan, swept.stepper, lambda: swept.run(self.folder / "swept")):
+            with self.assertRaisesRegex(diurna.Error, "not of many"):
+                call()
+
+    def test_threads(self):
+        with self.assertRaisesRegex(diurna.Error, "-3"):
+            diurna.set_threads(-3)
+
     def test_others_ran_meanwhile(self):
         self.assertGreater(self.counted, 20)
 

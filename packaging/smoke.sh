@@ -27,18 +27,18 @@ inside sh -c 'ldd /usr/bin/diurna | grep "not found"' && exit 1
 inside diurna sun --latitude-deg 39.742476 --longitude-deg -105.1786 --time 2003-10-17T12:30:30-07:00 |
     grep '^194\.340' # NREL's SPA example: azimuth 194.34024 degrees
 inside diurna check /usr/share/diurna/scenes/jacksboro/scene.toml 2>/dev/null
-inside diurna new /root/first --dem /usr/share/diurna/scenes/jacksboro/elevation.tif
-inside diurna run /root/first/scene.toml --out /root/out --set time.duration_h=2 >/dev/null 2>"$root/tmp/run.log" ||
+inside diurna new /srv/first --dem /usr/share/diurna/scenes/jacksboro/elevation.tif
+inside diurna run /srv/first/scene.toml --out /srv/out --set time.duration_h=2 >/dev/null 2>"$root/tmp/run.log" ||
     { tail -5 "$root/tmp/run.log" >&2; exit 1; }
-inside diurna verify /root/out
+inside diurna verify /srv/out
 inside diurna pages --man | head -1
 
 echo "-- the libraries"
 inside sh -c 'apt-get install -y -qq --no-install-recommends --reinstall /tmp/diurna-dev_*.deb cmake ninja-build g++ \
     >/tmp/apt.log 2>&1' || { tail -5 "$root/tmp/apt.log" >&2; exit 1; }
-mkdir -p "$root/root/consumer"
-cp tests/packaging/consumer/* "$root/root/consumer/"
-inside cmake -S /root/consumer -B /root/consumer/build -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
-inside cmake --build /root/consumer/build >/dev/null
-inside /root/consumer/build/consumer
+mkdir -p "$root/srv/consumer"
+cp tests/packaging/consumer/* "$root/srv/consumer/"
+inside cmake -S /srv/consumer -B /srv/consumer/build -G Ninja -DCMAKE_BUILD_TYPE=Release >/dev/null
+inside cmake --build /srv/consumer/build >/dev/null
+inside /srv/consumer/build/consumer
 echo "smoke.sh: passed"

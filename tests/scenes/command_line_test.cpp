@@ -4,11 +4,10 @@
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 
+#include "tests/support/folder_contents.hpp"
 #include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -25,17 +24,6 @@ Ran diurna(const std::string& arguments) {
 
 std::size_t lines(const std::string& text) {
     return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
-std::map<std::string, std::string> contents(const fs::path& folder) {
-    std::map<std::string, std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (!entry.is_regular_file()) continue;
-        std::ostringstream text;
-        text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-        found[fs::relative(entry.path(), folder).string()] = text.str();
-    }
-    return found;
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "scenes/run/job.hpp"
 #include "scenes/run/listed_outputs.hpp"
 #include "tests/support/differing.hpp"
+#include "tests/support/folder_contents.hpp"
 #include "tests/support/small_scene.hpp"
 
 // What a run finds in its folder counts only if it is what a run of the same inputs has written
@@ -64,15 +65,6 @@ struct Place {
                        {.out = folder.path / out, .settings = {}, .resume = resume});
     }
 };
-
-std::map<std::string, std::string> contents(const fs::path& folder) {
-    std::map<std::string, std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (!entry.is_regular_file()) continue;
-        found[fs::relative(entry.path(), folder).string()] = read_text(entry.path(), 1u << 30);
-    }
-    return found;
-}
 
 /// Without the seconds that a page and a manifest tell.
 std::map<std::string, std::string> untimed(std::map<std::string, std::string> files) {

@@ -24,6 +24,8 @@ LensField lens_field(const Instrument& instrument, const Response& response, int
 /// (ISO 9358: what a black spot in a white field then has).
 void spread_glare(double share, std::span<float> light);
 
+/// Time constants from one picture to the next beyond which they do not know each other.
+inline constexpr double forgotten_after = 1000.0;
 /// What a bolometer follows of what it sees, which goes straight from one picture to the next:
 /// τ dy/dt = x − y, solved exactly. `seen` and `shown` are those of the picture before.
 void lag(double time_constant, double seconds, std::span<const float> seen,

@@ -34,6 +34,10 @@ struct SceneArguments {
     std::shared_ptr<const StageStore> stages() const;
 };
 
+/// Of --only, as PictureChoice::only has it.
+inline constexpr const char* only_told =
+    "observer=NAME, band=NAME, frames=05:00..09:00 (or instants): these pictures alone";
+
 /// The arguments of a verb, read into what is returned.
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb);
 /// Likewise of one that takes what earlier runs have found.

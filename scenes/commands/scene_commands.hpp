@@ -8,7 +8,6 @@ class App;
 /// InputError for what it cannot use.
 namespace diurna {
 
-void add_run_verb(CLI::App& app);
 void add_solve_verb(CLI::App& app);
 void add_render_verb(CLI::App& app);
 

@@ -62,11 +62,13 @@ std::vector<std::string> frame_files(const ObserverInput& observer, Instant inst
     return files;
 }
 
-std::vector<std::string> frame_files(const Scene& scene) {
+std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,
+                                     GreyFormat format) {
     std::vector<std::string> files;
-    for (const ObserverInput& observer : scene.observers) {
+    for (const ObserverInput& observer : observers) {
+        if (observer.frames.empty()) continue;
         for (const Instant instant : observer.frames) {
-            for (std::string& file : frame_files(observer, instant, scene.labels.format)) {
+            for (std::string& file : frame_files(observer, instant, format)) {
                 files.push_back(std::move(file));
             }
         }

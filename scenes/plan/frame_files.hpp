@@ -31,7 +31,8 @@ std::vector<std::string> instrument_files(const ObserverInput& observer, Instant
                                           GreyFormat format);
 std::vector<std::string> frame_files(const ObserverInput& observer, Instant instant,
                                      GreyFormat format);
-/// Of all frames of all observers.
-std::vector<std::string> frame_files(const Scene& scene);
+/// Of all frames of some observers.
+std::vector<std::string> frame_files(const std::vector<ObserverInput>& observers,
+                                     GreyFormat format);
 
 }  // namespace diurna

@@ -102,12 +102,11 @@ bool blurs(const Movement& movement, const Observer& observer, Instant when) {
 
 /// A frame of one that goes, or while an object is on its way: with a view of its own, so that a
 /// frame alone is what it is among others.
-void render_alone(const Stages& stages, std::size_t o, std::size_t frame,
-                  const TemperatureField& field, const InstrumentViews& instruments,
-                  const fs::path& out, Ledger& ledger) {
+void render_alone(const Stages& stages, std::size_t o, const ObserverInput& input,
+                  std::size_t frame, const TemperatureField& field,
+                  const InstrumentViews& instruments, const fs::path& out, Ledger& ledger) {
     const Prepared& scene = stages.scene();
     const Movement& movement = scene.movement;
-    const ObserverInput& input = scene.scene.observers[o];
     const Sequence& sequence = scene.sequences[o];
     const Instant instant = sequence.frame[frame];
     const SceneStage stage = stages.at(movement.stage_of(instant));
@@ -129,12 +128,14 @@ void render_alone(const Stages& stages, std::size_t o, std::size_t frame,
 
 /// The frames of an observer, those whose numbers are `wanted`. Of one that stands the view is cast
 /// once for each stage.
-void render_sequence(const Stages& stages, std::size_t o, std::span<const std::size_t> wanted,
-                     const TemperatureField& field, const InstrumentViews& instruments,
-                     const fs::path& out, Progress& progress, Ledger& ledger) {
+///
+/// - input: with the bands that are wanted
+void render_sequence(const Stages& stages, std::size_t o, const ObserverInput& input,
+                     std::span<const std::size_t> wanted, const TemperatureField& field,
+                     const InstrumentViews& instruments, const fs::path& out, Progress& progress,
+                     Ledger& ledger) {
     const Prepared& scene = stages.scene();
     const Movement& movement = scene.movement;
-    const ObserverInput& input = scene.scene.observers[o];
     const Sequence& sequence = scene.sequences[o];
     std::vector<std::size_t> alone;                              // places in `wanted`
     std::vector<std::vector<std::size_t>> still(stages.size());  // (stage) likewise
@@ -174,28 +175,32 @@ void render_sequence(const Stages& stages, std::size_t o, std::span<const std::s
     }
     if (!alone.empty()) progress.stage("frames of " + input.name);
     each(alone, [&](std::size_t frame) {
-        render_alone(stages, o, frame, field, instruments, out, ledger);
+        render_alone(stages, o, input, frame, field, instruments, out, ledger);
     });
 }
 
 }  // namespace
 
-FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
-                           Progress& progress, Ledger& ledger) {
+FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                           const TemperatureField& field, const fs::path& out, Progress& progress,
+                           Ledger& ledger) {
     FramesReport report;
     const Prepared& prepared = stages.scene();
     for (std::size_t o = 0; o < prepared.sequences.size(); ++o) {
-        const ObserverInput& input = prepared.scene.observers[o];
-        const auto files = [&](std::size_t i) {
-            return frame_files(input, input.frames[i], prepared.scene.labels.format);
+        const ObserverInput& input = chosen[o];
+        const std::vector<Instant>& all = prepared.sequences[o].frame;
+        const auto files = [&](Instant when) {
+            return frame_files(input, when, prepared.scene.labels.format);
         };
-        std::vector<std::size_t> wanted;
-        for (std::size_t i = 0; i < input.frames.size(); ++i) {
-            if (!ledger.has(files(i))) wanted.push_back(i);
+        std::vector<std::size_t> wanted;  // places in all
+        for (const Instant when : input.frames) {
+            if (ledger.has(files(when))) continue;
+            wanted.push_back(
+                std::size_t(std::lower_bound(all.begin(), all.end(), when) - all.begin()));
         }
         if (!wanted.empty()) {
             const InstrumentViews instruments = instrument_views(prepared.scene, input);
-            render_sequence(stages, o, wanted, field, instruments, out, progress, ledger);
+            render_sequence(stages, o, input, wanted, field, instruments, out, progress, ledger);
             if (!instruments.empty()) progress.stage("instruments of " + input.name);
             for (const auto& view : instruments) {
                 Told notes;
@@ -207,7 +212,7 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
             }
             for (const std::size_t i : wanted) {
                 const std::vector<std::string> taken =
-                    instrument_files(input, input.frames[i], prepared.scene.labels.format);
+                    instrument_files(input, all[i], prepared.scene.labels.format);
                 if (!taken.empty()) ledger.add(taken, {});
             }
         }
@@ -218,8 +223,8 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
         }
         report.rendered += wanted.size();
         std::vector<Told> told;
-        for (std::size_t i = 0; i < input.frames.size(); ++i) {
-            if (!files(i).empty()) told.push_back(ledger.told(files(i).front()));
+        for (const Instant when : input.frames) {
+            if (!files(when).empty()) told.push_back(ledger.told(files(when).front()));
         }
         for (std::string& line : errors_told(input, told)) report.notes.push_back(std::move(line));
         for (std::string& line : beyond_told(input, told)) {
@@ -229,11 +234,16 @@ FramesReport render_frames(const Stages& stages, const TemperatureField& field, 
     return report;
 }
 
-FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
-                           Progress& progress) {
+FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                           const TemperatureField& field, const fs::path& out, Progress& progress) {
     Ledger ledger(out, "", false);
     ledger.write();
-    return render_frames(stages, field, out, progress, ledger);
+    return render_frames(stages, chosen, field, out, progress, ledger);
+}
+
+FramesReport render_frames(const Stages& stages, const TemperatureField& field, const fs::path& out,
+                           Progress& progress) {
+    return render_frames(stages, stages.scene().scene.observers, field, out, progress);
 }
 
 }  // namespace diurna

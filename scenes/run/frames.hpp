@@ -23,9 +23,17 @@ struct FramesReport {
 
 /// Renders every frame that the ledger has not, writes it as EXR with a PNG quick-look
 /// (scenes/plan/frame_files.hpp) and enters it. What is told is of all frames, kept or rendered.
-FramesReport render_frames(const Stages& stages, const TemperatureField& field,
-                           const std::filesystem::path& out, Progress& progress, Ledger& ledger);
-/// Renders them all, whatever stands there.
+///
+/// - chosen: the scene's observers with the bands and frames to render
+/// (scenes/plan/chosen_pictures)
+FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                           const TemperatureField& field, const std::filesystem::path& out,
+                           Progress& progress, Ledger& ledger);
+/// Renders them, whatever stands there.
+FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                           const TemperatureField& field, const std::filesystem::path& out,
+                           Progress& progress);
+/// Those of all observers.
 FramesReport render_frames(const Stages& stages, const TemperatureField& field,
                            const std::filesystem::path& out, Progress& progress);
 

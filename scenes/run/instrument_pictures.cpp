@@ -24,8 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr double reach = 20.0;       // time constants after which a picture is forgotten
-constexpr double too_slow = 1000.0;  // time constants between pictures: they do not know each other
+constexpr double reach = 20.0;         // time constants after which a picture is forgotten
 constexpr double sun_colour = 5772.0;  // [K] of light that bands below 3 µm see
 
 double seconds_since_1970(Instant instant) {
@@ -74,10 +73,10 @@ class Taking {
 /// What a bolometer shows of the flux at frame k; whether it remembers any picture before.
 bool Taking::lag_up_to(std::size_t k, std::vector<float>& flux) const {
     const double tau = view_.camera.instrument.detector.time_constant;
-    if (tau <= 0.0 || k == 0 || between(k) > too_slow * tau) return false;
+    if (tau <= 0.0 || k == 0 || between(k) > forgotten_after * tau) return false;
     std::size_t from = k - 1;
     while (from > 0 && seconds_between(sequence_.frame[from], sequence_.frame[k]) < reach * tau &&
-           between(from) <= too_slow * tau) {
+           between(from) <= forgotten_after * tau) {
         --from;
     }
     std::vector<float> seen = flux_at(from), shown = seen;
@@ -291,7 +290,7 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
         notes.push_back(
             name + fmt::format("{} of {} pictures follow one less than {:g} time constants before; "
                                "of the others the lag is left out (below a thousandth of a change)",
-                               lagged, told.size(), too_slow));
+                               lagged, told.size(), forgotten_after));
     }
     if (told.front().dead > 0) {
         notes.push_back(name + fmt::format("{} dead pixels stay as they are", told.front().dead));

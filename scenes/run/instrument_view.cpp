@@ -47,7 +47,10 @@ std::vector<std::unique_ptr<const InstrumentView>> instrument_views(const Scene&
                                                                     const ObserverInput& observer) {
     std::vector<std::unique_ptr<const InstrumentView>> views;
     for (const InstrumentInput& input : scene.instruments) {
-        if (input.observer != observer.name) continue;
+        const auto& wanted = observer.instruments;
+        if (input.observer != observer.name ||
+            std::find(wanted.begin(), wanted.end(), input.band) == wanted.end())
+            continue;
         const Band band = named_band(scene.bands, input.band);
         Camera camera = camera_of(input.instrument, band, observer.width, observer.height,
                                   focal_length_of(observer, input.instrument.detector.pitch));

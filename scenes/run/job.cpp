@@ -12,6 +12,7 @@
 #include "scenes/report/report.hpp"
 #include "scenes/run/found_heat.hpp"
 #include "scenes/run/frames.hpp"
+#include "scenes/run/gathered_parts.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/manifest.hpp"
@@ -45,6 +46,42 @@ Manifest manifest_of(const Prepared& prepared, const JobOptions& options) {
     return manifest;
 }
 
+/// What of the pictures is chosen, as the command line says it.
+std::vector<std::string> said(const PictureChoice& choice) {
+    std::vector<std::string> texts = choice.only;
+    if (!choice.shard.all())
+        texts.push_back(fmt::format("shard {}/{}", choice.shard.number, choice.shard.count));
+    return texts;
+}
+
+/// Leaves of the chosen observers the frames that stand in the folder, for labels and report.
+/// Returns how many there are, and of how many.
+std::pair<std::size_t, std::size_t> keep_there(const std::vector<ObserverInput>& chosen,
+                                               const Ledger& ledger, Prepared& prepared) {
+    std::size_t there = 0, all = 0;
+    for (std::size_t o = 0; o < chosen.size(); ++o) {
+        ObserverInput& observer = prepared.scene.observers[o];
+        Sequence& sequence = prepared.sequences[o];
+        observer.bands = chosen[o].bands;
+        observer.cubes = chosen[o].cubes;
+        observer.instruments = chosen[o].instruments;
+        Sequence kept{.frame = {}, .pose = {}, .goes = sequence.goes};
+        for (std::size_t i = 0; i < sequence.frame.size(); ++i) {
+            const auto files =
+                frame_files(observer, sequence.frame[i], prepared.scene.labels.format);
+            if (files.empty() || !ledger.has(files)) continue;
+            kept.frame.push_back(sequence.frame[i]);
+            if (sequence.goes) kept.pose.push_back(sequence.pose[i]);
+        }
+        if (!sequence.goes) kept.pose = sequence.pose;
+        there += kept.frame.size();
+        all += sequence.frame.size();
+        observer.frames = kept.frame;
+        sequence = std::move(kept);
+    }
+    return {there, all};
+}
+
 /// What the heat balance leaves in the folder.
 std::vector<std::string> heat_files(const Scene& scene) {
     std::vector<std::string> files{"temperatures.nc"};
@@ -53,10 +90,8 @@ std::vector<std::string> heat_files(const Scene& scene) {
 }
 
 /// Makes room for what the ledger has not, and begins it. What is told of it goes to the report.
-void begin_folder(const Prepared& prepared, const fs::path& out, const Ledger& ledger,
-                  JobReport& report) {
-    std::vector<std::string> expected = heat_files(prepared.scene);
-    for (std::string& file : frame_files(prepared.scene)) expected.push_back(std::move(file));
+void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
+                  const Ledger& ledger, JobReport& report) {
     std::set<std::string> keep{ledger_file, "manifest.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
     if (const std::size_t gone = clear_run_folder(out, keep, expected); gone > 0) {
@@ -104,7 +139,10 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     check_run_folder(out, FolderKind::run);
     Progress progress(options.progress);
     progress.stage("terrain");
-    const Prepared prepared = prepare(std::move(scene));
+    Prepared prepared = prepare(std::move(scene));
+    const GreyFormat format = prepared.scene.labels.format;
+    const std::vector<std::string> pictures = frame_files(prepared.scene.observers, format);
+    const std::vector<ObserverInput> chosen = chosen_pictures(prepared.scene, options.pictures);
     check_memory(prepared.plan, options.max_memory);
     check_start(prepared);
     Manifest manifest = manifest_of(prepared, options);
@@ -119,9 +157,12 @@ JobReport run_job(Scene scene, const JobOptions& options) {
         report.inputs.push_back({input.name, input.sha256});
     }
     report.warnings = as_lines(doubts(prepared));
+    std::vector<std::string> expected = report.files;
+    for (std::string& file : frame_files(chosen, format)) expected.push_back(std::move(file));
+    if (!options.parts.empty()) gather_parts(options.parts, out, manifest.key, expected);
     const FolderLock lock(out);
-    Ledger ledger(out, manifest.key, options.resume);
-    begin_folder(prepared, out, ledger, report);
+    Ledger ledger(out, manifest.key, options.resume || !options.parts.empty());
+    begin_folder(expected, out, ledger, report);
     write_manifest(out, prepared.scene, manifest);
     progress.stage("sky view");
     const Stages stages(prepared, options.stages);
@@ -137,13 +178,19 @@ JobReport run_job(Scene scene, const JobOptions& options) {
         report.remade.push_back(std::move(told));
     }
 
-    const FramesReport frames = render_frames(stages, field, out, progress, ledger);
+    const FramesReport frames = render_frames(stages, chosen, field, out, progress, ledger);
     report.frames_rendered = frames.rendered;
     for (const auto& notes : {frames.notes, frames.warnings}) {
         report.notes.insert(report.notes.end(), notes.begin(), notes.end());
     }
-    for (std::string& file : frame_files(prepared.scene)) {
-        report.files.push_back(std::move(file));
+    for (const std::string& file : pictures) {
+        if (ledger.has({file})) report.files.push_back(file);
+    }
+    if (!options.pictures.all()) {
+        const auto [there, all] = keep_there(chosen, ledger, prepared);
+        manifest.only = said(options.pictures);
+        report.remade.push_back(fmt::format("{} of {} pictures are here ({})", there, all,
+                                            fmt::join(manifest.only, ", ")));
     }
 
     progress.stage("labels");

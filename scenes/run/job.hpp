@@ -7,6 +7,7 @@
 
 #include "scenes/input/scene.hpp"
 #include "scenes/kept/stage_store.hpp"
+#include "scenes/plan/chosen_pictures.hpp"
 #include "scenes/plan/job_report.hpp"
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/progress.hpp"
@@ -22,6 +23,8 @@ struct JobOptions {
     std::filesystem::path out = "out";
     std::vector<std::string> settings{};         // "key=value" given on the command line
     std::shared_ptr<const StageStore> stages{};  // of what earlier runs have found; null: none
+    PictureChoice pictures{};                    // those to render; others are left out
+    std::vector<std::filesystem::path> parts{};  // folders of runs that have them all between them
     bool resume = false;      // keep what an earlier run with the same inputs has left
     double max_memory = 0.0;  // [bytes] that the plan may need; 0: what the machine has free
     ProgressStyle progress = ProgressStyle::silent;

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -106,6 +107,17 @@ void Ledger::add(const std::vector<std::string>& files, Told told) {
     entry_[first] = std::move(entry);
 }
 
+void Ledger::take(const Ledger& other) {
+    const std::scoped_lock lock(adding_, other.adding_);
+    for (const auto& [first, entry] : other.entry_) {
+        Told& told = entry_.try_emplace(first, Entry{entry.digest, {}}).first->second.told;
+        for (const auto& one : entry.told) {
+            if (std::find(told.begin(), told.end(), one) == told.end()) told.push_back(one);
+        }
+        for (const auto& [name, digest] : entry.digest) entry_of_[name] = first;
+    }
+}
+
 Told Ledger::told(const std::string& file) const {
     const std::lock_guard lock(adding_);
     const auto found = entry_of_.find(file);
@@ -145,6 +157,13 @@ std::vector<std::string> ledger_names(const fs::path& folder) {
         }
     }
     return names;
+}
+
+std::string ledger_key(const fs::path& folder) {
+    const std::vector<Json> lines = read_lines(folder);
+    if (lines.empty() || !lines.front().contains("key") || !lines.front()["key"].is_string())
+        return "";
+    return lines.front()["key"].get<std::string>();
 }
 
 std::map<std::string, std::string> ledger_digests(const fs::path& folder) {

@@ -26,6 +26,9 @@ class Ledger {
     bool has(const std::vector<std::string>& files) const;
     /// Files that belong together and stand whole in the folder. Safe from many threads.
     void add(const std::vector<std::string>& files, Told told);
+    /// Enters what another has whose files stand in this folder, too; of those that both have what
+    /// was told of either.
+    void take(const Ledger& other);
     /// Of the files that were added with this one.
     Told told(const std::string& file) const;
     /// Of all files, by their names relative to the folder.
@@ -57,6 +60,8 @@ inline constexpr const char* ledger_file = "ledger.jsonl";
 
 /// Names of a folder's ledger, those expected too, whatever its key; none where there is none.
 std::vector<std::string> ledger_names(const std::filesystem::path& folder);
+/// The key in its first line; "" where there is none.
+std::string ledger_key(const std::filesystem::path& folder);
 /// SHA-256 of the files in a folder's ledger, by name, whatever its key and whatever became of
 /// them; empty where there is none.
 std::map<std::string, std::string> ledger_digests(const std::filesystem::path& folder);

@@ -58,6 +58,7 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
     json["scene"] = scene.name;
     json["seed"] = scene.seed;
     json["settings"] = manifest.settings;
+    if (!manifest.only.empty()) json["only"] = manifest.only;
     if (!manifest.weather.empty()) json["weather"] = manifest.weather;
     const double offset = scene.time.utc_offset;
     json["span"] = {format_local(scene.time.start, offset), format_local(scene.time.end(), offset)};

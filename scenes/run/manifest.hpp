@@ -26,6 +26,7 @@ struct Manifest {
     std::string key{};  // job_key()
     std::vector<RunInput> inputs{};
     std::vector<std::string> settings{};            // of the command line
+    std::vector<std::string> only{};                // what of the pictures was chosen; empty: all
     std::vector<Instant> frames{};                  // when pictures are taken
     Site site{};                                    // for their solar time
     std::vector<Facts> facts{};                     // (frame) instant_facts()

@@ -17,6 +17,7 @@
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
+#include "scenes/plan/shard.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
@@ -114,7 +115,8 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
     const fs::path folder = variant_folder(group.options.out, variant.name);
     VariantRecord record{.key = group.key_of(variant), .done = false, .outputs = {}};
     const FolderLock lock(folder);
-    const std::vector<std::string> pictures = frame_files(prepared.scene);
+    const std::vector<std::string> pictures =
+        frame_files(prepared.scene.observers, prepared.scene.labels.format);
     Ledger ledger(folder, record.key, group.options.resume);
     std::set<std::string> keep{"variant.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
@@ -124,7 +126,8 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
         fs::create_directories(folder / inner);
     }
     write_variant_record(folder, group.sweep, variant, record);
-    FramesReport frames = render_frames(stages, field, folder, progress, ledger);
+    FramesReport frames =
+        render_frames(stages, prepared.scene.observers, field, folder, progress, ledger);
     for (const std::string& note : frames.warnings) tell_once(report.notes, note);
     record.notes = std::move(frames.notes);
     progress.stage("labels of " + variant.name);
@@ -228,10 +231,10 @@ void merge(const Sweep& sweep, const SweepOptions& options, SweepReport& report)
 SweepReport run_sweep(const Sweep& sweep, const SweepOptions& options) {
     check_run_folder(options.out, FolderKind::sweep);
     check_no_input_in(options.out, run_inputs(sweep.base));
-    const FolderLock lock(options.out, options.shards > 1);
+    const FolderLock lock(options.out, !options.shard.all());
     SweepReport report;
     Progress progress(options.progress);
-    const VariantRange part = part_of(sweep.variants.size(), options.shard, options.shards);
+    const ShardRange part = range_of(options.shard, sweep.variants.size());  // few heats in two
     const std::span<const Variant> all(sweep.variants);
     for (std::size_t first = part.first; first < part.last;) {
         std::size_t last = first;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/plan/progress.hpp"
+#include "scenes/plan/shard.hpp"
 #include "scenes/sweep/variants.hpp"
 
 namespace diurna {
@@ -13,7 +14,7 @@ namespace diurna {
 struct SweepOptions {
     std::filesystem::path out = "out";
     bool resume = false;  // keep what an earlier run of the same inputs has left
-    std::size_t shard = 1, shards = 1;
+    Shard shard{};
     double max_memory = 0.0;  // [bytes] as JobOptions has it
     ProgressStyle progress = ProgressStyle::silent;
 };

@@ -174,8 +174,4 @@ std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& varian
     return settings;
 }
 
-VariantRange part_of(std::size_t variants, std::size_t shard, std::size_t shards) {
-    return {variants * (shard - 1) / shards, variants * shard / shards};
-}
-
 }  // namespace diurna

@@ -49,11 +49,4 @@ Scene heat_scene_of(const Sweep& sweep, const Variant& variant);
 /// The command line's settings and those values, as "key=value".
 std::vector<std::string> heat_settings(const Sweep& sweep, const Variant& variant);
 
-/// The part of `shard` (1 to `shards`) in the variants: [first, last). Parts are in the order of
-/// the variants, so that few heats are in two.
-struct VariantRange {
-    std::size_t first, last;
-};
-VariantRange part_of(std::size_t variants, std::size_t shard, std::size_t shards);
-
 }  // namespace diurna

@@ -23,6 +23,7 @@
 #include "scenes/run/job.hpp"
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/variants.hpp"
+#include "tests/support/folder_contents.hpp"
 #include "tests/support/small_scene.hpp"
 
 // A sweep is as many runs by hand, and one data set.
@@ -53,17 +54,6 @@ values = [[450.0, [0.0, 0.0]], [300.0, [53.0, -88.4]]]
 Sweep read(const ScratchFolder& folder, const std::string& text) {
     write_text(folder.path / "scene.toml", text);
     return read_sweep_variants(folder.path / "scene.toml", {});
-}
-
-std::map<std::string, std::string> contents(const fs::path& folder) {
-    std::map<std::string, std::string> found;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (!entry.is_regular_file()) continue;
-        std::ostringstream text;
-        text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
-        found[fs::relative(entry.path(), folder).string()] = text.str();
-    }
-    return found;
 }
 
 /// The same files with the same bytes.
@@ -150,10 +140,10 @@ void check_shards() {
     const ScratchFolder folder("shards");
     SweepOptions options;
     options.out = folder.path / "out";
-    options.shards = 3;  // four variants of two heats: the second heat is in two of them
+    options.shard.count = 3;  // four variants of two heats: the second heat is in two of them
     std::size_t rendered = 0;
     for (const std::size_t shard : {3u, 1u, 2u}) {
-        options.shard = shard;
+        options.shard.number = shard;
         const SweepReport report = run_sweep(whole().sweep, options);
         rendered += report.rendered;
         CHECK(report.missing == 4 - rendered);
@@ -307,7 +297,7 @@ TEST_CASE("shards share out all variants", "[scenes][sweep]") {
         for (const std::size_t shards : {1u, 3u, 11u}) {
             std::size_t next = 0;
             for (std::size_t shard = 1; shard <= shards; ++shard) {
-                const VariantRange part = part_of(variants, shard, shards);
+                const ShardRange part = range_of({shard, shards}, variants);
                 CHECK(part.first == next);
                 next = part.last;
                 CHECK(part.last - part.first <= variants / shards + 1);

@@ -1,0 +1,87 @@
+#include "scenes/run/gathered_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <system_error>
+
+#include "materials/base/error.hpp"
+#include "scenes/run/ledger.hpp"
+#include "scenes/run/run_folder.hpp"
+
+namespace diurna {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder's ledger whose every file was found whole.
+std::unique_ptr<const Ledger> part_in(const fs::path& folder, const std::string& key) {
+    const std::string found = ledger_key(folder);
+    if (found.empty()) {
+        throw InputError(folder.string(), "found no ledger.jsonl of a run",
+                         "expected the folder of a run --shard or --only");
+    }
+    if (found != key) {
+        throw InputError(folder.string(),
+                         "is of another scene, other settings or another version of the program",
+                         "merge by the program of its run, with the same --set");
+    }
+    auto part = std::make_unique<const Ledger>(folder, key, true);
+    if (const auto& amiss = part->amiss(); !amiss.empty()) {
+        throw InputError(folder.string(),
+                         fmt::format("{} files are not what the run has left, {} "
+                                     "for one",
+                                     amiss.size(), amiss.front()),
+                         "run that part again with --resume");
+    }
+    return part;
+}
+
+void bring(const fs::path& from, const fs::path& to) {
+    if (fs::exists(to) && fs::equivalent(from, to)) return;
+    fs::create_directories(to.parent_path());
+    fs::remove(to);
+    std::error_code problem;
+    fs::create_hard_link(from, to, problem);
+    if (problem) fs::copy_file(from, to);
+}
+
+}  // namespace
+
+void gather_parts(const std::vector<fs::path>& parts, const fs::path& out, const std::string& key,
+                  const std::vector<std::string>& expected) {
+    std::vector<std::unique_ptr<const Ledger>> ledgers;
+    std::vector<std::unique_ptr<const FolderLock>> locks;
+    std::map<std::string, std::pair<std::string, fs::path>> known;  // digest and where, by name
+    for (const fs::path& folder : parts) {
+        if (!fs::is_directory(folder)) throw InputError(folder.string(), "found no such folder");
+        locks.push_back(std::make_unique<const FolderLock>(folder, true));
+        ledgers.push_back(part_in(folder, key));
+        for (const auto& [name, digest] : ledgers.back()->digests()) {
+            const auto& [first, at] = known.try_emplace(name, digest, folder).first->second;
+            if (first == digest) continue;
+            throw InputError(folder.string(),
+                             fmt::format("its {} is not that of {}", name, at.string()));
+        }
+    }
+    std::vector<std::string> missing;
+    for (const std::string& name : expected) {
+        if (!known.contains(name)) missing.push_back(name);
+    }
+    if (!missing.empty()) {
+        throw InputError("merge",
+                         fmt::format("{} of {} files are in none of the folders, {} for "
+                                     "one",
+                                     missing.size(), expected.size(), missing.front()),
+                         "name the folders of all shards");
+    }
+    const FolderLock lock(out);
+    for (const auto& [name, file] : known) bring(file.second / name, out / name);
+    Ledger whole(out, key, false);
+    for (const auto& part : ledgers) whole.take(*part);
+    whole.write();
+}
+
+}  // namespace diurna

@@ -38,6 +38,7 @@
 #include "scenes/commands/scene_commands.hpp"
 #include "scenes/commands/sensitivity_command.hpp"
 #include "scenes/commands/signature_command.hpp"
+#include "scenes/commands/slurm_command.hpp"
 #include "scenes/commands/sun_command.hpp"
 #include "scenes/commands/verify_command.hpp"
 
@@ -55,7 +56,7 @@ constexpr void (*verbs[])(CLI::App&) = {
     add_movie_verb,     add_verify_verb,      add_keys_verb,      add_doctor_verb,
     add_signature_verb, add_detection_verb,   add_crossover_verb, add_contrast_verb,
     add_new_verb,       add_sensitivity_verb, add_calibrate_verb, add_pages_verb,
-    add_inspect_verb,   add_export_verb,      add_merge_verb,
+    add_inspect_verb,   add_export_verb,      add_merge_verb,     add_slurm_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

@@ -114,6 +114,11 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     } else if (variant != "base") {
         const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
         if (variant.empty()) {
+            if (job.pictures.shard.number == 0 || !job.from.empty()) {
+                throw InputError(job.from.empty() ? "--shard" : "--from",
+                                 "found where the scene has a [sweep]",
+                                 "its variants share temperatures in one folder");
+            }
             if (!run.only.empty()) {
                 throw InputError("--only", fmt::format("found '{}' of a sweep", run.only.front()),
                                  "name a variant, too: --only v0");
@@ -145,7 +150,10 @@ void add_run_verb(CLI::App& app) {
     verb->add_option("--out", run->job.out, "folder for the results (default: out)");
     verb->add_flag("--resume", run->job.resume, "keep what an earlier run of the same inputs left");
     verb->add_option("--shard", run->shard,
-                     "I/N: this part of the pictures, or of a sweep's variants");
+                     "I/N: this part of the pictures, or of a sweep's variants; 0/N: of the "
+                     "pictures none, temperatures alone");
+    verb->add_option("--from", run->job.from,
+                     "folder of a run of the same inputs: what it has left is taken");
     verb->add_option("--only", run->only,
                      std::string(only_told) +
                          "; of a sweep a variant's name makes a run of it by itself, base of the "

@@ -7,8 +7,8 @@ namespace diurna {
 
 /// One of the parts in which a job is shared out among processes.
 struct Shard {
-    std::size_t number = 1, count = 1;  // 1 to count
-    bool all() const { return count == 1; }
+    std::size_t number = 1, count = 1;  // 1 to count; 0: nothing of it
+    bool all() const { return count == 1 && number == 1; }
 };
 
 /// "2/4". Throws InputError of --shard.

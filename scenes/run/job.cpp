@@ -160,8 +160,11 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     std::vector<std::string> expected = report.files;
     for (std::string& file : frame_files(chosen, format)) expected.push_back(std::move(file));
     if (!options.parts.empty()) gather_parts(options.parts, out, manifest.key, expected);
+    const bool begun = options.resume && ledger_key(out) == manifest.key;
+    const bool given = !options.from.empty() && !begun;
+    if (given) gather_parts({options.from}, out, manifest.key, report.files);
     const FolderLock lock(out);
-    Ledger ledger(out, manifest.key, options.resume || !options.parts.empty());
+    Ledger ledger(out, manifest.key, options.resume || given || !options.parts.empty());
     begin_folder(expected, out, ledger, report);
     write_manifest(out, prepared.scene, manifest);
     progress.stage("sky view");

@@ -25,8 +25,9 @@ struct JobOptions {
     std::shared_ptr<const StageStore> stages{};  // of what earlier runs have found; null: none
     PictureChoice pictures{};                    // those to render; others are left out
     std::vector<std::filesystem::path> parts{};  // folders of runs that have them all between them
-    bool resume = false;      // keep what an earlier run with the same inputs has left
-    double max_memory = 0.0;  // [bytes] that the plan may need; 0: what the machine has free
+    std::filesystem::path from{};  // folder of a run of the same inputs that has temperatures
+    bool resume = false;           // keep what an earlier run with the same inputs has left
+    double max_memory = 0.0;       // [bytes] that the plan may need; 0: what the machine has free
     ProgressStyle progress = ProgressStyle::silent;
 };
 

@@ -137,6 +137,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/detection_command.cpp",
       "scenes/commands/sensitivity_command.cpp",
       "scenes/commands/signature_command.cpp",
+      "scenes/commands/slurm_command.cpp",
       "scenes/commands/sun_command.cpp",
       "scenes/commands/verify_command.cpp"}},
 };

@@ -57,6 +57,7 @@ class Course {
 AirState air_at_height(const AirByHeight& rule, const AirState& station, double height) {
     const double rise = height - rule.station;
     if (rule.same_everywhere() || rise == 0.0) return station;
+    // (T29) of docs/theory.md
     const Course course(rule, station);
     // Air that is above saturation at the station stays so by as much.
     const double most =

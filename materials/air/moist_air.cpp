@@ -15,7 +15,7 @@ double air_density(const AirState& air) {
 }
 
 double saturation_vapour_pressure(double temperature) {
-    // The formula has a pole; nothing here is colder than the mesopause.
+    // (T12) of docs/theory.md has a pole; nothing here is colder than the mesopause.
     const double t = std::max(temperature, coldest_vapour);
     return triple_point_pressure * std::exp(over_water.a * (t - triple_point) / (t - over_water.b));
 }

@@ -51,6 +51,7 @@ struct SegmentEnd {
         : black(nodes), depth(nodes, 0.0), transmittance(nodes, 1.0) {}
 };
 
+/// (T39) of docs/theory.md
 /// radiance += emission of one segment, Planck's law linear in optical depth x between its ends:
 /// (near + (far − near) f) (τ_near − τ_far), f = 1/x − 1/(eˣ − 1) to 1 % of far − near.
 void add_emission(const SegmentEnd& near, const SegmentEnd& far, std::span<double> radiance) {

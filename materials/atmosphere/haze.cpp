@@ -53,6 +53,7 @@ Haze::Haze(const BandModel& model) : model_(model) {
     const Tables::Haze &a = season[high - 1], &b = season[high];
     const double t = (1.0 / model.visibility_km - 1.0 / a.visibility_km) /
                      (1.0 / b.visibility_km - 1.0 / a.visibility_km);
+    // (T38) of docs/theory.md
     const double ground = std::max(0.0, std::log(50.0) / model.visibility_km - 0.01159);
     height_km_ = a.height_km;
     for (std::size_t zone = 0; zone < zones; ++zone) {

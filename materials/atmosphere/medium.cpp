@@ -144,6 +144,7 @@ void Medium::add_gases(const AirSample& air, double length_km, Amounts& amounts)
     constexpr double loschmidt = 2.68675e19, avogadro = 6.022045e23, water_molar_mass = 18.015;
     of(Gas::water) *= loschmidt / avogadro * water_molar_mass;
 
+    // (T37) of docs/theory.md: what W is summed of
     const double ln_pressure = std::log(pressure), ln_temperature = std::log(temperature);
     for (std::size_t begin = 0; begin < active_.size(); begin += group_lanes) {
         std::array<double, group_lanes> scale;

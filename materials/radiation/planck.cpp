@@ -15,6 +15,7 @@ double fifth_power(double x) { return (x * x) * (x * x) * x; }
 
 double planck(double wavelength_um, double temperature) {
     assert(wavelength_um > 0.0 && temperature >= 0.0);
+    // (T34) of docs/theory.md
     const double x = second_radiation_um / (wavelength_um * temperature);
     return first_radiation_um / (fifth_power(wavelength_um) * std::expm1(x));
 }
@@ -32,6 +33,7 @@ double planck_derivative(double wavelength_um, double temperature) {
 }
 
 double band_radiance(const Band& band, double temperature) {
+    // (T35) of docs/theory.md
     double sum = 0.0;
     for (std::size_t i = 0; i < band.node_um.size(); ++i) {
         sum += band.weight[i] * planck(band.node_um[i], temperature);
@@ -49,6 +51,7 @@ double band_radiance_derivative(const Band& band, double temperature) {
 
 double brightness_temperature(const Band& band, double radiance) {
     if (!(radiance > 0.0)) return 0.0;
+    // (T41) of docs/theory.md.
     // ln L is nearly linear in u = 1/T (Wien), so Newton runs there; the bracket catches what is
     // outside Wien's range or where L underflows.
     double cold = 1.0, hot = 300.0;

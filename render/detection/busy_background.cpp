@@ -56,6 +56,7 @@ CellClutter over_cells(const PlaneView& plane, std::span<const std::uint8_t> lef
             ++clutter.cells;
         }
     }
+    // (T51) of docs/theory.md
     clutter.level = clutter.cells > 0 ? std::sqrt(squares / double(clutter.cells)) : none;
     return clutter;
 }

@@ -27,6 +27,7 @@ double finest_along(double difference, const Imager& imager,
 double resolvable_difference(double cycles_per_mrad, double mtf, const Imager& imager) {
     constexpr double pi = std::numbers::pi;
     if (!(mtf > 0.0)) return std::numeric_limits<double>::infinity();
+    // (T45) of docs/theory.md
     return bar_threshold * pi * pi / (4.0 * std::sqrt(7.0)) * imager.netd * cycles_per_mrad *
            imager.pixel / (mtf * std::sqrt(eye_seconds * imager.frame_rate));
 }

@@ -87,6 +87,7 @@ double task_integral(double contrast, const SystemThreshold& threshold) {
 double task_metric(double difference, double size, double range, const SystemThreshold& threshold,
                    const Viewing& viewing) {
     const double contrast = std::min(1.0, 0.5 * difference / viewing.scene_contrast);
+    // (T47) of docs/theory.md
     return 1000.0 * size / range * task_integral(contrast, threshold);
 }
 

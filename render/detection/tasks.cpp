@@ -13,6 +13,7 @@ constexpr Exponent johnson{2.7, 0.7}, ttp{1.51, 0.24};
 
 double probability_at(double x, const Exponent& e) {
     if (!(x > 0.0)) return 0.0;
+    // (T46) of docs/theory.md
     // x^E / (1 + x^E) without an infinity over another
     return 1.0 / (1.0 + std::exp(-(e.a + e.b * x) * std::log(x)));
 }

@@ -96,6 +96,7 @@ double SystemMtf::lens_at(double frequency) const {
 double SystemMtf::operator()(double right, double down) const {
     const double frequency = std::hypot(right, down);
     if (frequency >= cut_off_) return 0.0;
+    // (T43) of docs/theory.md
     double mtf = lens_at(frequency) * sinc(right * width_) * sinc(down * width_);
     if (diffusion_ > 0.0) mtf *= diffusion_mtf(frequency, diffusion_);
     if (jitter_ > 0.0) mtf *= jitter_mtf(frequency, jitter_);

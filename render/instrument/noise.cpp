@@ -77,6 +77,7 @@ Noise noise_of(const Instrument& instrument, const Response& response) {
 
 double netd_at(double temperature, const Instrument& instrument, const Response& response,
                const Noise& noise, double step) {
+    // (T44) of docs/theory.md
     const double variance = counting(temperature, instrument, response) + square(noise.pixel) +
                             square(noise.flicker) + square(step) / 12.0;
     return std::sqrt(variance) / (seconds_of(instrument) * response.black_body_slope(temperature));

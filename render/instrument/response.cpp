@@ -77,6 +77,7 @@ Response response_of(const Instrument& instrument, const Band& band, double hous
     const double solid_angle = std::numbers::pi / (4.0 * lens.f_number * lens.f_number + 1.0);
     const double area = detector.pitch * detector.pitch * detector.fill;
     const bool photon = detector.kind == DetectorKind::photon;
+    // (T42) of docs/theory.md
     found.per_radiance =
         area * solid_angle * (photon ? top_um(band.response) * 1e-6 / planck_light_speed : 1e12);
     found.unit = photon ? "e-" : "pW";

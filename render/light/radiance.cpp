@@ -87,6 +87,7 @@ TermsByOrigin terms_of(LightMemo& memo, FacetId facet, int bounces) {
     LightByOrigin around =
         bounces > 0 ? arriving(memo, facet, bounces) : from_surface(std::move(black));
     if (around == LightByOrigin{}) around = from_surface(std::move(black));
+    // (T36) of docs/theory.md
     TermsByOrigin terms;
     const auto term = [&](Term t) -> LightByOrigin& { return terms[static_cast<std::size_t>(t)]; };
     term(Term::emitted) = from_surface(std::move(emitted));
@@ -188,6 +189,7 @@ std::array<double, term_count> radiance_at_eye(const RadianceInput& input, const
     const LightByOrigin shares = onward_shares(input, line, height_km, band.node_um);
     const TermsByOrigin leaving =
         radiosity_by_origin(input, sight.facet, band.node_um, 2, scattered);
+    // (T40) of docs/theory.md
     std::array<double, term_count> sum{};
     for (std::size_t t = 0; t + 1 < term_count; ++t) {
         for (std::size_t origin = 0; origin < origin_count; ++origin) {

@@ -138,6 +138,7 @@ ContrastRow row_of(const Frame& frame, const std::string& band, const Place& pla
     row.pixels = means.covered;
     row.difference = means.difference;
     row.spread = means.spread;
+    // (T50) of docs/theory.md
     row.rss = std::hypot(means.difference, means.spread);
     const int side = 2 * std::max(place.width, place.height);
     row.clutter = place.width > 0 ? cell_clutter(plane, place.in, side).level : none;

@@ -77,6 +77,7 @@ CrossoverDay day_of(const SeenRegions& seen, const CrossoverInput& input, std::s
         time.push_back(seconds_between(instant.front(), when));
         value.push_back(day.first.back() - day.second.back());
     }
+    // (T48) of docs/theory.md
     const Difference difference = difference_of(seen, pair, band, bands, instant.front());
     const std::vector<ZeroCrossing> found = find_crossings(
         time, value, difference, {.width = found_to, .touching = input.touching, .jumping = jump});
@@ -227,6 +228,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
                          const UncertainInput& one = inputs[i].uncertain[u];
                          if (one.key != number.first || one.one_sigma != number.second) continue;
                          crossing.shift[u] = shift;
+                         // (T49) of docs/theory.md
                          crossing.sigma = std::hypot(crossing.sigma, shift.value_or(0.0));
                      }
                  });

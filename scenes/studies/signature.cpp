@@ -93,6 +93,7 @@ SignatureReport signature_of(const Stages& stages, const SignatureInput& input,
                        .aspect_deg = aspects[a].azimuth_deg,
                        .elevation_deg = aspects[a].elevation_deg};
                 row.area = seen.covered * side * side;
+                // (T52) of docs/theory.md
                 row.intensity = (seen.difference + seen.background) * row.area;
                 row.contrast = seen.difference * row.area;
                 row.background = seen.background;

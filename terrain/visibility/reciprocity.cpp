@@ -135,6 +135,7 @@ Rows hits_of_pairs(std::span<const double> area_of, const FacetViews& views, dou
     return pairs;
 }
 
+/// (T31) of docs/theory.md
 /// Exchange areas of pairs, hits / (density + density), by densities of rays that close the rows.
 class ExchangeAreas {
  public:

@@ -178,6 +178,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
         for (std::size_t f = begin; f < end; ++f) {
             const std::size_t first = hit;
             while (hit < found.owner.size() && found.owner[hit] == f - begin) ++hit;
+            // (T30) of docs/theory.md
             const double weight = 1.0 / views.rays[f];
             const std::span seen = std::span(found.seen).subspan(first, hit - first);
             const std::size_t own = copied.empty() ? seen.size() : apart(scene.copies(), seen);

@@ -10,6 +10,7 @@ namespace diurna {
 namespace {
 
 double skin_depth(const Layer& layer, double period) {
+    // (T17) of docs/theory.md
     return std::sqrt(layer.conductivity * period /
                      (std::numbers::pi * layer.density * layer.heat_capacity));
 }
@@ -25,6 +26,7 @@ double ColumnGrid::total_capacity() const {
 ColumnGrid column_grid(std::span<const Layer> layers, const Bottom& bottom,
                        const GridOptions& options) {
     assert(!layers.empty());
+    // (T16) of docs/theory.md: cells of heat and links between them
     ColumnGrid grid;
     grid.depth.push_back(0.0);
     grid.capacity.push_back(0.0);
@@ -85,6 +87,7 @@ Stage make_stage(const ColumnGrid& grid, double tau, double reference) {
                 .lift = std::vector<double>(n),
                 .follow = std::vector<double>(n),
                 .below = 0.0};
+    // (T18) of docs/theory.md
     const double last = grid.conductance[n - 1];
     const double driven = last * (grid.below_temperature - reference) + grid.below_flux;
     double below_follow = 0.0;  // of the node under i; what lies below the column does not follow

@@ -131,6 +131,7 @@ void NonlinearColumn::add_cell(std::size_t upper, const Layer& layer, double wid
     linear_ = linear_ && std::holds_alternative<Constant>(layer.law);
 }
 
+// (T21) of docs/theory.md: ∫k dT
 NonlinearColumn::Potential NonlinearColumn::potential(const Link& link, double temperature) {
     const double theta = temperature - zero_celsius;
     if (link.cubic > 0.0) {

@@ -67,6 +67,7 @@ ReducedColumn project(const ColumnGrid& grid, double reference, const MatrixXd& 
     const bool open = grid.conductance.back() > 0.0;
     const MatrixXd reduced = basis.transpose() * k * basis;
     const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(0.5 * (reduced + reduced.transpose()));
+    // (T19) of docs/theory.md
     ReducedColumn column{.rate = eigen.eigenvalues().cwiseMax(0.0),
                          .surface = {},
                          .heat = {},

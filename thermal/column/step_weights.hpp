@@ -11,8 +11,8 @@ namespace diurna {
 ///
 ///     decay = e⁻ᶻ,    first = (1 − e⁻ᶻ) / z,    second = (e⁻ᶻ − 1 + z) / z²
 ///
-/// (the φ functions of exponential integrators; Hochbruck & Ostermann 2010). Each is right to
-/// 1e-14.
+/// (the φ functions of exponential integrators; Hochbruck & Ostermann 2010), each right to 1e-14.
+/// (T20) of docs/theory.md
 struct StepWeights {
     double decay, first, second;
 };

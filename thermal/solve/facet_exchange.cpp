@@ -66,6 +66,7 @@ class SunlightAtOnce {
         for (std::size_t k = 0; k < n; ++k) {
             scale[k] = float(1.0 / (bound * light_[k * sun_.sky.tiers].global));
         }
+        // (T32) of docs/theory.md
         const auto reflect = [&](std::size_t f, const float* light, float* out) {
             float most = 0.0f;
             for (std::size_t k = 0; k < n; ++k) {

@@ -78,7 +78,7 @@ inline float seen_as_itself(const FacetViews& view, std::size_t facet) {
 /// Longwave from other facets beyond what the sky they hide would send, D = L_in − L_sky [W m⁻²]:
 /// neighbours emit ε σ T⁴ and reflect the rest of what reaches them. Zero, whatever the
 /// emissivities, where ground and sky are equally warm. In two halves: what leaves a
-/// facet beyond the sky's radiance,
+/// facet beyond the sky's radiance, (T33) of docs/theory.md,
 ///
 /// excess   D as it was
 /// returns  ε (σ T⁴ − L_sky) + (1 − ε) D

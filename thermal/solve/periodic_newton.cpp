@@ -86,6 +86,7 @@ void correct_block(SolveState& solve, const Level& level, Block& block) {
 }  // namespace
 
 MatrixXd close_period(const Block& block, const Eigen::RowVectorXd& steep, const MatrixXd& change) {
+    // (T22) of docs/theory.md
     MatrixXd result = block.period->mean.solve(change);
     const MatrixXd further = block.period->steeper.solve(change);
     return result + (further - result) * way_of_lasting(steep).asDiagonal();

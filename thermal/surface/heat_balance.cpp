@@ -10,6 +10,7 @@ double HeatBalance::sum() const {
 
 HeatBalance heat_balance(const AirFilm& air, const NaturalFilm& natural, double emissivity,
                          const ArrivingHeat& arriving, double temperature) {
+    // (T1) of docs/theory.md
     const Film film = film_of(air, natural, temperature);
     const DryLoss dry = dry_loss(air, film, emissivity * stefan_boltzmann, temperature);
     HeatBalance balance;

@@ -39,6 +39,7 @@ NaturalFilm free_plate(double up_cosine, const FilmPart& part) {
     const double level = std::min(1.0, std::abs(up_cosine));
     const double upright = std::sqrt(std::max(0.0, 1.0 - level * level));
     NaturalFilm film;
+    // (T4) of docs/theory.md
     film.conduct = 0.825 / std::sqrt(double{part.rise});
     film.sixth = sixth_root_factor(0.492) * std::pow(upright, 1.0 / 6.0);
     film.side = up_cosine >= 0.0 ? 1.0 : -1.0;
@@ -130,6 +131,7 @@ PlateAir plate_air(const BodyFilm& body, const AirState& reference, double wind)
     air.sixth = std::sqrt(air.third);
     air.quarter = k * std::sqrt(std::sqrt(buoyancy));
     air.warming = property_exponent / t;
+    // (T5) of docs/theory.md
     switch (body.shape) {
         case BodyShape::plate:
             air.laminar = 0.664 * root_prandtl * k * std::sqrt(reynolds);
@@ -161,6 +163,7 @@ double tarp_forced(const Tarp& tarp, double wind_speed) {
 double mowitt_forced(double wind_speed) { return 3.26 * std::pow(wind_speed, 0.89); }
 
 double recovery_temperature(double air_temperature, double speed, double recovery) {
+    // (T10) of docs/theory.md
     constexpr double gamma = 1.4;
     const double mach_squared = speed * speed / (gamma * dry_air_gas_constant * air_temperature);
     return air_temperature * (1.0 + recovery * 0.5 * (gamma - 1.0) * mach_squared);

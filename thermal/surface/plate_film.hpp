@@ -97,7 +97,7 @@ double recovery_temperature(double air_temperature, double speed, double recover
 double recovery_factor(const AirState& air, const Flight& flight, double transition);
 
 /// A wall under natural and forced convection: their sum (TARP) or natural + R_f (√(natural² +
-/// forced²) − natural) (MoWiTT).
+/// forced²) − natural) (MoWiTT): (T7) of docs/theory.md.
 [[gnu::always_inline]] inline Film wall_film(const PlateAir& air, const NaturalFilm& own,
                                              double excess) {
     const double risen = own.third, held = own.quarter;  // both loaded: no branch
@@ -112,7 +112,7 @@ double recovery_factor(const AirState& air, const Flight& flight, double transit
 }
 
 /// A body's film. Every part is a power of |excess| times one of the properties' share f of what
-/// they are at no excess, so that excess · dh/dT follows from the exponents alone.
+/// they are at no excess, so excess · dh/dT follows from the exponents. (T6) of docs/theory.md
 [[gnu::always_inline]] inline Film body_film(const PlateAir& air, const NaturalFilm& own,
                                              double excess) {
     const double x = std::abs(excess);

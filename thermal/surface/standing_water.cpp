@@ -26,6 +26,7 @@ double snow_share(double air_temperature) {
 double aged_albedo(const AgeingAlbedo& law, double before, bool melting, double fallen,
                    double step) {
     constexpr double day = 86400.0, dry_loss = 0.008, melting_rate = 0.24, renewing = 10.0;
+    // (T15) of docs/theory.md
     const double over = std::max(0.0, before - law.old);
     const double left = melting ? over * std::exp(-melting_rate * step / day)
                                 : std::max(0.0, over - dry_loss * step / day);
@@ -53,6 +54,7 @@ double rain_share(double up_cosine, double open_above) {
 SnowCover snow_cover(double frost, double roughness_length) {
     constexpr double density = 200.0, conductivity = 0.10, stiffest = 1e6;
     if (frost < 1e-6) return {};
+    // (T14) of docs/theory.md
     const double depth = frost / density;
     const double share = depth / (depth + 5.0 * roughness_length);
     return {share, std::min(stiffest, conductivity / (depth * share)),
@@ -61,6 +63,7 @@ SnowCover snow_cover(double frost, double roughness_length) {
 
 double mean_wet_share(double held, double rain, double drying, double capacity) {
     if (capacity <= 0.0) return 0.0;
+    // (T13) of docs/theory.md
     const double r = rain / capacity, e = std::max(drying / capacity, 1e-9);
     double x = held / capacity, left = 1.0, wet = 0.0;  // of the step
     if (x >= 1.0) {

@@ -114,6 +114,7 @@ AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const Ai
         film.plate = plate_air(*body, reference, wind);
     } else {
         const Louis& ground = std::get<Louis>(surface.convection);
+        // (T2) of docs/theory.md
         const double mixing = std::hypot(wind, ground.gust);
         film.neutral =
             capacity * von_karman * von_karman * mixing / (louis.log_momentum * louis.log_heat);

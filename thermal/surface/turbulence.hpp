@@ -66,8 +66,8 @@ inline constexpr double least_wind = 0.3;
 AirFilm air_film(const ThermalSurface& surface, const LouisForm& louis, const AirState& air,
                  double wind_speed);
 
-/// Ground (Louis) or constant film, F = n / d and dF/dx = g / d². One root and one division for
-/// both branches: of a choice between them the compiler makes two of each, so they are blended.
+/// Ground ((T3) of docs/theory.md) or constant film, F = n / d, dF/dx = g / d². One root and one
+/// division for both: of a choice between them the compiler makes two, so they are blended.
 [[gnu::always_inline]] inline Film ground_film(const AirFilm& air, double temperature) {
     const double excess = air.instability * (temperature - air.air_temperature);
     const double x = std::max(excess, -stable_limit);
@@ -97,7 +97,7 @@ struct VapourPath {
 
 /// Latent heat towards the surface [W m⁻²] and d/dT_s: evaporation from the wet share against the
 /// surface's resistance in series with the air's, dew against the air's alone.
-///
+/// (T11) of docs/theory.md
 /// excess  [Pa] of saturation at the surface over the air's vapour; its slope [Pa K⁻¹]
 struct LatentHeat {
     double flux, slope;

@@ -39,6 +39,7 @@ Sunlight bird_clear_sky(double sun_elevation_deg, double distance_au, double pre
     // Absorbed and scattered aerosol light: single scattering 0.9, forward share 0.84.
     const double absorbed = 1.0 - 0.1 * (1.0 - mass + std::pow(mass, 1.06)) * (1.0 - aerosol);
     const double back_scatter = 0.0685 + (1.0 - 0.84) * (1.0 - aerosol / absorbed);
+    // (T23) of docs/theory.md
     const double direct = top * 0.9662 * rayleigh * ozone * mixed * water * aerosol;
     const double scattered = top * cosine * 0.79 * ozone * mixed * water * absorbed *
                              (0.5 * (1.0 - rayleigh) + 0.84 * (1.0 - aerosol / absorbed)) /
@@ -103,12 +104,14 @@ double clear_longwave(const AirState& air, LongwaveFormula formula) {
 }
 
 double clear_longwave(const AirState& air) {
+    // (T24) of docs/theory.md
     const double t = air.temperature / 273.16;
     return 59.38 + 113.7 * std::pow(t, 6) + 96.96 * std::sqrt(precipitable_water_cm(air) / 2.5);
 }
 
 double cloudy_longwave(const AirState& air, double cloud_fraction, LongwaveFormula formula) {
     const double black = stefan_boltzmann * power4(air.temperature);
+    // (T25) of docs/theory.md
     return cloud_fraction * black + (1.0 - cloud_fraction) * clear_longwave(air, formula);
 }
 

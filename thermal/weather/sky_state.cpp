@@ -71,6 +71,7 @@ void model_sun(const Forcing& forcing, double pressure, double elevation, const 
     const Sunlight sun = clear_sunlight(sky.sun, air, elevation, clear);
     const double cloud = std::isnan(forcing.cloud_fraction) ? 0.0 : forcing.cloud_fraction;
     const double clear_global = sun.direct_normal * sine + sun.diffuse_horizontal;
+    // (T26) of docs/theory.md
     const double under_cloud = clear_global * (1.0 - 0.75 * std::pow(cloud, 3.4));
     sky.direct_normal = sun.direct_normal * (1.0 - cloud);
     if (!std::isnan(forcing.direct_normal)) {
@@ -153,6 +154,7 @@ SkyLight sky_light(const SkyState& sky) {
 }
 
 double facet_sunlight(const SkyLight& light, double seen, const OpenSky& open) {
+    // (T27) of docs/theory.md
     return light.beam * seen + std::max(0.0, light.even * open.view + light.horizon * open.horizon);
 }
 

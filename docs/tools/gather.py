@@ -113,6 +113,7 @@ def main(folder):
         shutil.copy(ROOT / picture, place)
     shutil.copy(ROOT / "docs/pages.css", stage / "pages")
     shutil.copy(ROOT / "docs/mkdocs.yml", stage)
+    shutil.copytree(ROOT / "docs/theme", stage / "theme", dirs_exist_ok=True)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@
     docs/test.sh [PAGE.md...]
 
 Exit code 1 and a line for each command that failed where it should not, or printed something else. $DIURNA is the folder of the
-sources, as on the pages.
+sources, as on the pages; DIURNA_PROGRAM names another program than that of build/release.
 """
 
 import os
@@ -18,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from page_blocks import blocks_of, commands_of, first_misfit
 
 ROOT = Path(__file__).resolve().parents[2]
+PROGRAM = Path(os.environ.get("DIURNA_PROGRAM", ROOT / "build/release/diurna"))
 LONGEST = 120  # [s] that a command may take
 
 
@@ -51,7 +52,7 @@ def try_page(page, scratch):
     folder = scratch / page.stem
     folder.mkdir()
     environment = dict(os.environ, DIURNA=str(ROOT), XDG_CACHE_HOME=str(scratch / "cache"),
-                       PATH=f"{ROOT}/build/release:{os.environ['PATH']}")
+                       PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
     commands = mistakes = 0
     for block in blocks_of(page.read_text()):
         first, _, rest = block.text.partition("\n")

@@ -11,10 +11,10 @@
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "materials/base/made_by.hpp"
 #include "terrain/place/local_time.hpp"
 #include "thermal/netcdf_output.hpp"
 #include "thermal/temperature_names.hpp"
@@ -55,17 +55,6 @@ constexpr const char* heat_equation =
     "absorbed_sunlight + absorbed_longwave + internal_heat = emitted_longwave + sensible_heat + "
     "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "
     "of the facet's front; between the solver's steps both sides are on the straight line";
-
-/// A word of CF's flag_meanings: letters, digits and _ - . + @.
-std::string flag_word(std::string name) {
-    for (char& c : name) {
-        const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
-                          (c >= '0' && c <= '9') ||
-                          std::string_view("_-.+@").find(c) != std::string_view::npos;
-        if (!good) c = '_';
-    }
-    return name.empty() ? "_" : name;
-}
 
 /// A number for each facet, and what the numbers mean.
 int declare_flags(const NetcdfFile& file, const char* name, int facet_dim,
@@ -145,6 +134,9 @@ Variables declare(const NetcdfFile& file, const TemperatureField& field, const F
 
     file.text(NC_GLOBAL, "Conventions", "CF-1.8 UGRID-1.0");
     file.text(NC_GLOBAL, "title", temperatures_title);
+    file.text(NC_GLOBAL, "source", made_by());
+    file.text(NC_GLOBAL, "libraries", made_with());
+    if (!notes.made_of.empty()) file.text(NC_GLOBAL, made_of_name, notes.made_of);
     for (const auto& [name, value] : {std::pair{"site_latitude_deg", site.latitude_deg},
                                       std::pair{"site_longitude_deg", site.longitude_deg},
                                       std::pair{"site_height_m", site.height}}) {

@@ -40,6 +40,7 @@ struct FieldNotes {
     std::vector<std::string> objects{};     // (ObjectId) names, the ground first; empty likewise
     double utc_offset = 0.0;                // [s] that the scene's clock is ahead of UTC
     const HeatFluxField* fluxes = nullptr;  // at the temperatures' instants; null: not written
+    std::string made_of{};                  // lines "SHA-256 NAME" of inputs; empty: not written
 };
 
 /// Writes netCDF (CF 1.8 with a UGRID 1.0 mesh of the facets in the site's east-north-up frame):

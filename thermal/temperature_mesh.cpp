@@ -13,6 +13,7 @@
 #include "materials/base/files_read.hpp"
 #include "materials/base/hdf5_file.hpp"
 #include "thermal/netcdf_output.hpp"
+#include "thermal/temperature_names.hpp"
 
 namespace diurna {
 
@@ -193,16 +194,27 @@ TemperatureMesh load_temperature_mesh(const fs::path& path) {
     return mesh;
 }
 
-std::string netcdf_title(const fs::path& path) {
+namespace {
+
+/// A global attribute of at most so many bytes; "" where there is none.
+std::string global_text(const fs::path& path, const char* name, std::size_t most) {
     int id = -1;
     std::size_t length = 0;
     note_file_read(path);
     check_values_are_its_own(path);
     if (!fs::is_regular_file(path) || nc_open(path.c_str(), NC_NOWRITE, &id) != NC_NOERR) return "";
     const NetcdfFile file(path, id);
-    if (nc_inq_attlen(id, NC_GLOBAL, "title", &length) != NC_NOERR || length > 1000) return "";
-    std::string title(length, ' ');
-    return nc_get_att_text(id, NC_GLOBAL, "title", title.data()) == NC_NOERR ? title : "";
+    if (nc_inq_attlen(id, NC_GLOBAL, name, &length) != NC_NOERR || length > most) return "";
+    std::string text(length, ' ');
+    return nc_get_att_text(id, NC_GLOBAL, name, text.data()) == NC_NOERR ? text : "";
+}
+
+}  // namespace
+
+std::string netcdf_title(const fs::path& path) { return global_text(path, "title", 1000); }
+
+std::string temperatures_made_of(const fs::path& path) {
+    return global_text(path, made_of_name, 10'000'000);
 }
 
 }  // namespace diurna

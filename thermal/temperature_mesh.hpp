@@ -28,4 +28,7 @@ TemperatureMesh load_temperature_mesh(const std::filesystem::path& file);
 /// The title that a netCDF file gives itself, "" where it has none or is no netCDF file.
 std::string netcdf_title(const std::filesystem::path& file);
 
+/// FieldNotes::made_of of a file of temperatures, "" where it has none.
+std::string temperatures_made_of(const std::filesystem::path& file);
+
 }  // namespace diurna

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <string_view>
 
 #include "thermal/heat_flux_field.hpp"
 #include "thermal/surface/surface_cover.hpp"
@@ -44,5 +46,17 @@ inline constexpr std::array<TermName, heat_terms> heat_term_names{{
 
 inline constexpr const char* temperatures_title = "diurna facet temperatures";
 inline constexpr const char* solved_as_name = "solved_as";
+inline constexpr const char* made_of_name = "made_of";  // global attribute, FieldNotes::made_of
+
+/// A word of CF's flag_meanings: letters, digits and _ - . + @, else "_".
+inline std::string flag_word(std::string name) {
+    for (char& c : name) {
+        const bool good = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') ||
+                          std::string_view("_-.+@").find(c) != std::string_view::npos;
+        if (!good) c = '_';
+    }
+    return name.empty() ? "_" : name;
+}
 
 }  // namespace diurna

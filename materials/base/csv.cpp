@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/syntax_hints.hpp"
 
 namespace diurna {
 
@@ -33,6 +35,16 @@ void check_header(const std::vector<std::string>& header, const std::string& whe
     if (again != sorted.end()) {
         throw InputError(where, "has column '" + again->substr(0, 40) + "' twice",
                          "which of them is meant?");
+    }
+}
+
+/// Throws InputError for a header of one cell that is parted otherwise than by commas.
+void check_separator(const std::vector<std::string>& header, const std::string& where) {
+    if (header.size() != 1) return;
+    for (const auto& [mark, name] : {std::pair{';', "';'"}, {'\t', "a tab"}}) {
+        if (header.front().find(mark) == std::string::npos) continue;
+        throw InputError(where, std::string("cells are parted by ") + name + ", expected ','",
+                         "save it with commas between cells and '.' as decimal sign");
     }
 }
 
@@ -82,15 +94,21 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
     double value = 0.0;
     const std::string& cell = rows.at(row).at(column);
     if (!parse_number(cell, value)) {
+        const std::string small = small_letters(cell);
+        const bool none = small == "n/a" || small == "na" || small == "nan" || small == "null" ||
+                          small == "none" || small == "m" || small == "-" || small == "--";
         throw InputError(where(row, column) + ": " + header.at(column),
                          "found '" + cell.substr(0, 40) + "', expected a finite number",
-                         cell.find(',') != std::string::npos ? "the decimal separator is '.'" : "");
+                         none ? "where nothing was measured, leave the cell empty"
+                         : cell.find(',') != std::string::npos ? "the decimal separator is '.'"
+                                                               : "");
     }
     return value;
 }
 
 CsvTable read_csv(const std::filesystem::path& path, int skip) {
     const std::string text = read_text(path);
+    if (is_utf16(text)) throw InputError(path.string(), utf16_problem, utf16_hint);
     CsvTable table{.path = path, .header = {}, .rows = {}, .line = {}};
     int line_number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
@@ -110,12 +128,18 @@ CsvTable read_csv(const std::filesystem::path& path, int skip) {
         std::vector<std::string> row = csv_cells(line);
         if (table.header.empty()) {
             table.header = std::move(row);
+            table.header_line = line_number;
+            check_separator(table.header, where);
             check_header(table.header, where);
             continue;
         }
         if (row.size() != table.header.size()) {
-            throw InputError(where, "found " + std::to_string(row.size()) + " cells, expected " +
-                                        std::to_string(table.header.size()) + " as in the header");
+            throw InputError(where,
+                             "found " + std::to_string(row.size()) + " cells, expected " +
+                                 std::to_string(table.header.size()) + " as in the header",
+                             row.size() > table.header.size()
+                                 ? "',' parts cells, and the decimal sign is '.'"
+                                 : "");
         }
         table.rows.push_back(std::move(row));
         table.line.push_back(line_number);

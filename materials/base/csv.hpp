@@ -15,6 +15,7 @@ struct CsvTable {
     std::vector<std::string> header;
     std::vector<std::vector<std::string>> rows;  // (row, column), trimmed; as wide as the header
     std::vector<int> line;                       // (row) line number in the file, from 1
+    int header_line = 1;                         // likewise
 
     bool has(std::string_view column) const;
     /// Index of a column; throws InputError with the nearest name if it is absent.

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstddef>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <tuple>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "materials/base/document_state.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/syntax_hints.hpp"
 
 namespace diurna {
 
@@ -45,10 +47,14 @@ void note_unasked(DocumentState& state, const toml::table& table, const std::str
     }
 }
 
+/// Dots part words, but within double quotes: object."truck 1.5".heading_deg.
 std::vector<std::string> words_of(const std::string& path) {
     std::vector<std::string> words{""};
+    bool quoted = false;
     for (const char c : path) {
-        if (c == '.') {
+        if (c == '"') {
+            quoted = !quoted;
+        } else if (c == '.' && !quoted) {
             words.emplace_back();
         } else {
             words.back() += c;
@@ -79,6 +85,22 @@ toml::node* inner(toml::node& node, const std::string& word) {
     return whole && number < array->size() ? &(*array)[number] : nullptr;
 }
 
+std::vector<std::string> names_of(const toml::array& tables) {
+    std::vector<std::string> names;
+    for (const toml::node& table : tables) names.push_back(name_of(table));
+    return names;
+}
+
+/// "by name or number: 0 east, 1 west", of many the first.
+std::string told_names(const std::vector<std::string>& names) {
+    constexpr std::size_t most = 8;
+    std::string text = "by name or number: ";
+    for (std::size_t i = 0; i < names.size() && i < most; ++i) {
+        text += fmt::format("{}{} {}", i > 0 ? ", " : "", i, names[i]);
+    }
+    return names.size() > most ? text + fmt::format(" ... of {}", names.size()) : text;
+}
+
 /// The table that a path's last word is a key of; tables that are not there are added.
 std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::string& path,
                                               const std::string& where) {
@@ -88,17 +110,18 @@ std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::s
         table->insert(words[i], toml::table{});  // does nothing where the key is there
         toml::node* node = table->get(words[i]);
         if (const toml::array* array = node->as_array(); array != nullptr) {
-            if (++i + 1 >= words.size()) {
+            const std::vector<std::string> names = names_of(*array);
+            if (i + 2 >= words.size()) {
                 throw InputError(where,
-                                 fmt::format("names no key of one of '{}', expected {}.NAME.key",
-                                             words[i - 1], words[i - 1]));
+                                 fmt::format("names no key of one of '{}', expected {}.NAME.{}",
+                                             words[i], words[i], words.back()),
+                                 told_names(names));
             }
-            node = inner(*node, words[i]);
+            node = inner(*node, words[++i]);
             if (node == nullptr) {
-                std::vector<std::string> names;
-                for (const toml::node& element : *array) names.push_back(name_of(element));
+                const std::string hint = did_you_mean(words[i], names);
                 throw InputError(where, fmt::format("no {} \"{}\"", words[i - 1], words[i]),
-                                 did_you_mean(words[i], names));
+                                 hint.empty() ? told_names(names) : hint);
             }
         }
         table = node->as_table();
@@ -152,6 +175,14 @@ void check_limits(const std::string& text, const std::string& file) {
     }
 }
 
+/// The line of this number, from 1.
+std::string_view line_of(std::string_view text, std::size_t number) {
+    for (std::size_t line = 1; line < number && !text.empty(); ++line) {
+        text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+    }
+    return text.substr(0, text.find('\n'));
+}
+
 std::function<void(std::span<const Key>)>& watcher() {
     static std::function<void(std::span<const Key>)> none;
     return none;
@@ -171,13 +202,14 @@ Document Document::from_text(const std::string& text, const std::string& file,
     auto state = std::make_shared<DocumentState>();
     state->file = file;
     state->confines = confines ? *confines : confines_of(file);
+    if (is_utf16(text)) throw InputError(file, utf16_problem, utf16_hint);
     check_limits(text, file);
     try {
         state->root = toml::parse(text, file);
     } catch (const toml::parse_error& error) {
         const auto& begin = error.source().begin;
         throw InputError(fmt::format("{}:{}:{}", file, begin.line, begin.column),
-                         std::string(error.description()));
+                         std::string(error.description()), syntax_hint(line_of(text, begin.line)));
     }
     return Document(std::move(state));
 }
@@ -191,7 +223,12 @@ void Document::set(const std::string& setting) {
     toml::table parsed;
     try {
         parsed = toml::parse("value = " + value, "--set " + setting);
-    } catch (const toml::parse_error&) {
+    } catch (const toml::parse_error& error) {
+        if (value.find_first_of("[{\"'") == 0) {
+            throw InputError("--set " + setting,
+                             fmt::format("no value of TOML: {}", error.description()),
+                             "bands=[\"8-12\"]: in a shell between single quotes");
+        }
         parsed.insert_or_assign("value", value);
     }
     const auto [table, key] = table_at(*state_, setting.substr(0, equals), "--set " + setting);

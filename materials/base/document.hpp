@@ -29,9 +29,10 @@ class Document {
                               const std::optional<Confines>& confines = {});
 
     /// Puts a value in place of what the file says, or adds it: "time.step_s=300". What is no TOML
-    /// value counts as a text. Of several tables [[observer]] one is called by its name or its
-    /// number from 0: "observer.east.width=320". Throws InputError if there is none, or if what is
-    /// on the way is no table.
+    /// value counts as a text, unless it begins as a list, a table or a text in quotes does. Of
+    /// several tables [[observer]] one is called by its name or its number from 0:
+    /// "observer.east.width=320"; names with dots stand between double quotes. Throws InputError if
+    /// there is none, or if what is on the way is no table.
     void set(const std::string& setting);
     /// The same with a value that stands elsewhere in the file, which is gone from there: mistakes
     /// are told of that place.

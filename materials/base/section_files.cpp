@@ -1,12 +1,33 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "materials/base/document_nodes.hpp"
+#include "materials/base/error.hpp"
 #include "materials/base/section.hpp"
 
 namespace diurna {
+
+namespace {
+
+/// What may have been meant by the name of a file that is not there.
+std::string file_hint(const std::filesystem::path& file, const std::string& name) {
+    if (name.find('\\') != name.npos) return "folders are parted by '/'";
+    std::vector<std::string> there;
+    std::error_code problem;
+    for (const auto& entry : std::filesystem::directory_iterator(
+             file.has_parent_path() ? file.parent_path() : ".", problem)) {
+        there.push_back(entry.path().filename().string());
+        if (there.size() >= 1000) break;
+    }
+    std::sort(there.begin(), there.end());
+    return did_you_mean(file.filename().string(), there);
+}
+
+}  // namespace
 
 std::filesystem::path Section::file(const std::string& key, const char* says) const {
     return file_named(key, text(key, says));
@@ -24,7 +45,7 @@ std::filesystem::path Section::file_named(const std::string& key, const std::str
     } else if (const std::string why = why_not(state_->confines, file); !why.empty()) {
         mistake(key, fmt::format("{} {}", file.string(), why), allow_outside_hint);
     } else if (!std::filesystem::exists(file, problem)) {
-        mistake(key, fmt::format("no such file: {}", file.string()));
+        mistake(key, fmt::format("no such file: {}", file.string()), file_hint(file, name));
     } else {
         return file;
     }

@@ -65,7 +65,8 @@ std::vector<std::string> Section::texts_or(const std::string& key, const char* s
     const toml::node& node = *node_of(table_, key);
     const toml::array* array = node.as_array();
     if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_string(); })) {
-        mistake(key, fmt::format("found {}, expected an array of texts", shown(node)));
+        mistake(key, fmt::format("found {}, expected an array of texts", shown(node)),
+                node.is_string() ? fmt::format("write [{}]", shown(node)) : "");
         return fallback.value;
     }
     std::vector<std::string> values;

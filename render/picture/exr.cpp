@@ -18,6 +18,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 
 namespace diurna {
 
@@ -111,6 +112,7 @@ Imf::Slice slice(const float* pixel, int width) {
 constexpr std::uintmax_t most_exr_bytes = std::uintmax_t{1} << 36;
 
 constexpr std::string_view instant_key = "diurna.instant", observer_key = "diurna.observer",
+                           software_key = "software", libraries_key = "diurna.libraries",
                            unit_prefix = "unit.", note_prefix = "note.";
 
 std::size_t pixels_of(const Imf::Header& header, int& width, int& height) {
@@ -136,7 +138,8 @@ void write_exr(const std::filesystem::path& path, const Frame& frame, ExrCompres
         header.compression() = openexr(compression);
         // Level 1 packs floats as well as level 9 to a few per cent, in a third of the time.
         header.zipCompressionLevel() = 1;
-        header.insert("software", Imf::StringAttribute("diurna"));
+        header.insert(std::string(software_key), Imf::StringAttribute(made_by()));
+        header.insert(std::string(libraries_key), Imf::StringAttribute(made_with()));
         header.insert(std::string(instant_key),
                       Imf::StringAttribute(format_instant(frame.instant)));
         header.insert(std::string(observer_key), Imf::StringAttribute(frame.observer));
@@ -190,8 +193,9 @@ Frame read_planes(const std::filesystem::path& path, const std::span<const std::
             if (name == observer_key) frame.observer = text->value();
             if (name.starts_with(note_prefix)) {
                 frame.notes.emplace(name.substr(note_prefix.size()), text->value());
-            } else if (name != instant_key && name != observer_key && name != "software" &&
-                       name != "capDate" && !name.starts_with(unit_prefix)) {
+            } else if (name != instant_key && name != observer_key && name != software_key &&
+                       name != libraries_key && name != "capDate" &&
+                       !name.starts_with(unit_prefix)) {
                 frame.attributes.emplace(name, text->value());
             }
         }

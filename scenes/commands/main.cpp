@@ -35,10 +35,10 @@
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
 #include "scenes/commands/run_command.hpp"
-#include "scenes/commands/scene_commands.hpp"
 #include "scenes/commands/sensitivity_command.hpp"
 #include "scenes/commands/signature_command.hpp"
 #include "scenes/commands/slurm_command.hpp"
+#include "scenes/commands/solve_command.hpp"
 #include "scenes/commands/sun_command.hpp"
 #include "scenes/commands/verify_command.hpp"
 

@@ -155,19 +155,19 @@ void add_path_verb(CLI::App& app) {
     verb->add_option("--profile", a->profile,
                      "TROP MLS MLW SAS SAW US76, or a radiosonde's .csv file");
     verb->add_option("--aerosol", a->aerosol, "none, rural, maritime, urban, ...");
-    verb->add_option("--visibility-km", a->visibility_km);
-    verb->add_option("--co2-ppm", a->co2_ppm);
+    verb->add_option("--visibility-km", a->visibility_km, "at the ground, of the haze (23)");
+    verb->add_option("--co2-ppm", a->co2_ppm, "carbon dioxide (today's)");
     verb->add_option("--ground-km", a->ground_km, "where the haze begins");
-    verb->add_option("--rain-mm-h", a->rain_mm_h);
+    verb->add_option("--rain-mm-h", a->rain_mm_h, "along the whole path");
     verb->add_option("--height-km", a->path.height_km, "start of the path above the sea");
     verb->add_option("--zenith-deg", a->path.zenith_deg, "at the start of the path");
-    verb->add_option("--range-km", a->path.range_km);
-    verb->add_option("--to-height-km", a->path.to_height_km);
-    verb->add_flag("--to-ground", a->path.to_ground);
-    verb->add_flag("--to-space", a->path.to_space);
+    verb->add_option("--range-km", a->path.range_km, "its length; or one of the three that follow");
+    verb->add_option("--to-height-km", a->path.to_height_km, "above the sea, where it ends");
+    verb->add_flag("--to-ground", a->path.to_ground, "it ends on the ground");
+    verb->add_flag("--to-space", a->path.to_space, "it ends above the air");
     verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "adds scattered sunlight");
     verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg, "of the path");
-    verb->add_option("--ground-albedo", a->path.ground_albedo);
+    verb->add_option("--ground-albedo", a->path.ground_albedo, "below the path, with a sun");
     verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be given again")->required();
     verb->add_option("--csv", a->csv, "file for the whole spectrum");
     verb->add_option("--modtran", a->modtran,

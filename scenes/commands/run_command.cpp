@@ -27,7 +27,7 @@ namespace {
 struct RunArguments {
     JobOptions job;
     std::string shard;
-    std::vector<std::string> only;
+    std::shared_ptr<std::vector<std::string>> only = std::make_shared<std::vector<std::string>>();
 };
 
 void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle style) {
@@ -103,8 +103,8 @@ void run_verb(const SceneArguments& a, RunArguments run) {
     JobOptions& job = run.job;
     set_job(a, job);
     if (!run.shard.empty()) job.pictures.shard = read_shard(run.shard);
-    const std::string variant = take_variant(run.only);
-    job.pictures.only = run.only;
+    const std::string variant = take_variant(*run.only);
+    job.pictures.only = *run.only;
     if (scene.sweep.axes.empty()) {
         if (!variant.empty()) {
             throw InputError("--only", fmt::format("found '{}' where the scene has no [sweep], "
@@ -119,8 +119,8 @@ void run_verb(const SceneArguments& a, RunArguments run) {
                                  "found where the scene has a [sweep]",
                                  "its variants share temperatures in one folder");
             }
-            if (!run.only.empty()) {
-                throw InputError("--only", fmt::format("found '{}' of a sweep", run.only.front()),
+            if (!run.only->empty()) {
+                throw InputError("--only", fmt::format("found '{}' of a sweep", run.only->front()),
                                  "name a variant, too: --only v0");
             }
             run_sweep_verb(sweep, run, a.style());
@@ -128,6 +128,14 @@ void run_verb(const SceneArguments& a, RunArguments run) {
         }
         scene = only_variant(sweep, variant, job);
     }
+    run_one(std::move(scene), job);
+}
+
+void render_verb(const SceneArguments& a, JobOptions job, const std::vector<std::string>& only) {
+    Scene scene = a.read();
+    set_job(a, job);
+    job.pictures.only = only;
+    tell_of_sweep(scene);
     run_one(std::move(scene), job);
 }
 
@@ -154,11 +162,24 @@ void add_run_verb(CLI::App& app) {
                      "pictures none, temperatures alone");
     verb->add_option("--from", run->job.from,
                      "folder of a run of the same inputs: what it has left is taken");
-    verb->add_option("--only", run->only,
-                     std::string(only_told) +
-                         "; of a sweep a variant's name makes a run of it by itself, base of the "
-                         "scene as it stands");
+    add_choice(*verb, run->only,
+               "; of a sweep a variant's name makes a run of it by itself, base of the scene as it "
+               "stands");
     verb->callback([a, run] { run_verb(*a, *run); });
+}
+
+void add_render_verb(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand(
+        "render", "what run does with temperatures that are there: frames, labels, report");
+    const auto a = solving_arguments(*verb);
+    const auto job = std::make_shared<JobOptions>();
+    const auto only = std::make_shared<std::vector<std::string>>();
+    verb->add_option("--temperatures", job->temperatures, "netCDF file of `solve` or `run`")
+        ->required();
+    verb->add_option("--out", job->out, "folder for the results (default: out)");
+    verb->add_flag("--resume", job->resume, "keep what an earlier render of the same has left");
+    add_choice(*verb, only);
+    verb->callback([=] { render_verb(*a, *job, *only); });
 }
 
 void add_merge_verb(CLI::App& app) {

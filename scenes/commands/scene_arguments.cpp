@@ -1,6 +1,9 @@
 #include "scenes/commands/scene_arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cstdio>
 
 #include "materials/base/parallel.hpp"
 #include "scenes/input/scene_file.hpp"
@@ -25,6 +28,25 @@ std::shared_ptr<const StageStore> SceneArguments::stages() const {
 
 double SceneArguments::memory() const { return max_memory.empty() ? 0.0 : bytes_told(max_memory); }
 
+void tell_of_sweep(const Scene& scene) {
+    if (scene.sweep.axes.empty()) return;
+    fmt::print(stderr, "note: the scene as it stands; its [sweep] is for run\n");
+}
+
+void add_choice(CLI::App& verb, const std::shared_ptr<std::vector<std::string>>& only,
+                const std::string& more) {
+    verb.add_option("--only", *only,
+                    "observer=NAME, band=NAME, frames=05:00..09:00 (or instants): these pictures "
+                    "alone" +
+                        more);
+    verb.add_option_function<std::vector<std::string>>(
+        "--band",
+        [only](const std::vector<std::string>& bands) {
+            for (const std::string& band : bands) only->push_back("band=" + band);
+        },
+        "short for --only band=NAME");
+}
+
 std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb) {
     auto a = scene_arguments(verb);
     verb.add_option("--max-memory", a->max_memory,
@@ -38,7 +60,9 @@ std::shared_ptr<SceneArguments> solving_arguments(CLI::App& verb) {
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
     auto a = std::make_shared<SceneArguments>();
     verb.add_option("SCENE", a->scene, "scene file (TOML)")->required();
-    verb.add_option("--set", a->settings, "key.path=value in place of what the file says");
+    verb.add_option("--set", a->settings,
+                    "key.path=value in place of what the file says: observer.east.width=320 (or "
+                    "observer.0.width); lists and texts as in the file, a word needs no quotes");
     verb.add_option("--threads", a->threads, "worker threads; 0: one per core")
         ->check(CLI::Range(0, 1024));
     verb.add_option("--progress", a->progress, "json, none or auto")

@@ -34,9 +34,15 @@ struct SceneArguments {
     std::shared_ptr<const StageStore> stages() const;
 };
 
-/// Of --only, as PictureChoice::only has it.
-inline constexpr const char* only_told =
-    "observer=NAME, band=NAME, frames=05:00..09:00 (or instants): these pictures alone";
+/// A note of a scene with a [sweep], for verbs that know no variants.
+void tell_of_sweep(const Scene& scene);
+
+/// The options --only and --band of a verb that makes pictures, read into `only` as
+/// PictureChoice::only has it.
+///
+/// - more: is said of --only besides
+void add_choice(CLI::App& verb, const std::shared_ptr<std::vector<std::string>>& only,
+                const std::string& more = "");
 
 /// The arguments of a verb, read into what is returned.
 std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb);

@@ -104,8 +104,8 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
 /// How and when the scene is looked at, and studies of what is seen.
 constexpr const char* of_pictures[] = {"observer",
                                        "instrument",
-                                       "band",
-                                       "cube",
+                                       "bands",
+                                       "cubes",
                                        "labels",
                                        "signature",
                                        "detection",

@@ -9,6 +9,7 @@
 
 #include "materials/base/error.hpp"
 #include "render/instrument/optics.hpp"
+#include "scenes/input/bands.hpp"
 #include "terrain/place/local_time.hpp"
 
 namespace diurna {
@@ -89,9 +90,22 @@ bool among(const std::vector<std::string>& names, const std::string& name) {
 }
 
 /// Throws InputError for the first that nothing is called.
-void check_names(const std::vector<std::string>& names, const std::vector<std::string>& known) {
+void check_names(const char* kind, const std::vector<std::string>& names,
+                 const std::vector<std::string>& known) {
     for (const std::string& name : names) {
-        if (!among(known, name)) refuse_word(option, name, known);
+        if (!among(known, name))
+            refuse_word(fmt::format("{} {}={}", option, kind, name), name, known);
+    }
+}
+
+/// Bands as the scene calls them, for what people write: "8:12", "LWIR".
+void spell_bands(const Scene& scene, const std::vector<std::string>& known,
+                 std::vector<std::string>& names) {
+    for (std::string& name : names) {
+        if (!among(known, name)) name = band_name(scene.bands, name);
+        std::string dashed = name;
+        std::replace(dashed.begin(), dashed.end(), ':', '-');
+        if (among(known, dashed)) name = dashed;
     }
 }
 
@@ -161,7 +175,7 @@ void keep_shard(const Scene& scene, const Shard& shard, std::vector<ObserverInpu
 }  // namespace
 
 std::vector<ObserverInput> chosen_pictures(const Scene& scene, const PictureChoice& choice) {
-    const Named wanted = named(choice.only);
+    Named wanted = named(choice.only);
     std::vector<std::string> observers, bands;
     for (const ObserverInput& observer : scene.observers) {
         observers.push_back(observer.name);
@@ -171,8 +185,9 @@ std::vector<ObserverInput> chosen_pictures(const Scene& scene, const PictureChoi
             }
         }
     }
-    check_names(wanted.observers, observers);
-    check_names(wanted.bands, bands);
+    spell_bands(scene, bands, wanted.bands);
+    check_names("observer", wanted.observers, observers);
+    check_names("band", wanted.bands, bands);
     std::vector<ObserverInput> chosen = scene.observers;
     std::size_t left = 0;
     for (std::size_t o = 0; o < chosen.size(); ++o) {

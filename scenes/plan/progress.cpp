@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -30,16 +31,51 @@ void Progress::stage(const std::string& name) {
     finish();
     const std::lock_guard lock(mutex_);
     name_ = name;
+    doing_.clear();
+    share_ = 0.0;
+    tenths_ = 0;
     began_ = Clock::now();
-    shown_ = {};
+    shown_ = style_ == ProgressStyle::lines ? began_ : Clock::time_point{};
     if (style_ == ProgressStyle::bar) show(0.0, false);
+}
+
+/// Whether what is known by now should be shown.
+bool Progress::due(double share) const {
+    if (name_.empty() || style_ == ProgressStyle::silent) return false;
+    const double since = seconds_since(shown_);
+    if (style_ != ProgressStyle::lines) return since >= 0.2;
+    constexpr double apart = 2.0, patience = 10.0;  // [s]
+    const bool tenth = int(10.0 * share) > tenths_ && share < 1.0;
+    return (tenth && since >= apart) || (!doing_.empty() && since >= patience);
 }
 
 void Progress::done(double share) {
     const std::lock_guard lock(mutex_);
-    if (name_.empty() || Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
+    share_ = share;
+    if (!due(share)) return;
     shown_ = Clock::now();
-    if (style_ == ProgressStyle::bar || style_ == ProgressStyle::json) show(share, false);
+    tenths_ = std::max(tenths_, int(10.0 * share));
+    show(share, false);
+}
+
+void Progress::doing(const std::string& what) {
+    const std::lock_guard lock(mutex_);
+    doing_ = what;
+    if (!due(share_)) return;
+    shown_ = Clock::now();
+    show(share_, false);
+}
+
+void Progress::tell(const std::string& note) {
+    const std::lock_guard lock(mutex_);
+    if (style_ == ProgressStyle::silent) return;
+    if (style_ == ProgressStyle::json) {
+        fmt::print(stderr, "{{\"note\":{}}}\n", nlohmann::json(plain(note)).dump());
+    } else {
+        fmt::print(stderr, "{}note: {}\n", style_ == ProgressStyle::bar ? "\r\033[K" : "",
+                   plain(note));
+    }
+    std::fflush(stderr);
 }
 
 void Progress::set_apart(const std::string& name, double seconds) {
@@ -63,11 +99,19 @@ void Progress::show(double share, bool ended) {
         case ProgressStyle::silent:
             return;
         case ProgressStyle::lines:
-            if (ended) fmt::print(stderr, "{:<28} {:7.2f} s\n", plain(name_), spent);
+            if (ended) {
+                fmt::print(stderr, "{:<28} {:7.2f} s\n", plain(name_), spent);
+            } else {
+                fmt::print(stderr, "{:<28} {:7.2f} s  {:3.0f} %{}{}\n", plain(name_), spent,
+                           std::floor(100.0 * share), doing_.empty() ? "" : "  ", plain(doing_));
+            }
             break;
         case ProgressStyle::json:
-            fmt::print(stderr, "{{\"stage\":{},\"share\":{:.4f},\"seconds\":{:.3f}}}\n",
-                       nlohmann::json(plain(name_)).dump(), share, spent);
+            fmt::print(stderr, "{{\"stage\":{},\"share\":{:.4f},\"seconds\":{:.3f}{}}}\n",
+                       nlohmann::json(plain(name_)).dump(), share, spent,
+                       ended || doing_.empty()
+                           ? ""
+                           : fmt::format(",\"doing\":{}", nlohmann::json(plain(doing_)).dump()));
             break;
         case ProgressStyle::bar: {
             constexpr int width = 30;
@@ -75,8 +119,11 @@ void Progress::show(double share, bool ended) {
             const std::string eta =
                 !ended && share > 0.02 ? fmt::format("  {:.0f} s left", spent * (1.0 / share - 1.0))
                                        : "";
+            // What it works on where it has gone on for longer than it should have.
+            const bool stalls = !ended && spent > 10.0 && !doing_.empty();
             fmt::print(stderr, "\r\033[K{:<28} {:█>{}}{:░>{}} {:7.2f} s{}{}", plain(name_), "",
-                       full, "", width - full, spent, eta, ended ? "\n" : "");
+                       full, "", width - full, spent,
+                       stalls ? "  " + plain(doing_).substr(0, 60) : eta, ended ? "\n" : "");
             break;
         }
     }

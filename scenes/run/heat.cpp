@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "scenes/kept/heat_inputs.hpp"
+#include "scenes/kept/inputs.hpp"
 #include "scenes/run/needed_facets.hpp"
 #include "scenes/run/stage_heat.hpp"
 #include "scenes/run/state_owner.hpp"
@@ -74,7 +76,8 @@ std::string start_told(const SolveInput& input, const SpanOptions& span, const S
 FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
     FieldNotes notes{.objects = prepared.world.objects,
                      .utc_offset = prepared.scene.time.utc_offset,
-                     .fluxes = fluxes.empty() ? nullptr : &fluxes};
+                     .fluxes = fluxes.empty() ? nullptr : &fluxes,
+                     .made_of = heat_made_of(prepared.scene, run_inputs(prepared.scene))};
     const MaterialLibrary& materials = prepared.scene.materials;
     for (std::size_t i = 0; i < materials.size(); ++i) {
         notes.materials.push_back(materials[MaterialId(i)].kind());
@@ -169,6 +172,7 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     SpanOptions span = scene_span(scene.scene);
     span.from = earlier ? &*earlier : nullptr;
     span.day.progress = [&](double share) { progress.done(share); };
+    span.day.tell = [&](const std::string& left) { progress.doing(left); };
     std::vector<std::unique_ptr<StageHeat>> heat;
     std::vector<SpanStage> parts;
     for (std::size_t i = 0; i < stages.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "scenes/doubts/doubts.hpp"
+#include "scenes/kept/digest.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -13,6 +14,7 @@
 #include "scenes/run/found_heat.hpp"
 #include "scenes/run/frames.hpp"
 #include "scenes/run/gathered_parts.hpp"
+#include "scenes/run/given_heat.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/manifest.hpp"
@@ -24,9 +26,17 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What the results depend on.
+std::vector<RunInput> inputs_of(const Prepared& prepared, const JobOptions& options) {
+    std::vector<RunInput> inputs = run_inputs(prepared.scene);
+    const fs::path& heat = options.temperatures;
+    if (!heat.empty()) inputs.push_back({heat, "temperatures", sha256_of_file(heat)});
+    return inputs;
+}
+
 /// All that manifest.json says before anything is computed.
 Manifest manifest_of(const Prepared& prepared, const JobOptions& options) {
-    Manifest manifest{.inputs = run_inputs(prepared.scene),
+    Manifest manifest{.inputs = inputs_of(prepared, options),
                       .settings = options.settings,
                       .frames = prepared.plan.frames,
                       .site = prepared.world.site,
@@ -82,8 +92,9 @@ std::pair<std::size_t, std::size_t> keep_there(const std::vector<ObserverInput>&
     return {there, all};
 }
 
-/// What the heat balance leaves in the folder.
-std::vector<std::string> heat_files(const Scene& scene) {
+/// What the heat balance leaves in the folder; nothing where temperatures are given.
+std::vector<std::string> heat_files(const Scene& scene, const JobOptions& options) {
+    if (!options.temperatures.empty()) return {};
     std::vector<std::string> files{"temperatures.nc"};
     if (scene.output.state) files.emplace_back(state_file);
     return files;
@@ -91,13 +102,17 @@ std::vector<std::string> heat_files(const Scene& scene) {
 
 /// Makes room for what the ledger has not, and begins it. What is told of it goes to the report.
 void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
-                  const Ledger& ledger, JobReport& report) {
+                  const Ledger& ledger, Progress& progress, JobReport& report) {
     std::set<std::string> keep{ledger_file, "manifest.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
-    if (const std::size_t gone = clear_run_folder(out, keep, expected); gone > 0) {
+    clear_run_folder(out, keep, expected, [&](const Cleared& cleared) {
+        progress.tell(fmt::format(
+            "{}: of earlier runs' pictures and labels {} are made anew, {} removed", out.string(),
+            cleared.again, cleared.gone));
+        if (cleared.gone == 0) return;
         report.remade.push_back(
-            fmt::format("{} files of earlier runs removed from {}", gone, out.string()));
-    }
+            fmt::format("{} files of earlier runs removed from {}", cleared.gone, out.string()));
+    });
     if (const std::vector<std::string>& amiss = ledger.amiss(); !amiss.empty()) {
         report.remade.push_back(
             fmt::format("{} files are not what the earlier run has written, {} for one: made anew",
@@ -118,8 +133,22 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
     write_heat(prepared, heat.result, out / "temperatures.nc");
     report.solve = heat.result.report;
     report.solved = heat.solved;
-    ledger.add(heat_files(prepared.scene), std::move(heat.told));
+    ledger.add(report.files, std::move(heat.told));
     return std::move(heat.result.temperature);
+}
+
+/// Temperatures that are given. Throws InputError where they are not of these pictures.
+TemperatureField given_field(const Stages& stages, const std::vector<ObserverInput>& chosen,
+                             const fs::path& file, JobReport& report) {
+    GivenHeat given = given_heat(stages.scene(), file);
+    std::vector<Instant> frames;
+    for (const ObserverInput& observer : chosen)
+        frames.insert(frames.end(), observer.frames.begin(), observer.frames.end());
+    check_covers(given.field, frames, file);
+    check_solved(stages, given.field, file);
+    report.warnings.insert(report.warnings.end(), given.warnings.begin(), given.warnings.end());
+    report.heat.emplace_back("temperatures", "given: " + file.filename().string());
+    return std::move(given.field);
 }
 
 /// What was told of the heat balance when it was solved, in this run or the one it is kept from.
@@ -144,13 +173,17 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     const std::vector<std::string> pictures = frame_files(prepared.scene.observers, format);
     const std::vector<ObserverInput> chosen = chosen_pictures(prepared.scene, options.pictures);
     check_memory(prepared.plan, options.max_memory);
-    check_start(prepared);
+    if (options.temperatures.empty()) {
+        check_start(prepared);
+    } else {
+        prepared.scene.output = {};  // of a heat balance
+    }
     Manifest manifest = manifest_of(prepared, options);
     check_no_input_in(out, manifest.inputs);
     JobReport report{.plan = prepared.plan,
                      .ground_check = prepared.world.ground_check,
                      .posts = prepared.world.posts,
-                     .files = heat_files(prepared.scene),
+                     .files = heat_files(prepared.scene, options),
                      .notes = prepared.notes,
                      .settings = options.settings};
     for (const RunInput& input : manifest.inputs) {
@@ -160,20 +193,26 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     std::vector<std::string> expected = report.files;
     for (std::string& file : frame_files(chosen, format)) expected.push_back(std::move(file));
     if (!options.parts.empty()) gather_parts(options.parts, out, manifest.key, expected);
+    const Stages stages(prepared, options.stages);
+    TemperatureField field;
+    if (!options.temperatures.empty()) {
+        field = given_field(stages, chosen, options.temperatures, report);
+    }
     const bool begun = options.resume && ledger_key(out) == manifest.key;
     const bool given = !options.from.empty() && !begun;
     if (given) gather_parts({options.from}, out, manifest.key, report.files);
     const FolderLock lock(out);
     Ledger ledger(out, manifest.key, options.resume || given || !options.parts.empty());
-    begin_folder(expected, out, ledger, report);
+    begin_folder(expected, out, ledger, progress, report);
     write_manifest(out, prepared.scene, manifest);
     progress.stage("sky view");
-    const Stages stages(prepared, options.stages);
     stages.at(0);
 
-    const TemperatureField field =
-        ledger.has(report.files) ? load_temperature_field(out / "temperatures.nc")
-                                 : write_found(stages, manifest, out, progress, ledger, report);
+    if (options.temperatures.empty()) {
+        field = ledger.has(report.files)
+                    ? load_temperature_field(out / "temperatures.nc")
+                    : write_found(stages, manifest, out, progress, ledger, report);
+    }
     tell_of_heat(ledger.told("temperatures.nc"), report);
     manifest.not_converged = report.not_converged;
     manifest.start = report.start;

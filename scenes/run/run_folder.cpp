@@ -109,8 +109,9 @@ FolderLock::FolderLock(const fs::path& folder, bool shared) {
 
 FolderLock::~FolderLock() { ::close(file_); }
 
-std::size_t clear_run_folder(const fs::path& out, const std::set<std::string>& keep,
-                             const std::vector<std::string>& expected) {
+void clear_run_folder(const fs::path& out, const std::set<std::string>& keep,
+                      const std::vector<std::string>& expected,
+                      const std::function<void(const Cleared&)>& tell) {
     const std::set<std::string> wanted(expected.begin(), expected.end());
     std::set<std::string> known = wanted, stems;
     for (std::string& name : ledger_names(out)) known.insert(std::move(name));
@@ -120,7 +121,7 @@ std::size_t clear_run_folder(const fs::path& out, const std::set<std::string>& k
     for (const std::string& name : wanted) wanted_stems.insert(stem_of(name));
 
     std::vector<fs::path> old;
-    std::size_t foreign = 0;
+    Cleared cleared;
     const auto sort_out = [&](const std::string& folder, bool own) {
         std::error_code none;
         for (const auto& entry : fs::directory_iterator(out / folder, none)) {
@@ -132,8 +133,8 @@ std::size_t clear_run_folder(const fs::path& out, const std::set<std::string>& k
                                          (own && stems.contains(stem_of(file))));
             if (ours) {
                 old.push_back(entry.path());
-                const bool again = is_temporary_name(file) || wanted_stems.contains(stem_of(file));
-                foreign += own && !again ? 1 : 0;
+                if (!own || is_temporary_name(file)) continue;
+                ++(wanted_stems.contains(stem_of(file)) ? cleared.again : cleared.gone);
             } else if (own) {
                 refuse(out, fmt::format("holds {}, which is not of a run of it", name),
                        "take it away, or choose another folder");
@@ -142,8 +143,8 @@ std::size_t clear_run_folder(const fs::path& out, const std::set<std::string>& k
     };
     sort_out("", false);
     for (const char* folder : own_folders) sort_out(folder, true);
+    if (tell && cleared.again + cleared.gone > 0) tell(cleared);
     for (const fs::path& file : old) fs::remove(file);
-    return foreign;
 }
 
 }  // namespace diurna

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,14 +37,20 @@ class FolderLock {
     int file_ = -1;
 };
 
+/// What becomes of earlier runs' pictures and labels: of those that go, how many are written again.
+struct Cleared {
+    std::size_t again = 0, gone = 0;
+};
+
 /// Removes what earlier runs have left in a run's folder: those files that they list, pictures and
 /// labels of the same names, temporary files of killed runs. Throws InputError, and removes
 /// nothing, where another file stands among the pictures or labels.
 ///
 /// - keep: names that stay
 /// - expected: of the run that begins
-/// returns how many pictures and labels were removed that the run will not write again
-std::size_t clear_run_folder(const std::filesystem::path& out, const std::set<std::string>& keep,
-                             const std::vector<std::string>& expected);
+/// - tell: called before anything is removed, if any picture or label is
+void clear_run_folder(const std::filesystem::path& out, const std::set<std::string>& keep,
+                      const std::vector<std::string>& expected,
+                      const std::function<void(const Cleared&)>& tell = {});
 
 }  // namespace diurna

@@ -11,6 +11,7 @@
 #include "materials/base/error.hpp"
 #include "render/view/pixel_rays.hpp"
 #include "scenes/labels/labelled.hpp"
+#include "scenes/run/given_heat.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/picture.hpp"
 #include "scenes/run/series.hpp"
@@ -27,18 +28,13 @@ Prepared made_ready(Scene scene, Progress& progress) {
 }
 
 /// Throws InputError for what is not the whole scene's.
-TemperatureField whole_field(const std::filesystem::path& file, std::size_t facets) {
-    TemperatureField field = load_temperature_field(file);
-    if (field.facets != facets) {
-        throw InputError(file.string(),
-                         fmt::format("found temperatures of {} facets, expected {} as in the scene",
-                                     field.facets, facets));
-    }
-    if (!field.solved_as.empty()) {
+GivenHeat whole_heat(const Prepared& prepared, const std::filesystem::path& file) {
+    GivenHeat given = given_heat(prepared, file);
+    if (!given.field.solved_as.empty()) {
         throw InputError(file.string(), "was solved for certain pictures alone (tolerance_K)",
                          "diurna solve without tolerance_K");
     }
-    return field;
+    return given;
 }
 
 }  // namespace
@@ -81,7 +77,9 @@ TemperatureField Study::heat(const std::filesystem::path& file) {
         notes_.insert(notes_.end(), result.notes.begin(), result.notes.end());
         field = std::move(result.temperature);
     } else {
-        field = whole_field(file, prepared_.world.surfaces().size());
+        GivenHeat given = whole_heat(prepared_, file);
+        notes_.insert(notes_.end(), given.warnings.begin(), given.warnings.end());
+        field = std::move(given.field);
     }
     return field;
 }

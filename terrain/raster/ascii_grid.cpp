@@ -37,8 +37,10 @@ void check_ascii_grid(const std::filesystem::path& file, std::size_t posts) {
         in_header = false;
         ++heights;
         if (!is_finite_number(word)) {
-            throw InputError(file.string(), fmt::format("found '{}' as value {}; expected a number",
-                                                        word.substr(0, 40), heights));
+            throw InputError(file.string(),
+                             fmt::format("found '{}' as value {}; expected a number",
+                                         word.substr(0, 40), heights),
+                             word.find(',') != word.npos ? "the decimal sign is '.'" : "");
         }
     }
     if (heights != posts) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -12,6 +13,56 @@
 #include "terrain/raster/geotransform.hpp"
 
 namespace diurna {
+
+namespace {
+
+/// Least and most of latitude and longitude of a raster's border [°].
+struct Reach {
+    double south = 90.0, north = -90.0, west = 180.0, east = -180.0;
+
+    bool has(double latitude, double longitude) const {
+        return latitude >= south && latitude <= north && longitude >= west && longitude <= east;
+    }
+};
+
+Reach reach_of(const Dem& dem) {
+    std::vector<Eigen::Vector2d> corner;
+    for (const double y : {0.0, 0.5, 1.0}) {
+        for (const double x : {0.0, 0.5, 1.0}) {
+            corner.emplace_back(x * (dem.columns - 1), y * (dem.rows - 1));
+        }
+    }
+    const std::vector<float> height(corner.size(), 0.0f);
+    Reach reach;
+    for (const Geodetic& at : geodetic_places(dem, corner, height)) {
+        reach.south = std::min(reach.south, at.latitude_deg);
+        reach.north = std::max(reach.north, at.latitude_deg);
+        reach.west = std::min(reach.west, at.longitude_deg);
+        reach.east = std::max(reach.east, at.longitude_deg);
+    }
+    return reach;
+}
+
+/// Throws InputError that tells how far the raster reaches, and what may be wrong with the place.
+[[noreturn]] void refuse_place(const Dem& dem, double latitude, double longitude) {
+    const Reach reach = reach_of(dem);
+    std::string hint = "site.latitude_deg and longitude_deg are north and east of 0";
+    if (reach.has(longitude, latitude)) {
+        hint = "are site.latitude_deg and longitude_deg exchanged?";
+    } else if (reach.has(latitude, -longitude) || reach.has(-latitude, longitude) ||
+               reach.has(-latitude, -longitude)) {
+        hint = "is a sign missing? west of Greenwich site.longitude_deg is below zero, south of the "
+               "equator latitude_deg";
+    }
+    throw InputError(dem.source,
+                     fmt::format("does not reach the place {:.5f}, {:.5f}: it spans latitudes "
+                                 "{:.5f} to {:.5f}, longitudes {:.5f} to {:.5f}",
+                                 latitude, longitude, reach.south, reach.north, reach.west,
+                                 reach.east),
+                     hint);
+}
+
+}  // namespace
 
 PostWindow window_of(const Dem& dem, const DemOptions& options) {
     if (!options.centre) return {0, 0, dem.columns, dem.rows};
@@ -35,8 +86,7 @@ PostWindow window_of(const Dem& dem, const DemOptions& options) {
     const int last_row = clip(std::ceil(high.y()) + 1.0, dem.rows);
     if (!low.allFinite() || !high.allFinite() || last_column - first_column < 1 ||
         last_row - first_row < 1) {
-        throw InputError(dem.source, fmt::format("does not reach the place {:.5f}, {:.5f}",
-                                                 site.latitude_deg, site.longitude_deg));
+        refuse_place(dem, site.latitude_deg, site.longitude_deg);
     }
     return {first_column, first_row, last_column - first_column + 1, last_row - first_row + 1};
 }

@@ -131,7 +131,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "scenes/commands/raster_commands.cpp",
       "scenes/commands/scene_arguments.cpp",
       "scenes/commands/run_command.cpp",
-      "scenes/commands/scene_commands.cpp",
+      "scenes/commands/solve_command.cpp",
       "scenes/commands/contrast_command.cpp",
       "scenes/commands/crossover_command.cpp",
       "scenes/commands/detection_command.cpp",

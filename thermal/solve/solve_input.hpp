@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "materials/air/air_by_height.hpp"
@@ -48,6 +49,8 @@ struct SolveOptions {
     /// the temperatures are that pass's.
     std::vector<std::size_t> heat_at{};
     std::function<void(double)> progress{};  // called with 0 to 1 from the calling thread
+    /// Called likewise after each pass that leaves something: which it was, what is left and where.
+    std::function<void(const std::string&)> tell{};
 };
 
 /// The instants between steps, where the sun's exposure is wanted: first `start`, last its end.

@@ -22,6 +22,7 @@
 #include "thermal/solve/periodic_newton.hpp"
 #include "thermal/solve/point_facets.hpp"
 #include "thermal/solve/time_level.hpp"
+#include "thermal/solve/what_is_left.hpp"
 #include "thermal/weather/sky_by_height.hpp"
 
 namespace diurna {
@@ -226,6 +227,9 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
         // What the neighbours send by now tells how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
         nearing.add(report, options);
+        if (options.tell && !report.converged) {
+            options.tell(what_is_left(solve, points, targets, report));
+        }
     }
     points.put(solve);
     targets.put(solve);

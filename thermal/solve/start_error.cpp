@@ -134,6 +134,7 @@ StartError measure_start(const SolveInput& input, const SpanOptions& options) {
     SpanOptions given = options;
     given.heat = given.goes_on = false;
     given.day.progress = {};
+    given.day.tell = {};
     const Instant first = options.wanted.front();
     given.end = std::min(options.end, later(first, followed));
     given.wanted = {first};

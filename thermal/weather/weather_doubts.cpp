@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "materials/air/moist_air.hpp"
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/sun_lag.hpp"
@@ -67,12 +68,20 @@ void doubt_states(const Weather& weather, Instant begin, Instant end, const std:
     Kind over_air{
         "of 0.4 to 1 black bodies of the air and 25 W/m2 (BSRN): is it net or upward "
         "radiation, or the air's temperature of another unit?"};
+    const std::string weight = fmt::format(
+        "it is that at the station, {:.0f} m above the sea (the standard atmosphere has {:.0f}), "
+        "not reduced to the sea: is weather.height_m another, or the elevation in feet "
+        "(terrain.height_unit = \"ft\")?",
+        weather.height, standard_pressure(weather.height));
+    Kind pressure{weight.c_str()};
     double most_humid = -1.0;
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
         if (!within(when, begin, end)) continue;
         const Forcing& f = weather.sample[i];
         air.look(f.air.temperature, 183.9, 329.9, when, "air_temperature_K");
+        const double usual = standard_pressure(weather.height);
+        pressure.look(f.air.pressure, 0.85 * usual, 1.075 * usual, when, "pressure_Pa");
         wind.look(f.wind_speed, 0.0, 60.0, when, "wind_speed_m_s");
         rain.look(f.rain_mm_h, 0.0, 305.0, when, "rain_mm_h");
         sky.look(f.longwave_down, 40.0, 700.0, when, "longwave_down_W_m2");
@@ -81,7 +90,7 @@ void doubt_states(const Weather& weather, Instant begin, Instant end, const std:
         most_humid = std::max(
             most_humid, f.air.vapour_pressure / saturation_vapour_pressure(f.air.temperature));
     }
-    for (const Kind& kind : {air, wind, rain, sky}) kind.tell(where, doubts);
+    for (const Kind& kind : {air, pressure, wind, rain, sky}) kind.tell(where, doubts);
     if (sky.count == 0 && air.count == 0) over_air.tell(where, doubts);
     if (most_humid >= 0.0 && most_humid < 0.03) {
         doubts.push_back({where, fmt::format("relative_humidity is {:.2g} at the most", most_humid),

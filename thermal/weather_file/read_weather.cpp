@@ -170,6 +170,10 @@ WeatherFormat weather_format(const std::filesystem::path& file) {
         throw InputError(file.string(), fmt::format("is named {} but is {}", extension, what));
     };
     if (head.empty()) return found;
+    if (head.starts_with("PK\x03\x04")) {
+        throw InputError(file.string(), "is a spreadsheet or another archive",
+                         "save it as CSV with commas between cells");
+    }
     if (extension == ".epw" && found != WeatherFormat::epw) {
         refuse("no EPW file: those begin with LOCATION");
     }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "materials/base/error.hpp"
+
 namespace diurna {
 
 Instant stamp_in(std::string text, double offset_h, const std::string& where) {
@@ -10,7 +12,13 @@ Instant stamp_in(std::string text, double offset_h, const std::string& where) {
     if (text.size() > date_length && text[date_length] == ' ') text[date_length] = 'T';
     const bool has_offset =
         text.size() > date_length && text.find_first_of("Z+-", date_length) != std::string::npos;
-    if (has_offset || std::isnan(offset_h)) return parse_instant(text, where);
+    if (!has_offset && std::isnan(offset_h)) {
+        parse_instant(text + "Z", where);  // throws where that is not all it lacks
+        throw InputError(where, "found '" + text + "' without an offset from UTC",
+                         "write it behind each time, 2003-10-17T12:30:30-07:00, or once: "
+                         "[weather.columns] time = \"time -07:00\"");
+    }
+    if (has_offset) return parse_instant(text, where);
     return later(parse_instant(text + "Z", where), -3600.0 * offset_h);
 }
 

@@ -13,7 +13,8 @@ namespace diurna {
 void add_row(WeatherTable& table, Instant stamp, const std::string& where) {
     if (!table.stamp.empty() && stamp <= table.stamp.back()) {
         throw InputError(
-            where, fmt::format("{} does not come after the row before it", format_instant(stamp)));
+            where, fmt::format("{} does not come after the row before it", format_instant(stamp)),
+            "times ascend, each once; where clocks go back, offsets tell the hours apart");
     }
     table.stamp.push_back(stamp);
     table.where.push_back(where);
@@ -44,6 +45,13 @@ std::string likely_unit(Quantity quantity, double value) {
     }
 }
 
+/// -999, 9999 and the like, which stand for nothing measured.
+bool stands_for_none(double value) {
+    std::string digits = fmt::format("{:g}", std::abs(value));
+    std::erase(digits, '.');
+    return digits.size() > 1 && digits.find_first_not_of('9') == std::string::npos;
+}
+
 }  // namespace
 
 void check_range(Quantity quantity, double value, const std::string& where) {
@@ -53,8 +61,9 @@ void check_range(Quantity quantity, double value, const std::string& where) {
     throw InputError(
         where,
         fmt::format("found {:g}; {} lies between {:g} and {:g}", value, f.column, f.least, f.most),
-        unit.empty() ? ""
-                     : fmt::format("looks like another unit: [weather.columns] takes "
+        stands_for_none(value) ? "where nothing was measured, leave the cell empty"
+        : unit.empty()         ? ""
+                               : fmt::format("looks like another unit: [weather.columns] takes "
                                    "a column as \"{} {}\"",
                                    f.name, unit));
 }

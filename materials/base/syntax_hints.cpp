@@ -1,0 +1,69 @@
+#include "materials/base/syntax_hints.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+
+namespace diurna {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t\r");
+    if (first == text.npos) return {};
+    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// What stands behind a number at the value's begin.
+std::string_view behind_number(std::string_view value) {
+    const std::size_t sign = value.starts_with('-') || value.starts_with('+') ? 1 : 0;
+    std::size_t end = sign;
+    while (end < value.size() && (is_digit(value[end]) || value[end] == '.')) ++end;
+    return end == sign ? std::string_view{} : value.substr(end);
+}
+
+}  // namespace
+
+std::string syntax_hint(std::string_view line) {
+    constexpr std::string_view curly[] = {"\xE2\x80\x9C", "\xE2\x80\x9D", "\xE2\x80\x9E",
+                                          "\xE2\x80\x98", "\xE2\x80\x99"};
+    for (const std::string_view quote : curly) {
+        if (line.find(quote) != line.npos) return "straight quotes (\") enclose texts";
+    }
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos) return "";
+    const std::string_view value = trimmed(line.substr(equals + 1));
+    if (value.empty()) return "a value stands behind '='";
+    if (value.find('\\') != value.npos && value.front() == '"') {
+        return "a backslash between quotes means more than itself: folders are parted by '/'";
+    }
+    if (value.find("//") != value.npos && value.find('"') == value.npos) {
+        return "comments begin with '#'";
+    }
+    if (value.ends_with(';')) return "no ';' ends a line";
+    if (std::count(value.begin(), value.end(), '"') % 2 == 1) {
+        return "the quote that ends a text is missing";
+    }
+    const std::string_view rest = behind_number(value);
+    if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) return "the decimal sign is '.'";
+    if (const std::string_view word = trimmed(rest); !word.empty() && is_letter(word[0])) {
+        return "no unit stands behind a number: the key's name ends with it, as in radius_m";
+    }
+    if (value == "True" || value == "False" || value == "TRUE" || value == "FALSE") {
+        return "true and false are written small";
+    }
+    const bool listed = value.front() == '[' && value.find('"') == value.npos;
+    if (is_letter(value.front()) || listed) {
+        return "texts stand between quotes: \"8-12\", [\"3-5\", \"8-12\"]";
+    }
+    return "";
+}
+
+bool is_utf16(std::string_view text) {
+    return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
+}
+
+}  // namespace diurna

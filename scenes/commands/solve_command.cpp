@@ -1,0 +1,67 @@
+#include "scenes/commands/solve_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/plain_text.hpp"
+#include "scenes/commands/scene_arguments.hpp"
+#include "scenes/commands/told_lines.hpp"
+#include "scenes/doubts/doubts.hpp"
+#include "scenes/plan/memory_limit.hpp"
+#include "scenes/plan/prepared.hpp"
+#include "scenes/run/found_heat.hpp"
+#include "scenes/run/heat.hpp"
+
+namespace diurna {
+
+namespace {
+
+void tell_taken(const Stages& stages) {
+    if (std::string told = taken_told(stages.store()); !told.empty())
+        print_notes({std::move(told)});
+}
+
+void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
+    check_output_file(out);
+    const double most = a.memory();
+    const Prepared prepared = prepare(a.read());
+    check_output_file(out, prepared.scene.files);
+    check_memory(prepared.plan, most);
+    tell_of_sweep(prepared.scene);
+    print_warnings(as_lines(doubts(prepared)));
+    Progress progress(a.style());
+    progress.stage("sky view");
+    const Stages stages(prepared, a.stages());
+    stages.at(0);
+    const auto inputs =
+        stages.store() == nullptr ? std::vector<RunInput>{} : run_inputs(prepared.scene);
+    const SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
+    progress.finish();
+    write_heat(prepared, heat.result, out);
+    print_notes(prepared.notes);
+    print_notes(told_as("note", heat));
+    tell_taken(stages);
+    for (const std::string& start : told_as("start", heat)) print_notes({"start: " + start});
+    if (const std::string told = told_as("not converged", heat).front(); !told.empty())
+        throw std::runtime_error(told);  // what there is is kept
+}
+
+}  // namespace
+
+void add_solve_verb(CLI::App& app) {
+    CLI::App* verb = app.add_subcommand("solve", "temperatures alone");
+    const auto a = solving_arguments(*verb);
+    const auto out = std::make_shared<std::filesystem::path>();
+    verb->add_option("--out", *out, "netCDF file")->required();
+    verb->callback([a, out] { solve_verb(*a, *out); });
+}
+
+}  // namespace diurna

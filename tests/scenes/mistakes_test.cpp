@@ -1,0 +1,156 @@
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "terrain/place/sun_path.hpp"  // its library: of the sunlight in the weather
+#include "tests/support/mistakes_of_files.hpp"
+#include "tests/support/mistakes_of_scenes.hpp"
+#include "tests/support/ran.hpp"
+
+using namespace diurna::testing;
+
+// What people write by mistake, and what the program answers: one line that names the place and
+// what mends it. The page tests/scenes/mistakes.md is made of these answers:
+//
+//     build/release/mistakes_test '[.page]'
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Group {
+    const char* title;
+    std::vector<NaturalMistake> mistakes;
+};
+
+std::vector<Group> all_mistakes() {
+    return {{"Weather files", mistakes_of_weather()},
+            {"Elevation, place and paths", mistakes_of_elevation()},
+            {"Meshes", mistakes_of_meshes()},
+            {"The syntax of scene files", mistakes_of_toml()},
+            {"Scenes", mistakes_of_scenes()},
+            {"The command line", mistakes_of_commands()}};
+}
+
+const ScratchFolder& scratch() {
+    static const ScratchFolder folder("mistakes");
+    return folder;
+}
+
+/// The program's answer to a mistake, in a folder that is made for it.
+Ran answer(const NaturalMistake& mistake) {
+    const fs::path folder = scratch().path / "field";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    for (const auto& [name, text] : whole_folder()) holds(name, text)(folder);
+    for (const Edit& edit : mistake.edits) edit(folder);
+    return ran("cd '" + folder.string() + "' && DIURNA_STAGES=off '" DIURNA_BINARY "' " +
+               mistake.command + " 2>&1");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The line of an answer that is about the mistake.
+std::string told_line(const NaturalMistake& mistake, const std::string& out) {
+    for (const std::string& line : lines_of(out)) {
+        if (mistake.where == nullptr || line.find(mistake.where) != std::string::npos) return line;
+    }
+    return "";
+}
+
+/// As a cell of a table in Markdown.
+std::string cell(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '|') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+/// All answers in turn, each asked for once.
+const std::vector<Ran>& answers() {
+    static const std::vector<Ran> all = [] {
+        std::vector<Ran> told;
+        for (const Group& group : all_mistakes()) {
+            for (const NaturalMistake& mistake : group.mistakes) told.push_back(answer(mistake));
+        }
+        return told;
+    }();
+    return all;
+}
+
+std::string page() {
+    std::string text =
+        "# Mistakes and answers\n\nEach is made in a small scene that is right otherwise, and "
+        "stands beside what the program says of it; tests/scenes/mistakes_test.cpp holds this "
+        "page. Mistakes end with exit code 2 before anything is written; warnings do so with "
+        "`check --strict`.\n";
+    auto told = answers().begin();
+    for (const Group& group : all_mistakes()) {
+        text += "\n## " + std::string(group.title) + "\n\n| mistake | answer |\n|---|---|\n";
+        for (const NaturalMistake& mistake : group.mistakes) {
+            const std::string line = told_line(mistake, told++->out);
+            text += "| " + cell(mistake.what) + " | " +
+                    (mistake.where == nullptr ? "none: it is read as it is meant"
+                                              : "`` " + cell(line) + " ``") +
+                    " |\n";
+        }
+    }
+    return text;
+}
+
+constexpr const char* page_file = DIURNA_SOURCE_DIR "/tests/scenes/mistakes.md";
+
+}  // namespace
+
+TEST_CASE("a scene without a mistake is fine", "[scenes][mistakes]") {
+    const Ran whole = answer({"nothing", {}, nullptr, {}});
+    INFO(whole.out);
+    CHECK(whole.code == 0);
+    CHECK(whole.out.starts_with("scene.toml: fine, "));
+}
+
+TEST_CASE("each mistake gets one line, with its place and what mends it", "[scenes][mistakes]") {
+    REQUIRE(answers().size() >= 60);
+    auto next = answers().begin();
+    for (const Group& group : all_mistakes()) {
+        for (const NaturalMistake& mistake : group.mistakes) {
+            const Ran& told = *next++;
+            INFO(mistake.what << ": " << mistake.command << "\n" << told.out);
+            CHECK(told.code == mistake.code);
+            if (mistake.where == nullptr) {
+                CHECK(told.out.starts_with("scene.toml: fine, "));
+                continue;
+            }
+            const std::string line = told_line(mistake, told.out);
+            CHECK_FALSE(line.empty());
+            for (const std::string& mends : mistake.mends) {
+                CAPTURE(mends);
+                CHECK(line.find(mends) != std::string::npos);
+            }
+            if (mistake.code == 2) {
+                CHECK(lines_of(told.out).size() == 1);
+            } else {
+                CHECK(told.out.starts_with("scene.toml: 1 warning, "));
+                CHECK(line.starts_with("warning: "));
+            }
+        }
+    }
+    std::ifstream in(page_file, std::ios::binary);
+    const std::string written{std::istreambuf_iterator<char>(in), {}};
+    CHECK(page() == written);
+}
+
+TEST_CASE("write the page of mistakes", "[.page]") {
+    std::ofstream(page_file, std::ios::binary) << page();
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "thermal/solve/network_facets.hpp"
+#include "thermal/solve/point_facets.hpp"
+#include "thermal/solve/solve_state.hpp"
+#include "thermal/solve/solver.hpp"
+
+namespace diurna {
+
+/// In a line which pass this was, how far it has left the span from what will do, and which facet,
+/// of which material, is the furthest: for who waits for a solve that takes long.
+///
+/// - report: after the pass and the exchange that followed it
+std::string what_is_left(const SolveState& solve, const PointFacets& points,
+                         const NetworkFacets& targets, const SolveReport& report);
+
+}  // namespace diurna

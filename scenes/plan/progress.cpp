@@ -23,7 +23,7 @@ ProgressStyle default_progress_style() {
 
 Progress::~Progress() {
     // A stage that did not end was given up; its half-drawn bar would stand before the error.
-    if (!name_.empty() && style_ == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
+    if (!name_.empty() && to_.style == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
 }
 
 void Progress::stage(const std::string& name) {
@@ -32,21 +32,23 @@ void Progress::stage(const std::string& name) {
     name_ = name;
     began_ = Clock::now();
     shown_ = {};
-    if (style_ == ProgressStyle::bar) show(0.0, false);
+    if (to_.style == ProgressStyle::bar) show(0.0, false);
+    if (to_.listener) to_.listener(name_, 0.0);
 }
 
 void Progress::done(double share) {
     const std::lock_guard lock(mutex_);
     if (name_.empty() || Clock::now() - shown_ < std::chrono::milliseconds(200)) return;
     shown_ = Clock::now();
-    if (style_ == ProgressStyle::bar || style_ == ProgressStyle::json) show(share, false);
+    if (to_.style == ProgressStyle::bar || to_.style == ProgressStyle::json) show(share, false);
+    if (to_.listener) to_.listener(name_, share);
 }
 
 void Progress::set_apart(const std::string& name, double seconds) {
     const std::lock_guard lock(mutex_);
     stages_.push_back({name, seconds});
     began_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    if (style_ == ProgressStyle::lines) fmt::print(stderr, "{:<28} {:7.2f} s\n", name, seconds);
+    if (to_.style == ProgressStyle::lines) fmt::print(stderr, "{:<28} {:7.2f} s\n", name, seconds);
 }
 
 void Progress::finish() {
@@ -54,12 +56,13 @@ void Progress::finish() {
     if (name_.empty()) return;
     stages_.push_back({name_, seconds_since(began_)});
     show(1.0, true);
+    if (to_.listener) to_.listener(name_, 1.0);
     name_.clear();
 }
 
 void Progress::show(double share, bool ended) {
     const double spent = seconds_since(began_);
-    switch (style_) {
+    switch (to_.style) {
         case ProgressStyle::silent:
             return;
         case ProgressStyle::lines:

@@ -28,7 +28,7 @@ struct JobOptions {
     std::filesystem::path from{};  // folder of a run of the same inputs that has temperatures
     bool resume = false;           // keep what an earlier run with the same inputs has left
     double max_memory = 0.0;       // [bytes] that the plan may need; 0: what the machine has free
-    ProgressStyle progress = ProgressStyle::silent;
+    ProgressTo progress{};
 };
 
 /// The whole way: plan, build, solve, render, write. Results are the same bytes for any number

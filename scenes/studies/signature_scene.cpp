@@ -43,8 +43,10 @@ TemperatureField whole_field(const std::filesystem::path& file, std::size_t face
 
 }  // namespace
 
-Study::Study(Scene scene, ProgressStyle style)
-    : progress_(style), prepared_(made_ready(std::move(scene), progress_)), stages_(prepared_) {
+Study::Study(Scene scene, ProgressTo progress)
+    : progress_(std::move(progress)),
+      prepared_(made_ready(std::move(scene), progress_)),
+      stages_(prepared_) {
     check_start(prepared_);
     notes_ = prepared_.notes;
 }

@@ -1,4 +1,4 @@
-"""What moves the morning crossover of soil and grass more: the wind, the soil's albedo or its emissivity?"""
+"""What moves the morning crossover of soil and a pond more: the wind, the soil's albedo or its emissivity?"""
 
 import pathlib
 import tempfile
@@ -13,10 +13,10 @@ asked = {
         {"key": "material.bare_soil.albedo", "low": 0.17, "high": 0.23},
         {"key": "material.bare_soil.emissivity", "low": 0.95, "high": 0.98},
     ],
-    "output": [{"first": "soil", "second": "ground", "figure": "crossover", "name": "morning"}],
+    "output": [{"first": "soil", "second": "pond", "figure": "crossover", "name": "morning"}],
 }
 with tempfile.TemporaryDirectory() as folder:
-    table = meadow(ground=[plate("soil", "bare_soil", 0.0, 0.0, 10.0)], sensitivity=[asked])
+    table = meadow(ground=[plate("soil", "bare_soil", -8.0, 0.0), plate("pond", "water", 8.0, 0.0)], sensitivity=[asked])
     found = diurna.Scene(table, file=pathlib.Path(folder) / "scene.toml").sensitivity()[0]
 
 numbers = found.frame().set_index("key")

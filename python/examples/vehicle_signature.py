@@ -4,9 +4,16 @@ import pathlib
 import tempfile
 
 import diurna
-from meadow import meadow
+from meadow import meadow, samples
 
-truck = {"name": "truck", "model": "truck", "detail": "low", "place_m": [0.0, 0.0], "heading_deg": 0.0}
+truck = {
+    "name": "truck",
+    "mesh": samples / "jacksboro" / "truck.obj",
+    "place_m": [0.0, 0.0],
+    "heading_deg": 0.0,
+    "material": "green_paint",
+    "parts": {"windows": "glass", "wheels": "rubber"},
+}
 asked = {
     "object": "truck",
     "bands": ["8-12"],

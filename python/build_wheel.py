@@ -12,7 +12,7 @@ import tomllib
 import zipfile
 
 here = pathlib.Path(__file__).resolve().parent
-project = tomllib.loads((here / "pyproject.toml").read_text())["project"]
+project = tomllib.loads((here.parent / "pyproject.toml").read_text())["project"]
 tag = f"cp{sysconfig.get_config_var('py_version_nodot')}"
 tags = f"{tag}-{tag}-{sysconfig.get_platform().replace('-', '_').replace('.', '_')}"
 info = f"{project['name']}-{project['version']}.dist-info"
@@ -67,4 +67,4 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_sdist(sdist_directory, config_settings=None):
-    raise RuntimeError("diurna is built from its checkout: pip install ./python")
+    raise RuntimeError("diurna is built from its checkout: pip install .")

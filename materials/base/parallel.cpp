@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "materials/base/giving_up.hpp"
+
 namespace diurna {
 
 namespace {
@@ -46,8 +48,11 @@ void for_each_block(std::size_t count, std::size_t grain,
                     const std::function<void(std::size_t begin, std::size_t end)>& body) {
     grain = std::max<std::size_t>(1, grain);
     const std::size_t blocks = (count + grain - 1) / grain;
+    const GiveUpRequest* const request = Heeding::heeded();  // of whoever calls
     workers().arena->execute([&] {
         tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+            const Heeding heeding(request);
+            give_up_if_asked();
             body(block * grain, std::min(count, (block + 1) * grain));
         });
     });

@@ -2,13 +2,15 @@
 
 import os
 import tempfile
-from pathlib import Path
+from contextlib import contextmanager
 from typing import NamedTuple
 
 import numpy as np
 
 from . import _core
-from .errors import NotConverged
+from .errors import Error, NotConverged
+from .studies import Calibration, converged
+from .tables import as_frame, instant_text, write_csv
 from .toml_text import toml_text
 
 
@@ -16,17 +18,6 @@ class Sun(NamedTuple):
     azimuth_deg: float  # clockwise from true north
     elevation_deg: float
     distance_au: float
-
-
-def instant_text(when):
-    """ISO 8601 with an offset of a text, a datetime with tzinfo or a datetime64 (which is UTC)."""
-    if isinstance(when, np.datetime64):
-        return str(when.astype("datetime64[ms]")) + "Z"
-    if hasattr(when, "isoformat"):
-        if when.tzinfo is None:
-            raise ValueError("an instant needs its offset from UTC (tzinfo)")
-        return when.isoformat(timespec="milliseconds")
-    return when
 
 
 def sun(latitude_deg, longitude_deg, time, height_m=0.0, pressure_hPa=None, temperature_C=15.0):
@@ -84,9 +75,7 @@ class Column:
 
     def frame(self):
         """As pandas.DataFrame, its index the instants in UTC."""
-        import pandas
-
-        return pandas.DataFrame(self.columns).set_index("time").tz_localize("UTC")
+        return as_frame(self.columns, "time")
 
     def _repr_svg_(self):
         kelvin = np.asarray(self["surface_temperature_K"])
@@ -108,43 +97,47 @@ def settings_given(settings):
     return [settings] if isinstance(settings, str) else list(settings)
 
 
-def _weather_csv(weather, folder):
-    """A DataFrame (instants in a column `time` or as index) or dictionary of columns as the CSV of weather files."""
-    columns = {name: weather[name] for name in weather} if isinstance(weather, dict) else None
-    if columns is None:
-        if not hasattr(weather, "columns"):
-            raise TypeError(f"weather: found {type(weather).__name__}, expected a DataFrame or a dictionary of columns")
-        if "time" not in weather:
-            weather = weather.rename_axis("time").reset_index()
-        columns = {name: weather[name] for name in weather.columns}
-    length = {name: len(values) for name, values in columns.items()}
-    if len(set(length.values())) != 1 or "time" not in columns:
-        raise ValueError(f"weather: expected `time` and columns of one length, found {length}")
-    file = Path(folder) / "weather.csv"
-    with open(file, "w") as out:
-        out.write(",".join(columns) + "\n")
-        for row in zip(*columns.values()):
-            cells = [instant_text(v) if n == "time" else ("" if v != v else repr(float(v))) for n, v in zip(columns, row)]
-            out.write(",".join(cells) + "\n")
-    return file
+@contextmanager
+def _column_source(job, tables, settings, allow_outside):
+    """The column file or dictionary; tables, by what they are called and the key that names their file, are written to
+    files of their own."""
+    with tempfile.TemporaryDirectory() as folder:
+        text, settings = None, settings_given(settings)
+        if isinstance(job, dict):
+            text, job = toml_text(job), os.path.abspath("column.toml")
+        given = [(what, key, table) for (what, key), table in tables.items() if table is not None]
+        for what, key, table in given:
+            settings.append(f'{key}="{write_csv(table, os.path.join(folder, what + ".csv"), what)}"')
+        try:
+            yield _core.ColumnSource(job, text, settings, [folder] if given else [], allow_outside)
+        except Error as error:  # of files that are gone by then: tables, whose rows begin in line 2
+            told = ((one.where.replace(folder + os.sep, "given "), one.problem, one.hint) for one in error.mistakes)
+            raise Error(told) from None
 
 
 def column(job, weather=None, settings=(), allow_outside=False):
     """One facet driven by weather: `job` a column file or a dictionary of what one says.
 
     weather: in place of [weather] file: a pandas.DataFrame or dictionary of columns as weather files have them, `time`
-    with its offset from UTC. What files the dictionary names lie beneath the working folder. What was modelled for want
-    of measurements is in `note`. Raises diurna.Error, and NotConverged with what there is.
+    with its offset from UTC, NaN where a value is missing. What files the dictionary names lie beneath the working
+    folder. What was modelled for want of measurements is in `note`. Raises diurna.Error, and NotConverged with what
+    there is.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        text, folders, settings = None, [], settings_given(settings)
-        if isinstance(job, dict):
-            text, job = toml_text(job), os.path.abspath("column.toml")
-        if weather is not None:
-            folders = [folder]
-            settings.append(f'weather.file="{_weather_csv(weather, folder)}"')
-        raw = _core.column(job, text, settings, folders, allow_outside)
-    result = Column(raw)
+    with _column_source(job, {("weather", "weather.file"): weather}, settings, allow_outside) as source:
+        result = Column(_core.column(source))
     if not result.converged:
         raise NotConverged(f"the spin-up has not converged in {result.passes} passes", result)
     return result
+
+
+def calibrate(job, measured=None, weather=None, settings=(), allow_outside=False, out=None):
+    """Numbers of a column that its [calibrate] asks for, found from a measured curve, as `diurna calibrate`.
+
+    measured: in place of [calibrate] measured: a Series whose index are the instants, or a table with `time` and the values;
+    NaN where one is missing. weather and the rest as column() has them; out: a folder for the program's files. Returns a
+    Calibration. Raises diurna.Error, and NotConverged with what there is.
+    """
+    tables = {("weather", "weather.file"): weather, ("measured", "calibrate.measured"): measured}
+    with _column_source(job, tables, settings, allow_outside) as source:
+        raw = _core.calibrate(source, out or "")
+    return converged(Calibration(raw["findings"][0]), raw)

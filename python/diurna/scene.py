@@ -8,7 +8,10 @@ from typing import NamedTuple
 from . import _core
 from .errors import NotConverged, Warning
 from .pictures import Frame, read_frame
-from .point import instant_text, settings_given
+from .point import settings_given
+from .studies import Studies, converged
+from .sweep import Sweep
+from .tables import instant_text
 from .toml_text import toml_text
 
 
@@ -81,23 +84,63 @@ class Scene:
     def check(self, strict=False):
         """All that can be known to be wrong before anything is computed: raises diurna.Error. Doubts are told as
         `warnings`; with `strict` they are raised."""
-        found = Check(**_core.check_scene(*self._given))
+        found = Check(**_core.check_scene(*self._given, None))
         if strict and found.warnings:
             raise ValueError("\n".join(found.warnings))
         return found
 
     def plan(self):
-        return Plan(_core.plan_scene(*self._given))
+        return Plan(_core.plan_scene(*self._given, None))
 
-    def run(self, out="out", resume=False, fresh=False, max_memory_bytes=0.0):
+    def run(self, out="out", resume=False, fresh=False, max_memory_bytes=0.0, progress=None):
         """The whole job into a folder, as `diurna run`. Doubts are told by warnings.warn. Raises diurna.Error, and
-        NotConverged with the Run, whose results are kept."""
-        run = Run(out, _core.run_scene(*self._given, out, resume, fresh, max_memory_bytes))
+        NotConverged with the Run, whose results are kept.
+
+        progress: called with a stage's name and its share, 0 when it begins, 1 when it ends. What it raises ends the
+        run, as Ctrl-C does: what was written stays, whole, and `resume` goes on from there.
+        """
+        run = Run(out, _core.run_scene(*self._given, out, resume, fresh, max_memory_bytes, progress))
         for doubt in run.warnings:
             warnings.warn(doubt, Warning, stacklevel=2)
         if run.not_converged:
             raise NotConverged(run.not_converged, run)
         return run
+
+    def sweep(self, out="out", resume=False, max_memory_bytes=0.0, progress=None):
+        """All variants of a scene with [sweep] into a folder, as `diurna run`; raises and tells as run()."""
+        told = _core.sweep_scene(*self._given, out, resume, max_memory_bytes, progress)
+        swept = Sweep(out, told)
+        if told["not_converged"]:
+            raise NotConverged("\n".join(told["not_converged"]), swept)
+        return swept
+
+    def _study(self, kind, temperatures, out, progress):
+        raw = _core.study(kind, *self._given, temperatures or "", out or "", progress)
+        return converged(Studies(raw), raw)
+
+    # Studies, each of the tables of its name in the scene, as the verbs of `diurna`. temperatures: a file of `diurna
+    # solve` or a run's temperatures.nc, else they are solved; out: a folder for the program's files, else none is
+    # written; progress as run() has it. They raise diurna.Error, and NotConverged with what there is.
+
+    def crossover(self, temperatures=None, out=None, progress=None):
+        """When two things look equally warm, and how well that is known: of every [[crossover]] a row for each."""
+        return self._study("crossover", temperatures, out, progress)
+
+    def contrast(self, temperatures=None, out=None, progress=None):
+        """How targets stand out from what is around them: of every [[contrast]] a row for each picture."""
+        return self._study("contrast", temperatures, out, progress)
+
+    def signature(self, temperatures=None, out=None, progress=None):
+        """Radiant and contrast intensity of objects: of every [[signature]] a row for each direction."""
+        return self._study("signature", temperatures, out, progress)
+
+    def detection(self, temperatures=None, out=None, progress=None):
+        """Ranges at which a display shows objects: of every [[detection]] a row for each range."""
+        return self._study("detection", temperatures, out, progress)
+
+    def sensitivity(self, out=None, progress=None):
+        """What numbers not known well do to figures: of every [[sensitivity]] a row for each figure and number."""
+        return self._study("sensitivity", None, out, progress)
 
     def stepper(self):
         """The scene to be driven step by step."""

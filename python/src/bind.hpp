@@ -11,6 +11,7 @@
 
 #include "render/picture/frame.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/studies/study_request.hpp"
 #include "terrain/place/instant.hpp"
 
 // What the parts of the module share.
@@ -44,8 +45,13 @@ Scene one_scene(const std::filesystem::path& file, const std::vector<std::string
 /// A picture's planes by name, as arrays of its height by its width, and what is known of them.
 py::dict as_dict(Frame&& frame);
 
+/// What studies have found: of each its name, the texts of its files, lines and notes.
+py::dict as_dict(const StudyFindings& found);
+
+void bind_column(py::module_& module);
 void bind_point(py::module_& module);
 void bind_scene(py::module_& module);
 void bind_stepper(py::module_& module);
+void bind_studies(py::module_& module);
 
 }  // namespace diurna::python

@@ -52,7 +52,9 @@ PYBIND11_MODULE(_core, module) {
             set_thread_count(threads);
         },
         py::arg("threads"));
+    python::bind_column(module);
     python::bind_point(module);
     python::bind_scene(module);
     python::bind_stepper(module);
+    python::bind_studies(module);
 }

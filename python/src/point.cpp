@@ -1,5 +1,4 @@
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
 #include <optional>
@@ -11,10 +10,8 @@
 #include "materials/radiation/planck.hpp"
 #include "python/src/bind.hpp"
 #include "terrain/place/sun.hpp"
-#include "thermal/point/point_job_file.hpp"
-#include "thermal/point/run_column.hpp"
 
-// What needs no scene: the sun, a path through the air, Planck's law, one facet.
+// What needs no scene: the sun, a path through the air, Planck's law.
 
 namespace diurna::python {
 
@@ -73,57 +70,6 @@ py::list path(const std::vector<std::string>& names, const std::string& profile,
     return rows;
 }
 
-py::dict column(const std::filesystem::path& file, const std::optional<std::string>& text,
-                const std::vector<std::string>& settings,
-                const std::vector<std::filesystem::path>& folders, bool allow_outside) {
-    PointResult result;
-    {
-        const py::gil_scoped_release free;
-        Confines confines = confines_of(file, allow_outside);
-        for (const auto& folder : folders)
-            confines.folders.push_back(std::filesystem::weakly_canonical(folder));
-        Document document = text ? Document::from_text(*text, file.string(), confines)
-                                 : Document::from_file(file, confines);
-        for (const std::string& setting : settings) document.set(setting);
-        result = run_column(read_column_job(document));
-    }
-    py::dict columns;
-    std::vector<Instant> times;
-    for (const PointRow& row : result.row) times.push_back(row.instant);
-    columns["time"] = as_datetimes(times);
-    const auto add = [&](const char* name, double PointRow::*member) {
-        std::vector<double> values;
-        for (const PointRow& row : result.row) values.push_back(row.*member);
-        columns[name] = as_array(std::move(values));
-    };
-    add("surface_temperature_K", &PointRow::surface_temperature);
-    add("absorbed_solar_W_m2", &PointRow::absorbed_solar);
-    add("longwave_in_W_m2", &PointRow::longwave_in);
-    add("longwave_out_W_m2", &PointRow::longwave_out);
-    add("sensible_W_m2", &PointRow::sensible);
-    add("latent_W_m2", &PointRow::latent);
-    add("conducted_W_m2", &PointRow::conducted);
-    if (result.has_back) add("back_temperature_K", &PointRow::back_temperature);
-    if (result.has_canopy) {
-        add("ground_temperature_K", &PointRow::ground_temperature);
-        add("leaf_temperature_K", &PointRow::leaf_temperature);
-    }
-    if (result.has_store) {
-        add("water_mm", &PointRow::water_mm);
-        add("frost_mm", &PointRow::frost_mm);
-    }
-    if (result.has_melt) add("melt_W_m2", &PointRow::melt);
-    py::dict out;
-    out["columns"] = columns;
-    out["note"] = result.note;
-    out["converged"] = result.converged;
-    out["passes"] = result.passes;
-    out["periodic_residual_K"] = result.periodic_residual;
-    out["depth_m"] = as_array(std::move(result.depth));
-    out["final_profile_K"] = as_array(std::move(result.final_profile));
-    return out;
-}
-
 }  // namespace
 
 void bind_point(py::module_& module) {
@@ -143,7 +89,6 @@ void bind_point(py::module_& module) {
         .def_readwrite("ground_albedo", &AirPath::ground_albedo);
     module.attr("todays_co2_ppm") = todays_co2_ppm;
     module.def("path", &path);
-    module.def("column", &column);
 }
 
 }  // namespace diurna::python

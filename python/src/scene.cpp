@@ -1,15 +1,20 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <optional>
+
 #include "materials/base/error.hpp"
 #include "python/src/bind.hpp"
+#include "python/src/long_call.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/doubts/doubts.hpp"
 #include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
-#include "scenes/run/heat.hpp"
 #include "scenes/run/job.hpp"
-#include "scenes/world/targets.hpp"
+#include "scenes/sweep/checked_scene.hpp"
+#include "scenes/sweep/run_sweep.hpp"
+#include "scenes/sweep/sweep_plan.hpp"
+#include "scenes/sweep/variants.hpp"
 #include "thermal/temperature_field.hpp"
 
 // A scene file: what is wrong with it, what it needs, what comes of it.
@@ -20,8 +25,8 @@ Scene one_scene(const std::filesystem::path& file, const std::vector<std::string
                 bool allow_outside) {
     Scene scene = read_scene(file, settings, allow_outside);
     if (!scene.sweep.axes.empty())
-        throw InputError(file.string() + ": sweep", "diurna.Scene is of one scene, not of many",
-                         "diurna run SCENE goes through them");
+        throw InputError(file.string() + ": sweep", "found many scenes, expected one",
+                         "Scene.sweep(out) goes through them");
     return scene;
 }
 
@@ -29,37 +34,29 @@ namespace {
 
 using Settings = std::vector<std::string>;
 
-py::dict check_scene(const std::filesystem::path& file, const Settings& settings,
-                     bool allow_outside) {
-    std::vector<std::string> warnings, notes;
-    std::size_t facets = 0, observers = 0;
-    {
-        const py::gil_scoped_release free;
-        const Prepared prepared = prepare(one_scene(file, settings, allow_outside));
-        check_start(prepared);
-        const auto networks = targets(prepared.world, prepared.scene);
-        warnings = as_lines(doubts(prepared));
-        notes = prepared.notes;
-        for (const NetworkObject& network : networks)
-            notes.insert(notes.end(), network.notes.begin(), network.notes.end());
-        facets = prepared.world.surfaces().size();
-        observers = prepared.sequences.size();
-    }
+py::dict check(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
+               const py::object& progress) {
+    const CheckedScene checked = found_by_long_call(progress, [&](const ProgressTo&) {
+        return check_scene(read_scene(file, settings, allow_outside), settings, allow_outside);
+    });
     py::dict out;
-    out["facets"] = facets;
-    out["observers"] = observers;
-    out["warnings"] = warnings;
-    out["notes"] = notes;
+    out["facets"] = checked.facets;
+    out["observers"] = checked.observers;
+    out["warnings"] = as_lines(checked.doubts);
+    out["notes"] = checked.notes;
     return out;
 }
 
-py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
-                    bool allow_outside) {
-    Plan plan;
-    {
-        const py::gil_scoped_release free;
-        plan = prepare(one_scene(file, settings, allow_outside)).plan;
-    }
+py::dict plan_scene(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
+                    const py::object& progress) {
+    std::string sweep;
+    const Plan plan = found_by_long_call(progress, [&](const ProgressTo&) {
+        Prepared prepared = prepare(read_scene(file, settings, allow_outside));
+        if (!prepared.scene.sweep.axes.empty()) {
+            sweep = describe(read_sweep_variants(file, settings, allow_outside), prepared.plan);
+        }
+        return std::move(prepared.plan);
+    });
     py::dict out, stages;
     for (const PlannedStage& stage : plan.stages) stages[stage.name.c_str()] = stage.seconds;
     py::list decisions;
@@ -79,23 +76,22 @@ py::dict plan_scene(const std::filesystem::path& file, const Settings& settings,
     out["stages"] = stages;
     out["decisions"] = decisions;
     out["frames"] = as_datetimes(plan.frames);
-    out["text"] = describe(plan);
+    out["text"] = sweep + describe(plan);
     return out;
 }
 
 py::dict run_scene(const std::filesystem::path& file, const Settings& settings, bool allow_outside,
                    const std::filesystem::path& out_folder, bool resume, bool fresh,
-                   double max_memory) {
-    JobReport report;
-    {
-        const py::gil_scoped_release free;
-        const Scene scene = one_scene(file, settings, allow_outside);
-        report = run_job(scene, {.out = out_folder,
-                                 .settings = settings,
-                                 .stages = fresh ? nullptr : StageStore::of_user(),
-                                 .resume = resume,
-                                 .max_memory = max_memory});
-    }
+                   double max_memory, const py::object& progress) {
+    JobReport report = found_by_long_call(progress, [&](const ProgressTo& to) {
+        return run_job(one_scene(file, settings, allow_outside),
+                       {.out = out_folder,
+                        .settings = settings,
+                        .stages = fresh ? nullptr : StageStore::of_user(),
+                        .resume = resume,
+                        .max_memory = max_memory,
+                        .progress = to});
+    });
     py::dict out, stages;
     for (const Progress::Stage& stage : report.stages) stages[stage.name.c_str()] = stage.seconds;
     out["facets"] = report.plan.facets;
@@ -107,6 +103,23 @@ py::dict run_scene(const std::filesystem::path& file, const Settings& settings, 
     report.notes.insert(report.notes.end(), report.remade.begin(), report.remade.end());
     out["notes"] = report.notes;
     out["warnings"] = report.warnings;
+    return out;
+}
+
+py::dict sweep_scene(const std::filesystem::path& file, const Settings& settings,
+                     bool allow_outside, const std::filesystem::path& out_folder, bool resume,
+                     double max_memory, const py::object& progress) {
+    const SweepReport report = found_by_long_call(progress, [&](const ProgressTo& to) {
+        return run_sweep(
+            read_sweep_variants(file, settings, allow_outside),
+            {.out = out_folder, .resume = resume, .max_memory = max_memory, .progress = to});
+    });
+    py::dict out;
+    out["rendered"] = report.rendered;
+    out["kept"] = report.kept;
+    out["solved"] = report.solved;
+    out["notes"] = report.notes;
+    out["not_converged"] = report.not_converged;
     return out;
 }
 
@@ -137,9 +150,10 @@ py::dict frame_of(const std::filesystem::path& file, const std::optional<Setting
 }  // namespace
 
 void bind_scene(py::module_& module) {
-    module.def("check_scene", &check_scene);
+    module.def("check_scene", &check);
     module.def("plan_scene", &plan_scene);
     module.def("run_scene", &run_scene);
+    module.def("sweep_scene", &sweep_scene);
     module.def("temperatures", &temperatures);
     module.def("frame", &frame_of);
 }

@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "python/src/bind.hpp"
+#include "python/src/long_call.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/stepper.hpp"
 
@@ -15,12 +16,8 @@ namespace {
 using Free = py::call_guard<py::gil_scoped_release>;
 
 py::dict picture_of(Stepper& scene, const std::string& name, const Observer& pose) {
-    Picture picture;
-    {
-        const py::gil_scoped_release free;
-        picture = scene.picture(name, pose);
-    }
-    return as_dict(std::move(picture.frame));
+    return as_dict(found_by_long_call(
+        py::none(), [&](const ProgressTo&) { return scene.picture(name, pose).frame; }));
 }
 
 py::dict facets_of(const Stepper& scene) {
@@ -62,13 +59,15 @@ void bind_stepper(py::module_& module) {
     py::class_<Stepper>(module, "Stepper")
         .def(py::init([](const std::filesystem::path& file,
                          const std::vector<std::string>& settings, bool allow_outside) {
-                 return std::make_unique<Stepper>(one_scene(file, settings, allow_outside));
-             }),
-             Free())
+            return found_by_long_call(py::none(), [&](const ProgressTo&) {
+                return std::make_unique<Stepper>(one_scene(file, settings, allow_outside));
+            });
+        }))
         .def("now", [](const Stepper& s) { return format_instant(s.now()); })
-        .def(
-            "advance", [](Stepper& s, const std::string& to) { s.advance(parse_instant(to)); },
-            Free())
+        .def("advance",
+             [](Stepper& s, const std::string& to) {
+                 long_call(py::none(), [&](const ProgressTo&) { s.advance(parse_instant(to)); });
+             })
         .def(
             "put",
             [](Stepper& s, const std::string& object, double east, double north,
@@ -78,12 +77,8 @@ void bind_stepper(py::module_& module) {
                         const std::string& object) { return s.pose(object).matrix().eval(); })
         .def("temperature",
              [](Stepper& s) {
-                 std::vector<float> kelvin;
-                 {
-                     const py::gil_scoped_release free;
-                     kelvin = s.temperature();
-                 }
-                 return as_array(std::move(kelvin));
+                 return as_array(found_by_long_call(
+                     py::none(), [&](const ProgressTo&) { return s.temperature(); }));
              })
         .def("facets", &facets_of)
         .def("observer", &Stepper::observer)

@@ -96,11 +96,44 @@ class SmallScene(unittest.TestCase):
             diurna.Scene(self.folder / "none.toml").check()
 
     def test_a_sweep_is_many_scenes(self):
-        table = {**self.table, "sweep": {"axis": [{"key": "scene.seed", "values": [1, 2]}]}}
+        axes = [
+            {"key": "observer.eye.horizontal_fov_deg", "values": [20.0, 40.0]},
+            {"key": "building.crate.wall", "values": ["brick", "concrete"]},
+        ]
+        table = {**self.table, "sweep": {"axis": axes}}
+        table["time"] = {**table["time"], "frame_every_s": 10800.0}
         swept = diurna.Scene(table, file=self.folder / "swept.toml")
-        for call in (swept.check, swept.plan, swept.stepper, lambda: swept.run(self.folder / "swept")):
-            with self.assertRaisesRegex(diurna.Error, "not of many"):
+        for call in (swept.stepper, lambda: swept.run(self.folder / "swept")):
+            with self.assertRaisesRegex(diurna.Error, r"Scene.sweep\(out\)"):
                 call()
+        self.assertEqual(swept.check().observers, 1)
+        self.assertIn("4 variants", repr(swept.plan()))
+        stages = []
+        found = swept.sweep(self.folder / "swept", progress=lambda stage, share: stages.append(stage))
+        self.assertIn("sky view", stages)
+        self.assertEqual((found.rendered, found.kept, found.solved), (4, 0, 2))  # walls are of heat, the view is not
+        self.assertEqual(len(found), 4)
+        values = {(one["observer.eye.horizontal_fov_deg"], one["building.crate.wall"]) for one in found.records}
+        self.assertEqual(values, {(20.0, "brick"), (20.0, "concrete"), (40.0, "brick"), (40.0, "concrete")})
+        by_value = {tuple(one[key] for key in found.keys): one["variant"] for one in found.records}
+        narrow, wide = (next(found.frames(by_value[(fov, "brick")])) for fov in (20.0, 40.0))
+        # The crate fills four times the pixels when the picture is half as wide.
+        name = "object"
+        counts = [np.sum(frame[name] == np.nanmax(frame[name])) for frame in (narrow, wide)]
+        wider = np.tan(np.radians(20.0)) / np.tan(np.radians(10.0))
+        self.assertAlmostEqual(counts[0] / counts[1], wider**2, delta=0.6)
+        with self.assertRaisesRegex(KeyError, "v9"):
+            found.frames("v9")
+        again = swept.sweep(self.folder / "swept", resume=True)
+        self.assertEqual((again.rendered, again.kept, again.records), (0, 4, found.records))
+        try:
+            import pandas
+        except ImportError:
+            return
+        frame = found.frame()
+        self.assertIsInstance(frame, pandas.DataFrame)
+        self.assertEqual(frame.loc[by_value[(40.0, "brick")], "building.crate.wall"], "brick")
+        self.assertEqual(frame["observer.eye.horizontal_fov_deg"].dtype, np.dtype(float))
 
     def test_threads(self):
         with self.assertRaisesRegex(diurna.Error, "-3"):

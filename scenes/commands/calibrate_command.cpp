@@ -1,22 +1,13 @@
 #include "scenes/commands/calibrate_command.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
-#include "materials/base/files_read.hpp"
-#include "materials/base/plain_text.hpp"
-#include "scenes/commands/told_lines.hpp"
-#include "scenes/studies/calibrate_files.hpp"
-#include "thermal/point/calibrate.hpp"
+#include "scenes/commands/study_commands.hpp"
+#include "scenes/studies/calibrate_study.hpp"
 #include "thermal/point/point_job_file.hpp"
 
 namespace diurna {
@@ -29,43 +20,15 @@ struct CalibrateArguments {
     bool allow_outside = false;
 };
 
-constexpr const char* name = "calibrate";
-
 void calibrate_verb(const CalibrateArguments& a) {
-    const std::filesystem::path curve = a.out / (std::string(name) + "_curve.csv");
-    {
-        const FilesRead opened;
-        const PointJob job = read_column_job(a.file, a.allow_outside, a.settings);
-        if (job.calibrate) note_file_read(job.calibrate->file);
-        check_study_files(a.out, {name, std::string(name) + "_curve"}, opened.files());
-    }
-    const CalibrationReport report = calibrate(a.file, a.settings, a.allow_outside);
-    write_study_files(a.out, name, calibration_texts(report));
-    write_whole_file(curve, calibrated_curve_csv(report));
-    const Fit& fit = report.fit;
-    fmt::print("{} values, {} columns run: rms {:.3f} K before, {:.3f} K after\n",
-               report.measured.size(), fit.runs, fit.rms_before, fit.rms);
-    for (std::size_t i = 0; i < report.asked.sought.size(); ++i) {
-        const FittedNumber& found = fit.number[i];
-        fmt::print("  {} = {:.5g}", plain(report.asked.sought[i].key), found.value);
-        fmt::print("{}\n", found.at_bound
-                               ? std::string(", at its bound")
-                               : fmt::format(", 95 % {:.5g} to {:.5g}", found.least, found.most));
-        for (std::size_t j = 0; j < i; ++j) {
-            if (found.at_bound || fit.number[j].at_bound) continue;
-            fmt::print("    correlation with {}: {:+.3f}\n", plain(report.asked.sought[j].key),
-                       fit.correlation[i][j]);
-        }
-    }
-    fmt::print("{}.csv, .json, .svg, _curve.csv\n", (a.out / name).string());
-    print_notes(report.notes);
-    if (!fit.converged) {
-        throw std::runtime_error(
-            fmt::format("the numbers have not settled in {} passes", fit.passes));
-    }
-    if (!report.heat_converged) {
-        throw std::runtime_error("the spin-up of a column has not converged");
-    }
+    const StudyFindings found = calibrate_study(
+        {.file = a.file.string(),
+         .column_with =
+             [&](const std::vector<std::string>& more) {
+                 return read_column_job(a.file, a.allow_outside, joined(a.settings, more));
+             },
+         .out = a.out});
+    tell(found, a.out);
 }
 
 }  // namespace

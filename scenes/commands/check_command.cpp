@@ -14,10 +14,9 @@
 #include "scenes/doubts/doubts.hpp"
 #include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
-#include "scenes/run/heat.hpp"
+#include "scenes/sweep/checked_scene.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
-#include "scenes/world/targets.hpp"
 
 namespace diurna {
 
@@ -27,40 +26,20 @@ std::string told_count(const std::vector<std::string>& warnings) {
     return warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", warnings.size());
 }
 
-/// All that can be known to be wrong before anything is computed; returns what is told of objects.
-std::vector<NetworkObject> checked(const Prepared& prepared) {
-    check_start(prepared);
-    return targets(prepared.world, prepared.scene);
-}
-
 void check_verb(const SceneArguments& a, bool strict) {
-    Scene scene = a.read();
-    std::vector<Mistake> found;
-    if (!scene.sweep.axes.empty()) {
-        const Sweep sweep = read_sweep_variants(a.scene, a.settings, a.allow_outside);
-        for_each_value(sweep, [&](Scene variant) {
-            const Prepared one = prepare(std::move(variant));
-            checked(one);
-            for (Mistake& doubt : doubts(one)) found.push_back(std::move(doubt));
-        });
-        fmt::print("{}: {}\n", a.scene.string(), count_told(sweep));
-    }
-    const Prepared prepared = prepare(std::move(scene));
-    const std::vector<NetworkObject> networks = checked(prepared);
-    for (Mistake& doubt : doubts(prepared)) found.push_back(std::move(doubt));
-    const std::vector<std::string> warnings = as_lines(found);
-    if (strict && !found.empty()) throw InputError(std::move(found));
+    CheckedScene checked = check_scene(a.read(), a.settings, a.allow_outside);
+    const std::vector<std::string> warnings = as_lines(checked.doubts);
+    if (!checked.sweep.empty()) fmt::print("{}: {}\n", a.scene.string(), checked.sweep);
+    if (strict && !checked.doubts.empty()) throw InputError(std::move(checked.doubts));
     fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
-               warnings.empty() ? "fine" : told_count(warnings), prepared.world.surfaces().size(),
-               prepared.sequences.size());
+               warnings.empty() ? "fine" : told_count(warnings), checked.facets, checked.observers);
     print_warnings(warnings);
-    print_notes(prepared.notes);
-    if (const double most = free_memory(); most > 0.0 && prepared.plan.memory > most) {
+    print_notes(checked.notes);
+    if (const double most = free_memory(); most > 0.0 && checked.memory > most) {
         fmt::print(stderr,
                    "note: a run would be refused here: {:.1f} GB by the plan, {:.1f} free\n",
-                   prepared.plan.memory / 1e9, most / 1e9);
+                   checked.memory / 1e9, most / 1e9);
     }
-    for (const NetworkObject& network : networks) print_notes(network.notes);
 }
 
 }  // namespace

@@ -20,9 +20,6 @@
 #include "scenes/commands/calibrate_command.hpp"
 #include "scenes/commands/check_command.hpp"
 #include "scenes/commands/column_command.hpp"
-#include "scenes/commands/contrast_command.hpp"
-#include "scenes/commands/crossover_command.hpp"
-#include "scenes/commands/detection_command.hpp"
 #include "scenes/commands/doctor_command.hpp"
 #include "scenes/commands/export_command.hpp"
 #include "scenes/commands/inspect_command.hpp"
@@ -35,10 +32,9 @@
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
 #include "scenes/commands/run_command.hpp"
-#include "scenes/commands/sensitivity_command.hpp"
-#include "scenes/commands/signature_command.hpp"
 #include "scenes/commands/slurm_command.hpp"
 #include "scenes/commands/solve_command.hpp"
+#include "scenes/commands/study_commands.hpp"
 #include "scenes/commands/sun_command.hpp"
 #include "scenes/commands/verify_command.hpp"
 
@@ -50,13 +46,11 @@ enum ExitCode { done = 0, failed = 1, bad_input = 2 };
 
 /// The verbs in the order of `diurna --help`.
 constexpr void (*verbs[])(CLI::App&) = {
-    add_check_verb,     add_plan_verb,        add_run_verb,       add_solve_verb,
-    add_render_verb,    add_column_verb,      add_path_verb,      add_sun_verb,
-    add_mesh_verb,      add_visibility_verb,  add_materials_verb, add_model_verb,
-    add_movie_verb,     add_verify_verb,      add_keys_verb,      add_doctor_verb,
-    add_signature_verb, add_detection_verb,   add_crossover_verb, add_contrast_verb,
-    add_new_verb,       add_sensitivity_verb, add_calibrate_verb, add_pages_verb,
-    add_inspect_verb,   add_export_verb,      add_merge_verb,     add_slurm_verb,
+    add_check_verb,     add_plan_verb,   add_run_verb,   add_solve_verb,     add_render_verb,
+    add_column_verb,    add_path_verb,   add_sun_verb,   add_mesh_verb,      add_visibility_verb,
+    add_materials_verb, add_model_verb,  add_movie_verb, add_verify_verb,    add_keys_verb,
+    add_doctor_verb,    add_study_verbs, add_new_verb,   add_calibrate_verb, add_pages_verb,
+    add_inspect_verb,   add_export_verb, add_merge_verb, add_slurm_verb,
 };
 
 /// "diurna rnu ..." gets "did you mean 'run'?"; CLI11 would say only that RUN is required.

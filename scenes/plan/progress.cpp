@@ -24,7 +24,7 @@ ProgressStyle default_progress_style() {
 
 Progress::~Progress() {
     // A stage that did not end was given up; its half-drawn bar would stand before the error.
-    if (!name_.empty() && style_ == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
+    if (!name_.empty() && to_.style == ProgressStyle::bar) fmt::print(stderr, "\r\033[K");
 }
 
 void Progress::stage(const std::string& name) {
@@ -35,15 +35,17 @@ void Progress::stage(const std::string& name) {
     share_ = 0.0;
     tenths_ = 0;
     began_ = Clock::now();
-    shown_ = style_ == ProgressStyle::lines ? began_ : Clock::time_point{};
-    if (style_ == ProgressStyle::bar) show(0.0, false);
+    shown_ = to_.style == ProgressStyle::lines ? began_ : Clock::time_point{};
+    heard_ = began_;
+    if (to_.style == ProgressStyle::bar) show(0.0, false);
+    if (to_.listener) to_.listener(name_, 0.0);
 }
 
 /// Whether what is known by now should be shown.
 bool Progress::due(double share) const {
-    if (name_.empty() || style_ == ProgressStyle::silent) return false;
+    if (name_.empty() || to_.style == ProgressStyle::silent) return false;
     const double since = seconds_since(shown_);
-    if (style_ != ProgressStyle::lines) return since >= 0.2;
+    if (to_.style != ProgressStyle::lines) return since >= 0.2;
     constexpr double apart = 2.0, patience = 10.0;  // [s]
     const bool tenth = int(10.0 * share) > tenths_ && share < 1.0;
     return (tenth && since >= apart) || (!doing_.empty() && since >= patience);
@@ -52,6 +54,10 @@ bool Progress::due(double share) const {
 void Progress::done(double share) {
     const std::lock_guard lock(mutex_);
     share_ = share;
+    if (to_.listener && !name_.empty() && seconds_since(heard_) >= 0.2) {
+        heard_ = Clock::now();
+        to_.listener(name_, share);
+    }
     if (!due(share)) return;
     shown_ = Clock::now();
     tenths_ = std::max(tenths_, int(10.0 * share));
@@ -68,11 +74,11 @@ void Progress::doing(const std::string& what) {
 
 void Progress::tell(const std::string& note) {
     const std::lock_guard lock(mutex_);
-    if (style_ == ProgressStyle::silent) return;
-    if (style_ == ProgressStyle::json) {
+    if (to_.style == ProgressStyle::silent) return;
+    if (to_.style == ProgressStyle::json) {
         fmt::print(stderr, "{{\"note\":{}}}\n", nlohmann::json(plain(note)).dump());
     } else {
-        fmt::print(stderr, "{}note: {}\n", style_ == ProgressStyle::bar ? "\r\033[K" : "",
+        fmt::print(stderr, "{}note: {}\n", to_.style == ProgressStyle::bar ? "\r\033[K" : "",
                    plain(note));
     }
     std::fflush(stderr);
@@ -82,7 +88,7 @@ void Progress::set_apart(const std::string& name, double seconds) {
     const std::lock_guard lock(mutex_);
     stages_.push_back({name, seconds});
     began_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-    if (style_ == ProgressStyle::lines) fmt::print(stderr, "{:<28} {:7.2f} s\n", name, seconds);
+    if (to_.style == ProgressStyle::lines) fmt::print(stderr, "{:<28} {:7.2f} s\n", name, seconds);
 }
 
 void Progress::finish() {
@@ -90,12 +96,13 @@ void Progress::finish() {
     if (name_.empty()) return;
     stages_.push_back({name_, seconds_since(began_)});
     show(1.0, true);
+    if (to_.listener) to_.listener(name_, 1.0);
     name_.clear();
 }
 
 void Progress::show(double share, bool ended) {
     const double spent = seconds_since(began_);
-    switch (style_) {
+    switch (to_.style) {
         case ProgressStyle::silent:
             return;
         case ProgressStyle::lines:

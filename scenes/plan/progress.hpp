@@ -1,8 +1,10 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace diurna {
@@ -12,13 +14,27 @@ enum class ProgressStyle { bar, lines, json, silent };
 /// A bar on a terminal, plain lines elsewhere.
 ProgressStyle default_progress_style();
 
-/// Tells on stderr what a job is doing and how far it is, and keeps the seconds each stage took.
-/// Elsewhere than on a terminal (`lines`): a line when a stage ends; before that one for each tenth
-/// that is done, where these are two seconds apart, and what it works on after ten seconds without
-/// another line.
+/// Who is told of progress besides stderr: the stage and its share, 0 when it begins, 1 when it
+/// ends, at most five times a second between. Called from any thread, never from two at a time.
+using ProgressListener = std::function<void(const std::string& stage, double share)>;
+
+/// Where progress is told.
+struct ProgressTo {
+    ProgressStyle style = ProgressStyle::silent;
+    ProgressListener listener{};  // empty: nobody
+
+    ProgressTo() = default;
+    ProgressTo(ProgressStyle on_stderr) : style(on_stderr) {}
+    explicit ProgressTo(ProgressListener who) : listener(std::move(who)) {}
+};
+
+/// Tells what a job is doing and how far it is, and keeps the seconds each stage took. Elsewhere
+/// than on a terminal (`lines`): a line when a stage ends; before that one for each tenth that is
+/// done, where these are two seconds apart, and what it works on after ten seconds without another
+/// line.
 class Progress {
  public:
-    explicit Progress(ProgressStyle style) : style_(style) {}
+    explicit Progress(ProgressTo to) : to_(std::move(to)) {}
     ~Progress();
 
     /// Ends the stage before and begins the next.
@@ -45,12 +61,12 @@ class Progress {
     void show(double share, bool ended);
     bool due(double share) const;
 
-    ProgressStyle style_;
+    ProgressTo to_;
     std::mutex mutex_;
     std::string name_, doing_;
-    double share_ = 0.0;   // as told last
-    int tenths_ = 0;       // of the present stage that have been shown as lines
-    Clock::time_point began_{}, shown_{};
+    double share_ = 0.0;  // as told last
+    int tenths_ = 0;      // of the present stage that have been shown as lines
+    Clock::time_point began_{}, shown_{}, heard_{};
     std::vector<Stage> stages_;
 };
 

@@ -29,7 +29,7 @@ struct JobOptions {
     std::filesystem::path temperatures{};  // file of those to be seen, in place of a heat balance
     bool resume = false;           // keep what an earlier run with the same inputs has left
     double max_memory = 0.0;       // [bytes] that the plan may need; 0: what the machine has free
-    ProgressStyle progress = ProgressStyle::silent;
+    ProgressTo progress{};
 };
 
 /// The whole way: plan, build, solve, render, write. Results are the same bytes for any number

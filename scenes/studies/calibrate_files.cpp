@@ -84,19 +84,22 @@ std::string curves_svg(const CalibrationReport& report) {
     return stacked_svg({curves, left});
 }
 
-}  // namespace
-
-StudyTexts calibration_texts(const CalibrationReport& report) {
-    return {.csv = numbers_csv(report), .json = numbers_json(report), .svg = curves_svg(report)};
-}
-
-std::string calibrated_curve_csv(const CalibrationReport& report) {
+std::string curve_csv(const CalibrationReport& report) {
     std::string text = "time,measured_K,before_K,after_K\n";
     for (std::size_t i = 0; i < report.when.size(); ++i) {
         text += fmt::format("{},{:.4f},{:.4f},{:.4f}\n", format_instant(report.when[i]),
                             report.measured[i], report.fit.before[i], report.fit.after[i]);
     }
     return text;
+}
+
+}  // namespace
+
+StudyTexts calibration_texts(const CalibrationReport& report) {
+    return {.csv = numbers_csv(report),
+            .json = numbers_json(report),
+            .svg = curves_svg(report),
+            .more = {{"_curve.csv", curve_csv(report)}}};
 }
 
 }  // namespace diurna

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <string>
-
 #include "scenes/studies/study_files.hpp"
 #include "thermal/point/calibrate.hpp"
 
 namespace diurna {
 
 /// The files of a column's calibration: CSV of its numbers (a line each, with correlations beside
-/// it), JSON of all, SVG of the curves.
+/// it), JSON of all, SVG of the curves; "_curve.csv" of time,measured_K,before_K,after_K.
 StudyTexts calibration_texts(const CalibrationReport& report);
-
-/// time,measured_K,before_K,after_K
-std::string calibrated_curve_csv(const CalibrationReport& report);
 
 }  // namespace diurna

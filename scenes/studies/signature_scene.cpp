@@ -39,8 +39,10 @@ GivenHeat whole_heat(const Prepared& prepared, const std::filesystem::path& file
 
 }  // namespace
 
-Study::Study(Scene scene, ProgressStyle style)
-    : progress_(style), prepared_(made_ready(std::move(scene), progress_)), stages_(prepared_) {
+Study::Study(Scene scene, ProgressTo progress)
+    : progress_(std::move(progress)),
+      prepared_(made_ready(std::move(scene), progress_)),
+      stages_(prepared_) {
     check_start(prepared_);
     notes_ = prepared_.notes;
 }

@@ -17,7 +17,7 @@ namespace diurna {
 /// A scene made ready for studies of single objects.
 class Study {
  public:
-    explicit Study(Scene scene, ProgressStyle style);
+    explicit Study(Scene scene, ProgressTo progress);
 
     const Scene& scene() const { return prepared_.scene; }
     const Stages& stages() const { return stages_; }

@@ -11,6 +11,12 @@ namespace diurna {
 
 namespace fs = std::filesystem;
 
+std::string StudyTexts::endings() const {
+    std::string told = ".csv, .json, .svg";
+    for (const auto& [ending, text] : more) told += ", " + ending;
+    return told;
+}
+
 void check_study_files(const fs::path& out, const std::vector<std::string>& names,
                        const std::vector<FileRead>& inputs) {
     std::error_code none;
@@ -30,6 +36,7 @@ void write_study_files(const fs::path& out, const std::string& name, const Study
     write_whole_file(out / (name + ".csv"), texts.csv);
     write_whole_file(out / (name + ".json"), texts.json);
     write_whole_file(out / (name + ".svg"), texts.svg);
+    for (const auto& [ending, text] : texts.more) write_whole_file(out / (name + ending), text);
 }
 
 std::string csv_cell(const std::string& name) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@ namespace diurna {
 /// What a study tells: NAME.csv, NAME.json and NAME.svg.
 struct StudyTexts {
     std::string csv, json, svg;
+    std::map<std::string, std::string> more{};  // by what follows NAME: "_curves.csv"
+
+    /// What follows NAME, in one line: ".csv, .json, .svg, _curves.csv".
+    std::string endings() const;
 };
 
 /// Throws InputError where the files of studies of such names cannot be written into a folder, or

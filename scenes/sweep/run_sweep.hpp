@@ -16,7 +16,7 @@ struct SweepOptions {
     bool resume = false;  // keep what an earlier run of the same inputs has left
     Shard shard{};
     double max_memory = 0.0;  // [bytes] as JobOptions has it
-    ProgressStyle progress = ProgressStyle::silent;
+    ProgressTo progress{};
 };
 
 struct SweepReport {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <queue>
 
+#include "materials/base/giving_up.hpp"
 #include "terrain/ground/post_scan.hpp"
 
 namespace diurna {
@@ -51,6 +52,7 @@ class GreedyInsertion {
         start();
         while (!queue_.empty()) {
             if (bytes() > most_bytes) return std::nullopt;
+            give_up_if_asked();
             const Candidate next = queue_.top();
             queue_.pop();
             if (next.face->info().stamp != next.stamp) continue;

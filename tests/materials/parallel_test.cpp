@@ -7,6 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "materials/base/giving_up.hpp"
+
 using namespace diurna;
 
 namespace {
@@ -64,4 +66,52 @@ TEST_CASE("an exception from a block reaches the caller", "[terrain][parallel]")
                                        if (i == 777) throw std::runtime_error("777");
                                    }),
                     std::runtime_error);
+}
+
+TEST_CASE("work that is given up ends before its next block, nested loops and all",
+          "[terrain][parallel]") {
+    GiveUpRequest unwanted{false};
+    std::atomic<int> inner{0};
+    {
+        const Heeding heeding(&unwanted);
+        CHECK_THROWS_AS(for_each_index(
+                            1000,
+                            [&](std::size_t) {
+                                for_each_index(
+                                    1000,
+                                    [&](std::size_t) {
+                                        if (++inner == 10) unwanted = true;
+                                    },
+                                    1);
+                            },
+                            1),
+                        GivenUp);
+        CHECK_THROWS_AS(give_up_if_asked(), GivenUp);
+    }
+    // Each thread ends the block it is in; of a million there are as many more as threads.
+    CHECK(inner >= 10);
+    CHECK(inner <= 10 + 2 * int(std::thread::hardware_concurrency()) + 2);
+    CHECK(Heeding::heeded() == nullptr);
+    for_each_index(
+        10, [](std::size_t) { give_up_if_asked(); }, 1);  // nobody heeds it here
+}
+
+TEST_CASE("what one caller gives up another goes on with", "[terrain][parallel]") {
+    GiveUpRequest unwanted{true};
+    std::atomic<int> done{0};
+    bool given_up = false;
+    std::thread other([&] {
+        const Heeding heeding(&unwanted);
+        try {
+            for_each_index(
+                1000, [](std::size_t) {}, 1);
+        } catch (const GivenUp&) {
+            given_up = true;
+        }
+    });
+    for_each_index(
+        1000, [&](std::size_t) { ++done; }, 1);
+    other.join();
+    CHECK(given_up);
+    CHECK(done == 1000);
 }

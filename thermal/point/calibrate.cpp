@@ -152,17 +152,25 @@ void tell(CalibrationReport& report) {
 
 CalibrationReport calibrate(const std::filesystem::path& file,
                             const std::vector<std::string>& settings, bool allow_outside) {
+    return calibrate(file.string(), [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = settings;
+        all.insert(all.end(), more.begin(), more.end());
+        return read_column_job(file, allow_outside, all);
+    });
+}
+
+CalibrationReport calibrate(const std::string& file, const ColumnWith& column_with) {
     const auto job_with = [&](std::span<const double> numbers,
                               const std::vector<SoughtNumber>& sought) {
-        std::vector<std::string> all = settings;
+        std::vector<std::string> all;
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             all.push_back(fmt::format("{}={:.17g}", sought[i].key, numbers[i]));
         }
-        return read_column_job(file, allow_outside, all);
+        return column_with(all);
     };
     const PointJob as_it_is = job_with({}, {});
     if (!as_it_is.calibrate) {
-        throw InputError(file.string(), "no table [calibrate], expected one");
+        throw InputError(file, "no table [calibrate], expected one");
     }
     CalibrationReport report{.asked = *as_it_is.calibrate, .when = {}, .measured = {}, .fit = {}};
     const auto& sought = report.asked.sought;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "materials/base/least_squares.hpp"
 #include "terrain/place/instant.hpp"
 #include "thermal/point/calibration.hpp"
+#include "thermal/point/point_job.hpp"
 
 namespace diurna {
 
@@ -22,11 +24,16 @@ struct CalibrationReport {
     bool heat_converged = true;  // of every column that was run
 };
 
+/// The column as it is, with settings "key=value" in place of what it says.
+using ColumnWith = std::function<PointJob(const std::vector<std::string>& more)>;
+
 /// Finds the numbers that [calibrate] of a column file asks for, by runs of the column that differ
 /// in them. Between rows of the result (time.step_s) temperatures are straight. Throws InputError
 /// for what cannot be: a file without [calibrate], numbers that change nothing, a curve of fewer
 /// values than numbers, bounds at which the column cannot be read.
 ///
+/// - file: to tell of mistakes
+CalibrationReport calibrate(const std::string& file, const ColumnWith& column_with);
 /// - settings: "key=value" given on the command line
 CalibrationReport calibrate(const std::filesystem::path& file,
                             const std::vector<std::string>& settings, bool allow_outside);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "materials/base/giving_up.hpp"
 #include "thermal/point/point_facet.hpp"
 
 namespace diurna {
@@ -100,6 +101,7 @@ double PointFacet::advance(Instant from, Instant to, std::vector<double>* steps,
     Trial trial;
     granted_ += tries_a_span + tries_a_longest_step * span / setup_.longest_step;
     while (span - done > 1e-9) {
+        give_up_if_asked();
         while (knot != setup_.knot.end() && seconds_between(from, *knot) <= done + 1e-9) {
             ++knot;
             granted_ += tries_a_sample;
@@ -164,6 +166,7 @@ void PointFacet::march(Instant from, Instant to, bool restart, Eigen::MatrixXd* 
     if (restart) next_march_ = first;
     const double span = seconds_between(from, to);
     for (double done = 0.0; done < span - 1e-6;) {
+        give_up_if_asked();
         double step = std::min(next_march_, setup_.longest_step);
         if (span - done < 1.5 * step) step = span - done;
         march_step(from, done, step, 0, map);

@@ -1,0 +1,79 @@
+#include "scenes/studies/contrast_study.hpp"
+
+#include <fmt/format.h>
+
+#include "scenes/studies/contrast_files.hpp"
+#include "scenes/studies/signature_scene.hpp"
+#include "terrain/place/local_time.hpp"
+
+namespace diurna {
+
+namespace {
+
+/// A line for each target and band: when and from where it stands out most.
+std::string told(const ContrastInput& input, const ContrastReport& report, const Scene& scene) {
+    std::string text;
+    for (std::size_t w = 0; w < report.worst.size(); ++w) {
+        const WorstContrast& worst = report.worst[w];
+        const std::string& target = input.targets[w / input.bands.size()].name;
+        const std::string& band = input.bands[w % input.bands.size()];
+        if (worst.row >= report.row.size()) {
+            text += fmt::format("{}: {} in {} um: never seen\n", input.name, target, band);
+            continue;
+        }
+        const ContrastRow& row = report.row[worst.row];
+        text += fmt::format(
+            "{}: {} in {} um: {:.2f} +- {:.2g} K at {} from {}; above {:g} K in {:.0f} % of "
+            "its pictures, {:.2f} K at best; clutter {:.2f} K\n",
+            input.name, target, band, row.rss, worst.error,
+            format_local(row.when, scene.time.utc_offset),
+            scene.observers[input.observers[row.observer]].name, input.threshold,
+            100.0 * worst.share, worst.least, row.clutter);
+    }
+    return text;
+}
+
+std::vector<std::string> own_notes(const ContrastInput& input, const ContrastReport& report) {
+    std::vector<std::string> notes;
+    if (report.hidden > 0) {
+        notes.push_back(
+            fmt::format("{}: nothing of a target, or no background, is seen in {} of "
+                        "{} rows",
+                        input.name, report.hidden, report.row.size()));
+    }
+    std::size_t small = 0;
+    for (const ContrastRow& row : report.row) small += row.pixels > 0.0 && row.pixels < 16.0;
+    if (small > 0) {
+        notes.push_back(
+            fmt::format("{}: the target covers less than 16 pixels in {} rows: spread, "
+                        "entropy and similarity are of few",
+                        input.name, small));
+    }
+    return notes;
+}
+
+}  // namespace
+
+StudyFindings contrast_study(const StudyRequest& request) {
+    Study study(request.read(), request.progress);
+    const Scene& scene = study.scene();
+    check_asked(request, scene, "contrast", names_of(scene.contrasts));
+    const TemperatureField field = study.heat(request.temperatures);
+    StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};
+    for (const ContrastInput& input : scene.contrasts) {
+        const ContrastReport report = contrast_of(study.stages(), input, field, study.progress());
+        const std::vector<std::string> own = own_notes(input, report);
+        found.finding.push_back(
+            {.name = input.name,
+             .texts = {.csv = contrast_csv(input, report, scene),
+                       .json = contrast_json(input, report, scene, joined(found.notes, own)),
+                       .svg = contrast_svg(input, report, scene)},
+             .told = told(input, report, scene),
+             .notes = own});
+    }
+    study.progress().finish();
+    write_findings(request, found);
+    return found;
+}
+
+}  // namespace diurna

@@ -1,0 +1,109 @@
+#include "scenes/studies/crossover_study.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scenes/studies/crossover_files.hpp"
+#include "terrain/place/local_time.hpp"
+
+namespace diurna {
+
+namespace {
+
+std::string told(const CrossoverInput& input, const TimedCrossing& one, double utc_offset) {
+    const std::string& warmer = one.first_warmer_after ? input.first.name : input.second.name;
+    std::string text = fmt::format("  {}  ", format_local(one.when, utc_offset));
+    if (one.kind == ZeroCrossing::Kind::touches) {
+        text += fmt::format("touches: {} stays warmer, {:.2g} K at the least", warmer,
+                            std::abs(one.least));
+    } else if (one.kind == ZeroCrossing::Kind::jumps) {
+        text += fmt::format("{} is warmer after, at once", warmer);
+    } else {
+        text += fmt::format("{} is warmer after, {:+.2f} K/h", warmer, 3600.0 * one.slope);
+    }
+    if (one.kind != ZeroCrossing::Kind::touches && !input.uncertain.empty()) {
+        text += fmt::format(", +- {:.1f} min", one.sigma / 60.0);
+    }
+    if (one.refined) text += fmt::format(", refined by {:+.0f} s", *one.refined);
+    for (const std::string& key : gone_with(input, one)) text += ", gone with " + key;
+    return text + "\n";
+}
+
+std::string told(const CrossoverInput& input, const CrossoverReport& report, double utc_offset) {
+    std::string text;
+    for (const CrossoverDay& day : report.band) {
+        const double hours = seconds_between(day.instant.front(), day.instant.back()) / 3600.0;
+        text += fmt::format(
+            "{} {} um: {} and {}, {} and {} pixels: {:.1f} of {:.1f} h below {:g} K\n", input.name,
+            day.band, input.first.name, input.second.name, report.first_pixels,
+            report.second_pixels, day.lost / 3600.0, hours, input.threshold);
+        if (day.crossing.empty()) {
+            text += fmt::format("  no crossover: {:.2f} K apart at the least\n", day.worst_least);
+        }
+        for (const TimedCrossing& one : day.crossing) text += told(input, one, utc_offset);
+    }
+    return text;
+}
+
+/// Notes of one crossover that its figures alone would not tell.
+std::vector<std::string> own_notes(const CrossoverInput& input, const CrossoverReport& report,
+                                   const TemperatureField& field, const Scene& scene,
+                                   bool from_file) {
+    constexpr std::size_t few = 16;
+    std::vector<std::string> notes;
+    for (const auto& [region, pixels] : {std::pair{&input.first, report.first_pixels},
+                                         std::pair{&input.second, report.second_pixels}}) {
+        if (pixels >= few) continue;
+        notes.push_back(
+            fmt::format("{}: \"{}\" fills {} pixels only", input.name, region->name, pixels));
+    }
+    const double usual = seconds_between(field.instant.front(), field.instant.back()) /
+                         std::max(1.0, double(field.instant.size()) - 1.0);
+    if (from_file && usual > 1.5 * scene.time.step) {
+        notes.push_back(
+            fmt::format("{}: temperatures are kept every {:.0f} s and straight between "
+                        "them; without --temperatures every {:g} s",
+                        input.name, usual, scene.time.step));
+    }
+    return notes;
+}
+
+}  // namespace
+
+StudyFindings crossover_study(const StudyRequest& request) {
+    Scene read = request.read();
+    read.time.every_step = true;
+    Study study(std::move(read), request.progress);
+    const Scene& scene = study.scene();
+    check_asked(request, scene, "crossover", names_of(scene.crossovers), "_curves");
+    const SceneWith scene_with = request.scene_with();
+    check_crossovers(study, scene_with);
+    const TemperatureField field = study.heat(request.temperatures);
+    const CrossoverAnswer answer = crossovers_of(study, field, scene_with);
+    study.progress().finish();
+    const double offset = scene.time.utc_offset;
+    StudyFindings found{.notes = joined(study.notes(), answer.notes),
+                        .not_converged = study.not_converged()};
+    for (std::size_t i = 0; i < scene.crossovers.size(); ++i) {
+        const CrossoverInput& input = scene.crossovers[i];
+        const CrossoverReport& report = answer.report[i];
+        const std::vector<std::string> own =
+            own_notes(input, report, field, scene, !request.temperatures.empty());
+        found.finding.push_back(
+            {.name = input.name,
+             .texts = {.csv = crossover_csv(input, report, offset),
+                       .json = crossover_json(input, scene.observers[input.observer].name, report,
+                                              joined(found.notes, own), offset),
+                       .svg = crossover_svg(input, report, offset),
+                       .more = {{"_curves.csv", contrast_curves_csv(report, offset)}}},
+             .told = told(input, report, offset),
+             .notes = own});
+    }
+    write_findings(request, found);
+    return found;
+}
+
+}  // namespace diurna

@@ -1,0 +1,54 @@
+#include "scenes/studies/signature_study.hpp"
+
+#include <fmt/format.h>
+
+#include "scenes/studies/signature_files.hpp"
+
+namespace diurna {
+
+namespace {
+
+std::vector<std::string> own_notes(const SignatureInput& input, const SignatureReport& report) {
+    std::vector<std::string> own{
+        fmt::format("{} of {} directions lie below the level, where the ground is", report.below,
+                    input.directions)};
+    if (input.range == 0.0) {
+        own.emplace_back(
+            "rays begin just beyond the sphere around it: the air of some metres is before it");
+    }
+    if (report.hidden > 0) {
+        own.push_back(fmt::format("nothing of it is seen in {} rows", report.hidden));
+    }
+    if (report.alone > 0) {
+        own.push_back(
+            fmt::format("no background is seen in {} rows: their contrast is empty", report.alone));
+    }
+    return own;
+}
+
+}  // namespace
+
+StudyFindings signature_study(const StudyRequest& request) {
+    Study study(request.read(), request.progress);
+    const Scene& scene = study.scene();
+    check_asked(request, scene, "signature", names_of(scene.signatures));
+    const TemperatureField field = study.heat(request.temperatures, studied_of(scene.signatures));
+    const double offset = scene.time.utc_offset;
+    StudyFindings found{.notes = study.notes(), .not_converged = study.not_converged()};
+    for (const SignatureInput& input : scene.signatures) {
+        const SignatureReport report = signature_of(study.stages(), input, field, study.progress());
+        const std::vector<std::string> own = own_notes(input, report);
+        found.finding.push_back(
+            {.name = input.name,
+             .texts = {.csv = signature_csv(report, offset),
+                       .json = signature_json(input, report, joined(found.notes, own), offset),
+                       .svg = signature_svg(input, report, offset)},
+             .told = fmt::format("{}: {} rows\n", input.name, report.rows.size()),
+             .notes = own});
+    }
+    study.progress().finish();
+    write_findings(request, found);
+    return found;
+}
+
+}  // namespace diurna

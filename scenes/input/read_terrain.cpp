@@ -141,22 +141,7 @@ GroundRule read_rule(const Section& rule, const Reading& reading) {
 
 /// How the raster is to be taken.
 DemOptions read_dem_options(const Section& section, const std::optional<Site>& site) {
-    DemOptions options{.confines = section.confines()};
-    options.voids =
-        section.choice_or("voids", "posts without elevation in the file", VoidPolicy::refuse,
-                          {{"refuse", VoidPolicy::refuse}, {"fill", VoidPolicy::fill}});
-    options.unit = section.choice_or("height_unit", "of the posts; file: what the raster says",
-                                     std::optional<double>{},
-                                     {{"file", std::nullopt},
-                                      {"m", 1.0},
-                                      {"dm", 0.1},
-                                      {"cm", 0.01},
-                                      {"ft", 0.3048},
-                                      {"us_ft", 1200.0 / 3937.0}});
-    options.geoid = section.choice_or(
-        "vertical_datum",
-        "egm96: the heights are above that geoid, the sea; file: taken as they are", false,
-        {{"file", false}, {"egm96", true}});
+    DemOptions options = read_posts(section, false);
     if (!section.has("radius_m")) return options;
     options.radius = section.number(
         "radius_m", "of the circle about the site whose posts are read; else the whole raster",
@@ -201,9 +186,13 @@ void read_ground(const Section& section, Reading& reading, TerrainInput& terrain
         terrain.rules.push_back(read_rule(rule, reading));
     }
     if (section.has("land_cover")) {
-        const Section cover = section.section(
-            "land_cover", "classes of another raster, with a material for some; before the rules");
-        terrain.land_cover = read_land_cover(cover, reading);
+        for (const Section& cover : section.one_or_more_sections(
+                 "land_cover",
+                 "classes of another raster, with a material for some; before the rules. Of "
+                 "several "
+                 "tables, [[terrain.land_cover]], the first that knows a material wins")) {
+            terrain.land_cover.push_back(read_land_cover(cover, reading));
+        }
     }
 }
 
@@ -214,6 +203,7 @@ TerrainInput read_terrain(const Section& section, const Section& root, Reading& 
     TerrainInput terrain;
     read_ground(section, reading, terrain);
     terrain.reading = read_dem_options(section, site);
+    terrain.details = read_details(section, terrain.tolerance, terrain.reading.geoid);
     for (const Section& polygon : root.sections(
              "ground", "a piece of ground with a border of its own; later ones lie on top")) {
         terrain.polygons.push_back(read_polygon(polygon, reading));

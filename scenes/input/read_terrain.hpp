@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenes/input/checked_names.hpp"
+#include "scenes/input/read_details.hpp"
 #include "scenes/input/read_land.hpp"
 #include "scenes/input/read_object.hpp"
 #include "terrain/place/site.hpp"
@@ -45,9 +46,10 @@ struct TerrainInput {
     std::filesystem::path elevation;
     std::vector<std::filesystem::path> tiles;  // more of it, on the same lattice
     DemOptions reading;
-    double tolerance = 1.0;  // vertical [m]
-    /// The full grid as quads of two triangles instead of a network within the tolerance: always,
-    /// or where it has no more than `most_grid_triangles`.
+    std::vector<DetailInput> details;  // finer models on it, later ones on top
+    double tolerance = 1.0;            // vertical [m]
+    /// The full grid as quads of two triangles instead of a network within the tolerance, on
+    /// details every post: always, or where it has no more than `most_grid_triangles`.
     enum class Mesh { network, grid, grid_where_it_fits };
     Mesh mesh = Mesh::network;
     static constexpr std::size_t most_grid_triangles = 500'000;
@@ -58,7 +60,7 @@ struct TerrainInput {
     std::vector<GroundPolygon> polygons;
     std::vector<Building> buildings;
     std::vector<ObjectInput> objects;
-    std::optional<LandCoverInput> land_cover;
+    std::vector<LandCoverInput> land_cover;  // the first that knows a material wins
     std::vector<ShapesInput> shapes;
 };
 

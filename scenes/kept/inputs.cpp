@@ -20,12 +20,22 @@ const char* program_sources();
 
 namespace {
 
+/// Finer elevation and land cover.
+std::vector<fs::path> rasters_on_ground(const Scene& scene) {
+    std::vector<fs::path> files;
+    for (const DetailInput& detail : scene.terrain.details) {
+        files.insert(files.end(), detail.files.begin(), detail.files.end());
+    }
+    for (const LandCoverInput& cover : scene.terrain.land_cover) files.push_back(cover.file);
+    return files;
+}
+
 /// Those that the scene names itself, opened yet or not.
 std::vector<fs::path> named_files(const Scene& scene) {
     std::vector<fs::path> files{scene.file,           scene.terrain.elevation, scene.weather.file,
                                 scene.air.table_file, scene.air.sounding_file, scene.time.state};
     files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
-    if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
+    for (const fs::path& file : rasters_on_ground(scene)) files.push_back(file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     const ObjectInput* before = nullptr;
     for (const ObjectInput& object : scene.terrain.objects) {
@@ -68,7 +78,7 @@ std::set<fs::path> listed(const Scene& scene) {
     std::vector<fs::path> read_with_sidecars{scene.terrain.elevation};
     const auto& tiles = scene.terrain.tiles;
     read_with_sidecars.insert(read_with_sidecars.end(), tiles.begin(), tiles.end());
-    if (scene.terrain.land_cover) read_with_sidecars.push_back(scene.terrain.land_cover->file);
+    for (const fs::path& file : rasters_on_ground(scene)) read_with_sidecars.push_back(file);
     for (const ShapesInput& shapes : scene.terrain.shapes)
         read_with_sidecars.push_back(shapes.file);
     for (const TextureInput& texture : scene.textures) read_with_sidecars.push_back(texture.file);

@@ -100,6 +100,7 @@ void add_visibility(const Prepared& prepared, Facts& facts) {
     facts.array<std::array<std::uint32_t, 3>>(facets.corner);
     facts.array<ObjectId>(facets.object);
     facts.number(world.ground_facets);
+    facts.array<std::uint8_t>(world.on_detail);
     add_passing(prepared, facts);
     facts.number(world.copies.size());
     for (std::size_t c = 0; c < world.copies.size(); ++c) {

@@ -17,6 +17,7 @@ radius_m = 4000.0
 [terrain.land_cover.material]
 41 = "forest"
 [[terrain.rule]]
+[[terrain.detail]]
 [[ground]]
 name = "runway"
 rectangle_m = [0.0, 0.0, 1500.0, 45.0, 45.0]

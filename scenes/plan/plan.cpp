@@ -146,7 +146,10 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
 
 /// What each stage takes, and the memory of all.
 void estimate(const Scene& scene, const World& world, const Weather& weather, Plan& plan) {
-    const double facets = double(plan.facets), ground = double(world.ground_facets);
+    const double facets = double(plan.facets);
+    // That of details is by rays, as objects are.
+    const double ground = double(world.ground_facets) -
+                          double(std::count(world.on_detail.begin(), world.on_detail.end(), 1));
     const double threads = thread_count();
     const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
     const bool looks_through = !scene.plumes.empty();

@@ -90,6 +90,7 @@ void refuse_depths(const Dem& dem) {
             fmt::format("found a height of {:.0f} m, expected {:.0f} m or more", height, lowest),
             "a sea's bottom is no ground; posts without elevation must be declared");
     }
+    for (const DemDetail& detail : dem.detail) refuse_depths(detail.raster);
 }
 
 }  // namespace
@@ -143,9 +144,10 @@ Prepared prepare(Scene scene) {
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {
+        std::size_t voids = dem.voids;
+        for (const DemDetail& detail : dem.detail) voids += detail.raster.voids;
         notes.push_back(fmt::format("{} of {} posts void and filled in: {} of {} ground facets",
-                                    dem.voids, dem.height.size(), world.filled_facets,
-                                    world.ground_facets));
+                                    voids, world.posts, world.filled_facets, world.ground_facets));
     }
     if (std::string note = height_note(scene, world, weather); !note.empty()) {
         notes.push_back(std::move(note));

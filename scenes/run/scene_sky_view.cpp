@@ -17,7 +17,7 @@ namespace {
 FacetViews solid_sky_view(const Prepared& prepared, bool sunlight) {
     const Scene& scene = prepared.scene;
     const ReliefVisibility light(prepared.world.facets, prepared.rays, *prepared.world.relief,
-                                 prepared.world.ground_facets);
+                                 prepared.world.ground_facets, prepared.world.on_detail);
     FacetViews view = light.facet_views({.rays = scene.sky_rays,
                                          .first_object = prepared.world.ground_facets,
                                          .object_rays = scene.object_sky_rays,

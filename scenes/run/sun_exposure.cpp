@@ -141,7 +141,7 @@ SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Insta
 DailySunExposure::DailySunExposure(const Prepared& prepared, Instant end, const StageStore* store)
     : prepared_(prepared),
       light_(prepared.world.facets, prepared.rays, *prepared.world.relief,
-             prepared.world.ground_facets),
+             prepared.world.ground_facets, prepared.world.on_detail),
       end_(end),
       store_(store) {}
 

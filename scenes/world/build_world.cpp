@@ -7,6 +7,7 @@
 #include "materials/base/error.hpp"
 #include "scenes/world/copied_objects.hpp"
 #include "scenes/world/ground.hpp"
+#include "scenes/world/ground_marks.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/movers.hpp"
 #include "scenes/world/structures.hpp"
@@ -59,6 +60,7 @@ World build_world(Scene& scene, const Dem& dem) {
     put_at_begin(scene, dem, world);
     world.objects = object_names(scene);
     world.posts = dem.height.size();
+    for (const DemDetail& detail : dem.detail) world.posts += detail.raster.height.size();
     std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
     auto [shapes, left_out] =
         shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
@@ -81,6 +83,7 @@ World build_world(Scene& scene, const Dem& dem) {
     append_shape_buildings(world, scene, std::move(shapes));
     world.relief.emplace(height_field(dem, world.site));
     append_copies(world, scene, dem, sheets);
+    mark_details(world, dem);
     mark_filled(world, dem);
     return world;
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,24 +32,25 @@ MaterialId material_by_rules(const Scene& scene, double slope_deg, double height
     return scene.materials.find(scene.terrain.default_material);
 }
 
-/// The land cover's material at each triangle's middle; none where it has no class or no table
-/// entry.
+/// The material at each triangle's middle of the first land cover that knows one there.
 std::vector<std::optional<MaterialId>> covered(const Scene& scene, const Dem& dem,
                                                const GroundMesh& mesh) {
     std::vector<std::optional<MaterialId>> found(mesh.triangle.size());
-    if (!scene.terrain.land_cover) return found;
+    if (scene.terrain.land_cover.empty()) return found;
     std::vector<Eigen::Vector2d> middle;
     std::vector<float> height;
     for (const auto& [a, b, c] : mesh.triangle) {
         middle.push_back((mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0);
         height.push_back(mesh.height[a]);
     }
-    const ClassRaster raster = read_class_raster(scene.terrain.land_cover->file, scene.confines);
-    const auto classes = classes_at(raster, geodetic_places(dem, middle, height));
-    for (std::size_t t = 0; t < found.size(); ++t) {
-        const auto entry = scene.terrain.land_cover->material.find(classes[t]);
-        if (entry != scene.terrain.land_cover->material.end()) {
-            found[t] = scene.materials.find(entry->second);
+    const std::vector<Geodetic> place = geodetic_places(dem, middle, height);
+    for (const LandCoverInput& cover : scene.terrain.land_cover) {
+        const auto classes = classes_at(read_class_raster(cover.file, scene.confines), place);
+        for (std::size_t t = 0; t < found.size(); ++t) {
+            const auto entry = cover.material.find(classes[t]);
+            if (!found[t] && entry != cover.material.end()) {
+                found[t] = scene.materials.find(entry->second);
+            }
         }
     }
     return found;
@@ -61,41 +61,20 @@ GroundMesh ground_of(const Scene& scene, const Dem& dem, const World& world,
                      const std::vector<Footprint>& footprints) {
     using Mesh = TerrainInput::Mesh;
     const TerrainInput& terrain = scene.terrain;
-    const std::size_t triangles = 2 * std::size_t(dem.columns - 1) * std::size_t(dem.rows - 1);
+    std::vector<const Dem*> rasters{&dem};
+    for (const DemDetail& detail : dem.detail) rasters.push_back(&detail.raster);
+    std::size_t triangles = 0;
+    for (const Dem* one : rasters) {
+        triangles += 2 * std::size_t(one->columns - 1) * std::size_t(one->rows - 1);
+    }
     if (terrain.mesh == Mesh::grid || (terrain.mesh == Mesh::grid_where_it_fits &&
                                        triangles <= TerrainInput::most_grid_triangles)) {
-        return ground_mesh(dem, full_grid(dem), terrain.tolerance, footprints);
+        std::vector<Tin> grids;
+        for (const Dem* one : rasters) grids.push_back(full_grid(*one));
+        return ground_mesh(dem, grids.front(), terrain.tolerance, footprints, {},
+                           std::span(grids).subspan(1));
     }
     return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, world));
-}
-
-/// Whether a triangle of raster places holds a post without elevation in the file; one that holds
-/// no post at all, whether its middle's cell has such a one.
-bool over_void(const Dem& dem, const std::array<Eigen::Vector2d, 3>& corner) {
-    const auto is_void = [&](int row, int column) {
-        return row >= 0 && column >= 0 && row < dem.rows && column < dem.columns &&
-               dem.is_void[std::size_t(row) * dem.columns + column];
-    };
-    Eigen::Matrix2d edges;
-    edges << corner[1] - corner[0], corner[2] - corner[0];
-    const Eigen::Matrix2d inverse = edges.inverse();
-    const Eigen::Vector2d low = corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]);
-    const Eigen::Vector2d high = corner[0].cwiseMax(corner[1]).cwiseMax(corner[2]);
-    bool any = false;
-    constexpr double near = 1e-3;  // places come from metres kept as float
-    for (int row = int(std::ceil(low.y() - near)); row <= int(high.y() + near); ++row) {
-        for (int column = int(std::ceil(low.x() - near)); column <= int(high.x() + near);
-             ++column) {
-            const Eigen::Vector2d at = inverse * (Eigen::Vector2d(column, row) - corner[0]);
-            if (at.minCoeff() < -near || at.sum() > 1.0 + near) continue;
-            if (is_void(row, column)) return true;
-            any = true;
-        }
-    }
-    const Eigen::Vector2d middle = (corner[0] + corner[1] + corner[2]) / 3.0;
-    const int left = int(std::floor(middle.x())), above = int(std::floor(middle.y()));
-    return !any && (is_void(above, left) || is_void(above, left + 1) || is_void(above + 1, left) ||
-                    is_void(above + 1, left + 1));
 }
 
 /// How far the earth falls away [m] under a place of the raster, from the plane through the site.
@@ -116,13 +95,18 @@ GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
     const Eigen::Vector2d spacing = post_spacing(dem), middle(0.0, 0.0);
     const Eigen::Vector2d site = raster_places(dem, world.site, {&middle, 1}).front();
     Dem bent = dem;
-    for (int row = 0; row < dem.rows; ++row) {
-        for (int column = 0; column < dem.columns; ++column) {
-            const double drop = earth_drop(Eigen::Vector2d(column, row) - site, spacing);
-            bent.height[std::size_t(row) * std::size_t(dem.columns) + std::size_t(column)] -=
-                static_cast<float>(drop);
+    const auto bend = [&](Dem& raster, const auto& to_coarse) {
+        for (int row = 0; row < raster.rows; ++row) {
+            for (int column = 0; column < raster.columns; ++column) {
+                const Eigen::Vector2d at = to_coarse(Eigen::Vector2d(column, row));
+                raster
+                    .height[std::size_t(row) * std::size_t(raster.columns) + std::size_t(column)] -=
+                    static_cast<float>(earth_drop(at - site, spacing));
+            }
         }
-    }
+    };
+    bend(bent, [](const Eigen::Vector2d& post) { return post; });
+    for (DemDetail& detail : bent.detail) bend(detail.raster, detail.to_coarse);
     GroundMesh mesh = ground_of(scene, bent, world, cuts);
     world.ground_check = check_ground_mesh(bent, mesh);
     for (std::size_t v = 0; v < mesh.place.size(); ++v) {
@@ -197,22 +181,6 @@ std::vector<Eigen::Vector3d> raster_border(const WalledPlan& plan, const Dem& de
         }
     }
     return border;
-}
-
-void mark_filled(World& world, const Dem& dem) {
-    if (dem.is_void.empty()) return;
-    std::vector<Eigen::Vector2d> east_north;
-    for (const Eigen::Vector3f& v : world.facets.vertex) {
-        east_north.push_back(v.head<2>().cast<double>());
-    }
-    const auto place = raster_places(dem, world.site, east_north);
-    std::vector<std::uint8_t> filled(world.facets.size(), 0);
-    for (std::size_t f = 0; f < world.ground_facets; ++f) {
-        const auto& [a, b, c] = world.facets.corner[f];
-        filled[f] = over_void(dem, {place[a], place[b], place[c]});
-        world.filled_facets += filled[f];
-    }
-    if (world.filled_facets > 0) world.filled = std::move(filled);
 }
 
 }  // namespace diurna

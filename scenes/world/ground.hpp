@@ -28,7 +28,4 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
 std::vector<Eigen::Vector3d> raster_border(const WalledPlan& plan, const Dem& dem,
                                            const Site& site);
 
-/// Marks the ground facets whose elevation was filled in.
-void mark_filled(World& world, const Dem& dem);
-
 }  // namespace diurna

@@ -37,18 +37,19 @@ struct World {
     Site site;
     double sea_level_height = 0.0;  // of the frame's origin above the sea [m]
     FacetSet facets;
-    std::vector<std::string> objects;   // (ObjectId)
-    std::size_t posts = 0;              // of the elevation raster
-    std::size_t ground_facets = 0;      // the first ones; objects follow
-    std::optional<HeightField> relief;  // the raster, for sun and sky on the ground
-    TinCheck ground_check;              // how far the mesh is from the raster's posts
-    std::size_t filled_facets = 0;      // ground facets on posts void in the file
-    std::vector<std::uint8_t> filled;   // (facet) 1 there; empty where there is none
-    TextureLevels texture_levels;       // what textures make of the facets
-    std::vector<TargetFacets> targets;  // objects whose facets conduct from one to the next
-    std::vector<Mover> movers;          // objects that go, where their ways begin
-    Copies copies{};                    // objects that share the facets of another
-    std::vector<std::string> notes;     // what of the files was left out
+    std::vector<std::string> objects;     // (ObjectId)
+    std::size_t posts = 0;                // of the elevation raster and its details
+    std::size_t ground_facets = 0;        // the first ones; objects follow
+    std::optional<HeightField> relief;    // the raster, for sun and sky on the ground
+    std::vector<std::uint8_t> on_detail;  // (ground facet) 1: finer than `relief`; empty: none is
+    TinCheck ground_check;                // how far the mesh is from the raster's posts
+    std::size_t filled_facets = 0;        // ground facets on posts void in the file
+    std::vector<std::uint8_t> filled;     // (facet) 1 there; empty where there is none
+    TextureLevels texture_levels;         // what textures make of the facets
+    std::vector<TargetFacets> targets;    // objects whose facets conduct from one to the next
+    std::vector<Mover> movers;            // objects that go, where their ways begin
+    Copies copies{};                      // objects that share the facets of another
+    std::vector<std::string> notes;       // what of the files was left out
 
     const FacetSet& surfaces() const {
         return texture_levels.empty() ? facets : texture_levels.facets;

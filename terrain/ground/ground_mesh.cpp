@@ -3,18 +3,19 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
-#include "materials/base/error.hpp"
+#include "terrain/ground/detail_outline.hpp"
+#include "terrain/ground/mesh_lattice.hpp"
 #include "terrain/ground/post_scan.hpp"
 #include "terrain/ground/ring_index.hpp"
 #include "terrain/ground/rings.hpp"
 #include "terrain/ground/triangulate.hpp"
-#include "terrain/raster/dem_places.hpp"
 
 namespace diurna {
 
@@ -35,38 +36,46 @@ using Constrained =
 /// The network while it is being cut.
 class Cutting {
  public:
-    Cutting(const Dem& dem, const Tin& tin)
-        : dem_(dem),
-          spacing_(post_spacing(dem)),
-          has_voids_(has_voids(dem)),
-          is_vertex_(dem.height.size(), 0) {
+    /// - on_detail: (detail) networks over its raster's posts
+    Cutting(const Dem& dem, const Tin& tin, std::span<const Tin> on_detail)
+        : dem_(dem), has_voids_(has_voids(dem)), lattices_(mesh_lattices(dem)) {
         std::vector<std::pair<Kernel::Point_2, VertexNote>> points;
-        points.reserve(tin.post.size());
-        for (const auto& [column, row] : tin.post) {
-            points.emplace_back(Kernel::Point_2(column, row), VertexNote{dem.at(row, column), 0});
-            is_vertex_[std::size_t(row) * dem.columns + column] = 1;
+        for (std::size_t k = 0; k < lattices_.size(); ++k) {
+            MeshLattice& lattice = lattices_[k];
+            const Tin& network = k == 0 ? tin : on_detail[k - 1];
+            points.reserve(points.size() + network.post.size());
+            for (const auto& [column, row] : network.post) {
+                const Eigen::Vector2d at = lattice.to_coarse({double(column), double(row)});
+                if (!takes_vertex(dem_, at, k)) continue;
+                points.emplace_back(Kernel::Point_2(at.x(), at.y()),
+                                    VertexNote{lattice.raster->at(row, column), 0});
+                lattice.is_vertex[lattice.index(column, row)] = 1;
+            }
         }
         mesh_.insert(points.begin(), points.end());
-        last_ = mesh_.finite_vertices_begin();
+        if (!points.empty()) last_ = mesh_.finite_vertices_begin();
         if (has_voids_) keep_void_borders(tin);
+        for (const DemDetail& detail : dem.detail) cut_round(detail);
     }
 
     void cut(const Footprint& footprint, std::size_t number) {
-        const Ring corners = checked(footprint, number);
-        Ring border = divided(corners, footprint.largest_edge, spacing_);
+        Ring corners = ring_on(dem_, footprint, number);
+        const MeshLattice& lattice = lattices_[lattice_under(dem_, corners)];
+        for (Eigen::Vector2d& p : corners) p = lattice.to_own(p);
+        const Ring own_border = divided(corners, footprint.largest_edge, lattice.spacing);
+        Ring border = own_border;
+        if (lattice.detail != nullptr) {
+            for (Eigen::Vector2d& p : border) p = on_edge(dem_, lattice.to_coarse(p));
+        }
         rings_.push_back(border.size() < 3 || !footprint.owner ? Ring{} : border);
         if (border.size() < 3) return;  // smaller than the snapping distance
         std::vector<Constrained::Vertex_handle> vertices;
         for (const Eigen::Vector2d& p : border) vertices.push_back(add(p));
-        for (std::size_t i = 0; i < border.size(); ++i) {
-            const auto a = vertices[i], b = vertices[(i + 1) % border.size()];
-            if (a != Constrained::Vertex_handle() && b != Constrained::Vertex_handle() && a != b) {
-                mesh_.insert_constraint(a, b);
-            }
-        }
+        keep_line(vertices);
         if (std::isfinite(footprint.largest_edge) && footprint.lattice) {
-            for (const Eigen::Vector2d& p :
-                 lattice_inside(corners, border, footprint.largest_edge, spacing_)) {
+            for (const Eigen::Vector2d& own :
+                 lattice_inside(corners, own_border, footprint.largest_edge, lattice.spacing)) {
+                const Eigen::Vector2d p = lattice.to_coarse(own);
                 if (!beside_vertex_post(p, 0.3 * footprint.largest_edge)) add(p);
             }
         }
@@ -79,24 +88,31 @@ class Cutting {
         for (bool changed = true; changed;) {
             changed = false;
             give_heights_to_crossings();
-            std::vector<std::pair<WorstPost, Constrained::Vertex_handle>> missing;
+            std::vector<Missing> missing;
             for (const auto face : mesh_.finite_face_handles()) {
                 if (!is_ground(face)) continue;
-                const std::array<Eigen::Vector3d, 3> corner{
+                const std::size_t k = lattice_at(dem_, centre(face));
+                const MeshLattice& lattice = lattices_[k];
+                std::array<Eigen::Vector3d, 3> corner{
                     place(face->vertex(0)), place(face->vertex(1)), place(face->vertex(2))};
-                const WorstPost worst = worst_post(dem_, corner, weight);
-                if (worst.error > std::max(tolerance, 1e-9)) {
-                    missing.emplace_back(worst, face->vertex(0));
-                }
+                for (Eigen::Vector3d& p : corner) p.head<2>() = lattice.to_own(p.head<2>());
+                const double most =
+                    k == 0 ? std::max(tolerance, 1e-9) : std::max(lattice.detail->tolerance, 1e-4);
+                const WorstPost worst =
+                    worst_post(*lattice.raster, corner, k == 0 ? weight : std::span<const float>{});
+                if (worst.error > most) missing.push_back({worst, k, face->vertex(0)});
             }
-            for (const auto& [worst, near] : missing) {
-                auto& known = is_vertex_[std::size_t(worst.row) * dem_.columns + worst.column];
-                if (known || std::isnan(dem_.at(worst.row, worst.column))) continue;
+            for (const auto& [worst, k, near] : missing) {
+                MeshLattice& lattice = lattices_[k];
+                auto& known = lattice.is_vertex[lattice.index(worst.column, worst.row)];
+                const float height = lattice.raster->at(worst.row, worst.column);
+                const Eigen::Vector2d at =
+                    lattice.to_coarse({double(worst.column), double(worst.row)});
+                if (known || std::isnan(height) || !takes_vertex(dem_, at, k)) continue;
                 known = 1;
                 changed = true;
-                const auto vertex =
-                    mesh_.insert(Kernel::Point_2(worst.column, worst.row), near->face());
-                vertex->info().height = dem_.at(worst.row, worst.column);
+                const auto vertex = mesh_.insert(Kernel::Point_2(at.x(), at.y()), near->face());
+                vertex->info().height = height;
             }
         }
     }
@@ -114,30 +130,56 @@ class Cutting {
             mesh.triangle.push_back({face->vertex(0)->info().number, face->vertex(2)->info().number,
                                      face->vertex(1)->info().number});
             mesh.footprint.push_back(owners.last_around(centre(face)));
+            if (!dem_.detail.empty()) mesh.detail.push_back(detail_at(dem_, centre(face)));
         }
         return mesh;
     }
 
  private:
-    Ring checked(const Footprint& footprint, std::size_t number) const {
-        const auto refuse = [&](const std::string& problem) {
-            return InputError(fmt::format("footprint {}", number + 1), problem);
-        };
-        if (footprint.ring.size() < 3) {
-            throw refuse(
-                fmt::format("found {} corners; a ring has three or more", footprint.ring.size()));
+    /// A post to be put back, near a vertex.
+    struct Missing {
+        WorstPost worst;
+        std::size_t lattice;
+        Constrained::Vertex_handle near;
+    };
+
+    /// Makes a detail's outline a line of the mesh.
+    void cut_round(const DemDetail& detail) {
+        std::vector<Constrained::Vertex_handle> vertices;
+        for (const Eigen::Vector2d& p : outline_vertices(dem_, detail)) {
+            const auto known = vertex_near(p, detail);
+            vertices.push_back(known != Constrained::Vertex_handle() ? known : add(p));
         }
-        for (const auto& p : footprint.ring) {
-            if (!p.allFinite()) throw refuse("a corner is not a finite number");
+        keep_line(vertices);
+    }
+
+    /// A vertex of a triangle round a place, so near to it that another one would make slivers, as
+    /// where two details share a border.
+    Constrained::Vertex_handle vertex_near(const Eigen::Vector2d& p,
+                                           const DemDetail& detail) const {
+        if (mesh_.dimension() < 2) return {};
+        const auto face = mesh_.locate(Kernel::Point_2(p.x(), p.y()), near_last());
+        for (int k = 0; face != nullptr && k < 3; ++k) {
+            const auto vertex = face->vertex(k);
+            if (mesh_.is_infinite(vertex)) continue;
+            const Eigen::Vector2d at(vertex->point().x(), vertex->point().y());
+            if ((detail.to_own(at) - detail.to_own(p)).norm() < 0.01) return vertex;
         }
-        constexpr double least_edge = 0.01;  // [m]
-        if (!(footprint.largest_edge >= least_edge)) {
-            throw refuse(fmt::format("found a largest edge of {} m; expected {} m or more",
-                                     footprint.largest_edge, least_edge));
+        return {};
+    }
+
+    Constrained::Face_handle near_last() const {
+        return last_ != Constrained::Vertex_handle() ? last_->face() : Constrained::Face_handle();
+    }
+
+    /// Edges from each to the next, and from the last to the first.
+    void keep_line(const std::vector<Constrained::Vertex_handle>& vertices) {
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const auto a = vertices[i], b = vertices[(i + 1) % vertices.size()];
+            if (a != Constrained::Vertex_handle() && b != Constrained::Vertex_handle() && a != b) {
+                mesh_.insert_constraint(a, b);
+            }
         }
-        Ring ring = clipped(footprint.ring, dem_.columns, dem_.rows);
-        if (ring.size() < 3) throw refuse("lies wholly outside the elevation data");
-        return ring;
     }
 
     /// Edges between ground and void, which points near them might otherwise flip away.
@@ -158,16 +200,18 @@ class Cutting {
     Constrained::Vertex_handle add(const Eigen::Vector2d& p) {
         const double height = height_at(dem_, p);
         if (std::isnan(height)) return {};
-        const auto vertex = mesh_.insert(Kernel::Point_2(p.x(), p.y()), last_->face());
+        const auto vertex = mesh_.insert(Kernel::Point_2(p.x(), p.y()), near_last());
         vertex->info().height = static_cast<float>(height);
         last_ = vertex;
         return vertex;
     }
 
     bool beside_vertex_post(const Eigen::Vector2d& p, double distance) const {
-        const Eigen::Vector2d post(std::round(p.x()), std::round(p.y()));
-        return (post - p).cwiseProduct(spacing_).norm() <= distance &&
-               is_vertex_[std::size_t(post.y()) * dem_.columns + std::size_t(post.x())];
+        const MeshLattice& lattice = lattices_[lattice_at(dem_, p)];
+        const Eigen::Vector2d own = lattice.to_own(p);
+        const Eigen::Vector2d post(std::round(own.x()), std::round(own.y()));
+        return (post - own).cwiseProduct(lattice.spacing).norm() <= distance &&
+               lattice.is_vertex[lattice.index(int(post.x()), int(post.y()))];
     }
 
     void give_heights_to_crossings() {
@@ -191,9 +235,8 @@ class Cutting {
     }
 
     const Dem& dem_;
-    Eigen::Vector2d spacing_;
     bool has_voids_;
-    std::vector<std::uint8_t> is_vertex_;  // (post)
+    std::vector<MeshLattice> lattices_;  // the coarse one, then those of its details
     Constrained mesh_;
     Constrained::Vertex_handle last_;  // the next point is often near the last one
     std::vector<Ring> rings_;
@@ -218,11 +261,19 @@ GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footpri
 }
 
 GroundMesh ground_mesh(const Dem& dem, const Tin& tin, double tolerance,
-                       std::span<const Footprint> footprints, std::span<const float> slack) {
-    if (footprints.empty()) return without_footprints(dem, tin);
+                       std::span<const Footprint> footprints, std::span<const float> slack,
+                       std::span<const Tin> on_detail) {
+    if (footprints.empty() && dem.detail.empty()) return without_footprints(dem, tin);
+    std::vector<Tin> greedy;
+    if (on_detail.empty()) {
+        for (const DemDetail& detail : dem.detail) {
+            greedy.push_back(triangulate(detail.raster, detail.tolerance));
+        }
+        on_detail = greedy;
+    }
     std::vector<float> weight(slack.size());
     std::transform(slack.begin(), slack.end(), weight.begin(), [](float s) { return 1.0f / s; });
-    Cutting cutting(dem, tin);
+    Cutting cutting(dem, tin, on_detail);
     for (std::size_t i = 0; i < footprints.size(); ++i) cutting.cut(footprints[i], i);
     cutting.restore(tolerance, weight);
     return cutting.result();

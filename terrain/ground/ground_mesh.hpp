@@ -3,26 +3,14 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <span>
 #include <vector>
 
+#include "terrain/ground/footprint.hpp"
 #include "terrain/ground/tin.hpp"
 #include "terrain/raster/dem.hpp"
 
 namespace diurna {
-
-/// A piece of ground with a border of its own: a runway, a car park, a field, or just a place where
-/// the mesh shall be finer.
-struct Footprint {
-    /// Corners in fractional (column, row) of the raster, post (c, r) at (c, r); either sense of
-    /// turning, not closed. `raster_places` makes them from local or geodetic coordinates.
-    std::vector<Eigen::Vector2d> ring;
-    /// Triangle edges on the ring are at most this long, and about this long inside [m].
-    double largest_edge = std::numeric_limits<double>::infinity();
-    bool lattice = true;  // inside the ring too, not only on it
-    bool owner = true;    // of the triangles inside; else it only makes the mesh finer
-};
 
 /// The ground as triangles that follow the relief to a tolerance and footprints exactly.
 struct GroundMesh {
@@ -30,6 +18,8 @@ struct GroundMesh {
     std::vector<float> height;                           // (vertex) [m]
     std::vector<std::array<std::uint32_t, 3>> triangle;  // counterclockwise seen from above
     std::vector<std::int32_t> footprint;                 // (triangle) index, −1 outside all
+    /// (triangle) the raster's detail that it lies on, −1: none; empty where there is no detail.
+    std::vector<std::int32_t> detail{};
 };
 
 /// The greedy network of `triangulate`, cut along the rings of the footprints (CGAL's constrained
@@ -38,6 +28,11 @@ struct GroundMesh {
 /// none is further than `tolerance` from the mesh, so the guarantee is that of `triangulate`.
 ///
 /// `slack` (row, column), if given, multiplies the tolerance of each post (level_of_detail).
+///
+/// On a detail of the raster (dem_detail.hpp) the vertices are posts of its own greedy network, and
+/// no post of it is further than its own tolerance from the mesh, whatever the slack; its border is
+/// a line of the mesh, so that there is neither step nor crack. Only posts within a twentieth of
+/// their spacing of the raster's edge or another detail's border are left out.
 ///
 /// A ring is cut off at the raster's edge and left out where it crosses voids. Throws InputError
 /// for a ring of less than three corners, with a corner that is not finite, or wholly outside.
@@ -54,9 +49,11 @@ struct GroundMesh {
 GroundMesh ground_mesh(const Dem& dem, double tolerance, std::span<const Footprint> footprints = {},
                        std::span<const float> slack = {});
 
-/// The same from a network that is there already, such as `full_grid`.
+/// The same from networks that are there already, such as `full_grid`.
+///
+/// - on_detail: (detail) over its raster's posts; empty: those of `triangulate`
 GroundMesh ground_mesh(const Dem& dem, const Tin& network, double tolerance,
                        std::span<const Footprint> footprints = {},
-                       std::span<const float> slack = {});
+                       std::span<const float> slack = {}, std::span<const Tin> on_detail = {});
 
 }  // namespace diurna

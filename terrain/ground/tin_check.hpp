@@ -8,10 +8,12 @@
 
 namespace diurna {
 
-/// Checks a network by rasterising each triangle anew, independent of how it was made.
+/// Checks a network by rasterising each triangle anew, independent of how it was made: over the
+/// posts of the raster, and where a detail of it lies, over that one's.
 struct TinCheck {
     double worst_error = 0.0;         // [m] vertical
     double rms_error = 0.0;           // [m]
+    double worst_on_detail = 0.0;     // [m] vertical; what of it lies on details
     std::size_t uncovered_posts = 0;  // valid posts under no triangle
     std::size_t flipped_triangles = 0;
 };

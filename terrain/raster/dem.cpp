@@ -12,7 +12,23 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
+/// Whether a place lies between posts.
+bool is_on(const Dem& dem, const Eigen::Vector2d& place) {
+    return place.x() >= 0.0 && place.y() >= 0.0 && place.x() <= dem.columns - 1 &&
+           place.y() <= dem.rows - 1;
+}
+
 }  // namespace
+
+int detail_at(const Dem& dem, const Eigen::Vector2d& place) {
+    for (std::size_t k = dem.detail.size(); k-- > 0;) {
+        const DemDetail& detail = dem.detail[k];
+        const bool near = (place.array() >= detail.to_own.low.array()).all() &&
+                          (place.array() <= detail.to_own.high.array()).all();
+        if (near && is_on(detail.raster, detail.to_own(place))) return int(k);
+    }
+    return -1;
+}
 
 bool has_voids(const Dem& dem) {
     return std::any_of(dem.height.begin(), dem.height.end(), [](float h) { return std::isnan(h); });
@@ -20,7 +36,11 @@ bool has_voids(const Dem& dem) {
 
 double height_at(const Dem& dem, const Eigen::Vector2d& place) {
     const double x = place.x(), y = place.y();
-    if (!(x >= 0.0 && y >= 0.0 && x <= dem.columns - 1 && y <= dem.rows - 1)) return unknown;
+    if (!is_on(dem, place)) return unknown;
+    if (const int k = detail_at(dem, place); k >= 0) {
+        const DemDetail& detail = dem.detail[std::size_t(k)];
+        return height_at(detail.raster, detail.to_own(place));
+    }
     const int column = std::min(static_cast<int>(x), dem.columns - 2);
     const int row = std::min(static_cast<int>(y), dem.rows - 2);
     const double u = x - column, v = y - row;

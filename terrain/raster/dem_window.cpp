@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -98,15 +100,19 @@ void move_to_window(Dem& dem, const PostWindow& window) {
 }
 
 void crop(Dem& dem, const PostWindow& window) {
-    std::vector<float> kept;
-    kept.reserve(std::size_t(window.columns) * window.rows);
-    for (int row = 0; row < window.rows; ++row) {
-        const auto from =
-            dem.height.begin() + window.column + std::ptrdiff_t(row + window.row) * dem.columns;
-        kept.insert(kept.end(), from, from + window.columns);
-    }
+    const auto crop_one = [&](auto& value) {
+        std::remove_reference_t<decltype(value)> kept;
+        kept.reserve(std::size_t(window.columns) * window.rows);
+        for (int row = 0; row < window.rows; ++row) {
+            const auto from =
+                value.begin() + window.column + std::ptrdiff_t(row + window.row) * dem.columns;
+            kept.insert(kept.end(), from, from + window.columns);
+        }
+        value = std::move(kept);
+    };
+    crop_one(dem.height);
+    if (!dem.is_void.empty()) crop_one(dem.is_void);
     move_to_window(dem, window);
-    dem.height = std::move(kept);
 }
 
 }  // namespace diurna

@@ -45,19 +45,21 @@ struct LowSun {
 }  // namespace
 
 ReliefVisibility::ReliefVisibility(const FacetSet& facets, const RayScene& rays,
-                                   const HeightField& relief, std::size_t ground_facets)
+                                   const HeightField& relief, std::size_t ground_facets,
+                                   std::span<const std::uint8_t> finer)
     : facets_(facets),
       rays_(rays),
       relief_(relief),
       points_(facets, relief, ground_facets),
       always_(facets.size(), 0) {
     assert(ground_facets <= facets.size());
+    assert(finer.empty() || finer.size() == ground_facets);
     std::fill(always_.begin() + static_cast<std::ptrdiff_t>(ground_facets), always_.end(), 1);
     if (ground_facets < facets.size()) {
         raised_ = raised_relief(facets, relief, ground_facets, rays.copies());
     }
     for (std::size_t f = 0; f < ground_facets; ++f) {
-        if (points_.off_relief(f)) always_[f] = 1;
+        if (points_.off_relief(f) || (!finer.empty() && finer[f])) always_[f] = 1;
         if (!raised_) continue;
         for (const ReliefPoint& p : points_.of(f)) {
             for (const std::size_t post : points_.posts_round(p)) {

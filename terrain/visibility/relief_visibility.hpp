@@ -26,8 +26,11 @@ class ReliefVisibility {
  public:
     /// `facets`, `rays` and `relief` are kept by reference. The first `ground_facets` lie on the
     /// relief, within its tolerance.
+    ///
+    /// - finer: (ground facet) 1 where the mesh shows more than the relief, a detail of the raster:
+    ///   always by rays; empty: none does
     ReliefVisibility(const FacetSet& facets, const RayScene& rays, const HeightField& relief,
-                     std::size_t ground_facets);
+                     std::size_t ground_facets, std::span<const std::uint8_t> finer = {});
 
     /// Like `sun_fraction` of sun_fraction.hpp. For a facet of more than two cells it is the mean
     /// over its points of seen disc × cosine of incidence, over the cosine on the facet itself: its

@@ -22,9 +22,11 @@ namespace {
 
 /// Those that the scene names itself, opened yet or not.
 std::vector<fs::path> named_files(const Scene& scene) {
-    std::vector<fs::path> files{scene.file,           scene.terrain.elevation, scene.weather.file,
-                                scene.air.table_file, scene.air.sounding_file, scene.time.state};
-    files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
+    std::vector<fs::path> files{
+        scene.file,           scene.terrain.elevation.file, scene.weather.file,
+        scene.air.table_file, scene.air.sounding_file,      scene.time.state};
+    files.insert(files.end(), scene.terrain.elevation.tiles.begin(),
+                 scene.terrain.elevation.tiles.end());
     if (scene.terrain.land_cover) files.push_back(scene.terrain.land_cover->file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     const ObjectInput* before = nullptr;
@@ -65,8 +67,8 @@ std::set<fs::path> listed(const Scene& scene) {
         if (fs::is_regular_file(file, ignored)) files.insert(file.lexically_normal());
     };
     for (const fs::path& file : named_files(scene)) add(file);
-    std::vector<fs::path> read_with_sidecars{scene.terrain.elevation};
-    const auto& tiles = scene.terrain.tiles;
+    std::vector<fs::path> read_with_sidecars{scene.terrain.elevation.file};
+    const auto& tiles = scene.terrain.elevation.tiles;
     read_with_sidecars.insert(read_with_sidecars.end(), tiles.begin(), tiles.end());
     if (scene.terrain.land_cover) read_with_sidecars.push_back(scene.terrain.land_cover->file);
     for (const ShapesInput& shapes : scene.terrain.shapes)

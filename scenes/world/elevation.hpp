@@ -5,8 +5,8 @@
 
 namespace diurna {
 
-/// The elevation that a scene stands on: its raster and tiles, the window and the unit it asks for.
-/// Throws InputError as read_dem (terrain/raster/read_dem.hpp) does.
+/// The elevation that a scene stands on: what its places have read already, or read anew. Throws
+/// InputError as read_dem (terrain/raster/read_dem.hpp) does.
 Dem elevation_of(const Scene& scene);
 
 }  // namespace diurna

@@ -136,7 +136,7 @@ GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
 std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
                                                         const Dem& dem,
                                                         std::span<const WalledPlan> buildings) {
-    const Cuts cuts = cuts_of(scene, dem, world.site, buildings);
+    const Cuts cuts = cuts_of(scene, dem, world, buildings);
     const GroundMesh mesh = mesh_on_round_earth(world, scene, dem, cuts.footprint);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);

@@ -29,7 +29,7 @@ Built built(const std::string& text) {
     const ScratchFolder folder("world");
     write_text(folder.path / "scene.toml", text);
     Scene scene = read_scene(folder.path / "scene.toml", {}, true);
-    Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    Dem dem = read_dem(scene.terrain.elevation.file, scene.terrain.elevation.reading);
     World world = build_world(scene, dem);
     return {std::move(scene), std::move(dem), std::move(world)};
 }
@@ -215,7 +215,7 @@ height_field = "storeys_m"
 wall = "concrete_wall"
 )");
     Scene scene = read_scene(folder.path / "scene.toml");
-    const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    const Dem dem = read_dem(scene.terrain.elevation.file, scene.terrain.elevation.reading);
     const World world = build_world(scene, dem);
     REQUIRE(world.objects.back() == "houses");
     const MaterialId water = scene.materials.find("water");

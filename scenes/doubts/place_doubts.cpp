@@ -21,7 +21,7 @@ std::vector<Mistake> place_doubts(const Prepared& prepared) {
                          "and north of the site",
                          place.x(), place.y(),
                          straight ? "longitude and latitude" : "latitude and longitude"),
-             "write metres from site.latitude_deg, longitude_deg"});
+             "a place by latitude and longitude is written place = [latitude, longitude]"});
     };
     for (const ObserverInput& observer : scene.observers) {
         const bool stands = !observer.around && observer.on.empty() && !observer.goes();

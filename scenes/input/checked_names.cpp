@@ -31,9 +31,4 @@ std::string class_of(const Section& section, const Or<std::string>& fallback) {
     return kind;
 }
 
-Eigen::Vector2d place(const Section& section, const std::string& key, const char* says) {
-    const std::vector<double> at = section.numbers(key, says, 2);
-    return {at[0], at[1]};
-}
-
 }  // namespace diurna

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <filesystem>
 #include <map>
 #include <set>
 #include <string>
 
 #include "materials/base/section.hpp"
+#include "scenes/input/scene_places.hpp"
 
 namespace diurna {
 
@@ -18,6 +18,7 @@ struct TextureUses {
 
 /// What the parts of a scene file need to know of the rest of it.
 struct Reading {
+    ScenePlaces places;
     Names materials{.what = "material", .known = {}};
     Names textures{.what = "texture", .known = {}, .where = " in [[texture]]"};
     Names trajectories{.what = "trajectory", .known = {}, .where = " in [[trajectory]]"};
@@ -33,8 +34,5 @@ struct Reading {
 
 /// The key `class`: what kind of thing an object is in labels (scenes/labels).
 std::string class_of(const Section& section, const Or<std::string>& fallback);
-
-/// East and north of the site [m].
-Eigen::Vector2d place(const Section& section, const std::string& key, const char* says);
 
 }  // namespace diurna

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/input/read_height.hpp"
 #include "scenes/input/target_input.hpp"
 #include "terrain/objects/mesh_file.hpp"
 #include "terrain/objects/placed_mesh.hpp"
@@ -21,14 +22,14 @@ struct ObjectInput {
     std::shared_ptr<MeshFile> mesh = std::make_shared<MeshFile>();  // of all copies
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is found on the ground
-    double height_above_ground = 0.0;                 // of its lowest point [m]
+    HeightInput stands;                               // of its lowest point
     std::string trajectory;                           // that it goes: its place and height
     double ground_edge = 0.0;                         // [m] of the ground round it; 0: by its size
     double airspeed = 0.0;                            // [m s⁻¹] along its heading; 0: it stands
     std::vector<std::string> material;                // (part of the mesh)
     TargetInput target;                               // as one body of heat
     std::vector<std::string> notes;                   // on the mesh: what was left out of it
-    std::string where;                                // height_above_ground_m in the scene file
+    std::string where;                                // its height or place in the scene file
     std::string copy_of;                // the name that copies have in common; "": none
     std::filesystem::path copies_file;  // where their places stand; "": in the scene
     double alike_within = 0.0;          // [K] copies that share temperatures; 0: each has its own

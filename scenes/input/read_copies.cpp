@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <iterator>
 #include <string>
@@ -32,7 +33,8 @@ void check_heading(const Stand& stand) {
 }
 
 void check_columns(const CsvTable& table) {
-    const std::vector<std::string> known{"east_m", "north_m", "heading_deg"};
+    const std::vector<std::string> known{"east_m", "north_m", "latitude_deg", "longitude_deg",
+                                         "heading_deg"};
     for (const std::string& name : table.header) {
         const bool twice = std::count(table.header.begin(), table.header.end(), name) > 1;
         if (twice) {
@@ -43,6 +45,10 @@ void check_columns(const CsvTable& table) {
             table.path.string(),
             fmt::format("unknown column '{}', expected {}", name, fmt::join(known, ", ")),
             did_you_mean(name, known));
+    }
+    if (table.has("latitude_deg") && (table.has("east_m") || table.has("north_m"))) {
+        throw InputError(table.path.string(),
+                         "has columns 'latitude_deg' and 'east_m' or 'north_m', expected one pair");
     }
 }
 
@@ -61,16 +67,32 @@ void check_places(std::vector<Stand> stands) {
                                  twice->place.y()));
 }
 
-std::vector<Stand> stands_of_file(const std::filesystem::path& file) {
+/// Where a row's copy stands.
+Eigen::Vector2d place_in(const CsvTable& table, std::size_t row, const Section& section,
+                         const ScenePlaces& places) {
+    if (!table.has("latitude_deg") && !table.has("longitude_deg")) {
+        const std::size_t east = table.column("east_m"), north = table.column("north_m");
+        return {table.number(row, east), table.number(row, north)};
+    }
+    const std::size_t north = table.column("latitude_deg"), east = table.column("longitude_deg");
+    const Geodetic at{table.number(row, north), table.number(row, east), 0.0};
+    if (!(std::abs(at.latitude_deg) <= 90.0 && std::abs(at.longitude_deg) <= 360.0)) {
+        throw InputError(table.where(row, north),
+                         fmt::format("latitude {:g}, longitude {:g} is no place", at.latitude_deg,
+                                     at.longitude_deg));
+    }
+    return places.at(section, "copies_file", at);
+}
+
+std::vector<Stand> stands_of_file(const std::filesystem::path& file, const Section& section,
+                                  const ScenePlaces& places) {
     const CsvTable table = read_csv(file);
     check_columns(table);
-    const std::size_t east = table.column("east_m"), north = table.column("north_m"),
-                      heading = table.column("heading_deg");
     std::vector<Stand> stands;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
-        stands.push_back({{table.number(row, east), table.number(row, north)},
-                          table.number(row, heading),
-                          table.where(row, heading)});
+        const Eigen::Vector2d place = place_in(table, row, section, places);
+        const std::size_t heading = table.column("heading_deg");
+        stands.push_back({place, table.number(row, heading), table.where(row, heading)});
         check_heading(stands.back());
     }
     if (stands.empty()) {
@@ -79,7 +101,8 @@ std::vector<Stand> stands_of_file(const std::filesystem::path& file) {
     return stands;
 }
 
-std::vector<Stand> read_stands(const Section& section, ObjectInput& object) {
+std::vector<Stand> read_stands(const Section& section, const ScenePlaces& places,
+                               ObjectInput& object) {
     std::vector<Stand> stands;
     if (section.has("copies")) {
         for (const std::vector<double>& row :
@@ -92,13 +115,16 @@ std::vector<Stand> read_stands(const Section& section, ObjectInput& object) {
         }
     }
     const std::string file = section.text_or(
-        "copies_file", "a CSV file of them with columns east_m, north_m, heading_deg", "");
+        "copies_file",
+        "a CSV file of them with columns east_m, north_m or latitude_deg, longitude_deg; "
+        "heading_deg",
+        "");
     try {
         for (const Stand& stand : stands) check_heading(stand);
         if (section.has("copies_file")) {
             object.copies_file = section.file_named("copies_file", file);
             if (object.copies_file.empty()) return {};
-            stands = stands_of_file(object.copies_file);
+            stands = stands_of_file(object.copies_file, section, places);
         }
         check_places(stands);
     } catch (const InputError& error) {
@@ -116,7 +142,7 @@ void check_keys(const Section& section, const ObjectInput& object, const char* k
     if (section.has("copies") && section.has("copies_file")) {
         section.mistake("copies", "stands beside copies_file, expected one of them");
     }
-    for (const char* other : {"place_m", "heading_deg", "trajectory"}) {
+    for (const char* other : {"place_m", "place", "heading_deg", "trajectory"}) {
         if (section.has(other)) {
             section.mistake(other,
                             fmt::format("stands beside {}, which says where each stands", key));
@@ -137,7 +163,7 @@ void check_keys(const Section& section, const ObjectInput& object, const char* k
 
 std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object, Reading& reading) {
     const bool listed = section.has("copies"), filed = section.has("copies_file");
-    std::vector<Stand> stands = read_stands(section, object);
+    std::vector<Stand> stands = read_stands(section, reading.places, object);
     const double within = section.number_or(
         "copies_alike_K",
         "of copies: those whose light, sky and wind differ by no more than is worth this, in the "

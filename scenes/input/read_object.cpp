@@ -198,24 +198,24 @@ namespace {
 /// Where it stands, or the way it goes.
 void read_stand(const Section& section, const Reading& reading, ObjectInput& object) {
     if (section.has("copies") || section.has("copies_file")) {  // which say where each stands
-        object.height_above_ground =
-            section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
+        object.stands = read_height(section, "of its lowest point", 0.0, {-100.0, 1e4});
         return;
     }
     if (!section.has("trajectory")) {
-        object.place = place(section, "place_m", "[east, north] of the middle of its plan");
-        object.height_above_ground =
-            section.number_or("height_above_ground_m", "of its lowest point", 0.0, {-100.0, 1e4});
+        object.stands = read_height(section, "of its lowest point", 0.0, {-100.0, 1e4});
+        object.place = reading.places.one(section, {"place_m", "place"},
+                                          "of the middle of its plan", object.stands);
         return;
     }
-    object.trajectory = section.name(
-        "trajectory",
-        "that it goes, in place of place_m, heading_deg and height_above_ground_m: it rests where "
-        "the way does, before its begin and from its end on",
-        reading.trajectories);
-    for (const char* key : {"place_m", "heading_deg", "height_above_ground_m"}) {
+    object.trajectory =
+        section.name("trajectory",
+                     "that it goes, in place of its place, heading_deg and height: it rests where "
+                     "the way does, before its begin and from its end on",
+                     reading.trajectories);
+    for (const char* key : {"place_m", "place", "heading_deg"}) {
         if (section.has(key)) section.mistake(key, "stands beside a trajectory, which says it");
     }
+    refuse_heights(section, "stands beside a trajectory, which says it");
     for (const char* key : {"texture", "airspeed_m_s"}) {
         if (section.has(key)) section.mistake(key, "not on an object that goes along a trajectory");
     }
@@ -277,10 +277,11 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
         section.mistake("part", "not on an object with a texture");
     }
     weld(section, object);
-    const bool raised = section.has("height_above_ground_m");
-    object.where = section.where(raised                      ? "height_above_ground_m"
-                                 : object.trajectory.empty() ? "place_m"
-                                                             : "trajectory");
+    const char* height = height_key(section);
+    object.where = section.where(section.has(height)          ? height
+                                 : !object.trajectory.empty() ? "trajectory"
+                                 : section.has("place")       ? "place"
+                                                              : "place_m");
     return with_copies(section, std::move(object), reading);
 }
 

@@ -78,7 +78,7 @@ void read_ride(const Section& section, const TerrainInput& terrain, ObserverInpu
     Names known{.what = "object", .known = {}, .where = " in [[object]]"};
     add_objects(known, terrain);
     observer.on = section.name(
-        "on", "object that its eye rides on, in place of place_m and height_above_ground_m", known);
+        "on", "object that its eye rides on, in place of a place and height of its own", known);
     const std::vector<double> at = section.numbers(
         "mount_m",
         "[right, front, up] of its eye on that object, from the middle of its plan and its lowest "
@@ -89,15 +89,17 @@ void read_ride(const Section& section, const TerrainInput& terrain, ObserverInpu
         section.mistake("mount_m", "further than 10000 m from its object");
         observer.mount_place.setZero();
     }
-    for (const char* key : {"place_m", "height_above_ground_m", "trajectory"}) {
+    for (const char* key : {"place_m", "place", "trajectory"}) {
         if (section.has(key)) section.mistake(key, "stands beside on, whose object says it");
     }
+    refuse_heights(section, "stands beside on, whose object says it");
     for (const ObjectInput& object : terrain.objects) {
         if (object.name != observer.on) continue;
         observer.trajectory = object.trajectory;
         const Eigen::Rotation2Dd turn(-radians(object.placing.heading_deg));
         observer.place = object.place + turn * Eigen::Vector2d(at[0], at[1]);
-        observer.height_above_ground = std::max(0.1, object.height_above_ground + at[2]);
+        observer.stands = object.stands;
+        observer.stands.metres += at[2];
     }
 }
 
@@ -115,32 +117,36 @@ void read_stand(const Section& section, const ObserverReading& reading, Observer
         Names ways{.what = "trajectory", .known = {}, .where = " in [[trajectory]]"};
         for (const TrajectoryInput& way : reading.trajectories) ways.known.push_back(way.name);
         observer.trajectory = section.name(
-            "trajectory", "that its eye goes, in place of place_m and height_above_ground_m", ways);
-        for (const char* key : {"place_m", "height_above_ground_m"}) {
+            "trajectory", "that its eye goes, in place of a place and height of its own", ways);
+        for (const char* key : {"place_m", "place"}) {
             if (section.has(key)) section.mistake(key, "stands beside a trajectory, which says it");
         }
+        refuse_heights(section, "stands beside a trajectory, which says it");
         return;
     }
-    observer.place = place(section, "place_m", "[east, north] of its eye");
-    observer.height_above_ground =
-        section.number("height_above_ground_m", "of its eye", {0.1, 50000.0});
+    observer.stands = read_height(section, "of its eye", {}, {0.1, 50000.0});
+    observer.place =
+        reading.places.one(section, {"place_m", "place"}, "of its eye", observer.stands);
 }
 
 /// Which way it looks.
 void read_pointing(const Section& section, const ObserverReading& reading,
                    ObserverInput& observer) {
     int ways = 0;
-    for (const char* key : {"look_at_m", "look_at", "mount_deg"}) ways += section.has(key);
+    for (const char* key : {"look_at_m", "look_at_place", "look_at", "mount_deg"}) {
+        ways += section.has(key);
+    }
     if (ways > 1 || (ways == 1 && section.has("azimuth_deg"))) {
         for (const char* key : {"azimuth_deg", "elevation_deg"}) section.has(key);
         section.mistake("",
-                        "is pointed in more than one way, expected one of look_at_m, look_at, "
-                        "mount_deg, and azimuth_deg with elevation_deg");
+                        "is pointed in more than one way, expected one of look_at_m, "
+                        "look_at_place, look_at, mount_deg, and azimuth_deg with elevation_deg");
     }
-    if (section.has("look_at_m")) {
-        observer.look_at = place(section, "look_at_m",
-                                 "[east, north] of the point of the ground in the middle of the "
-                                 "picture; or azimuth_deg and elevation_deg");
+    if (section.has("look_at_m") || section.has("look_at_place")) {
+        observer.look_at =
+            reading.places.one(section, {"look_at_m", "look_at_place"},
+                               "of the point of the ground in the middle of the picture; or "
+                               "azimuth_deg and elevation_deg");
     } else if (section.has("look_at")) {
         observer.look_at_object = section.name(
             "look_at", "the object whose middle is in the middle of the picture", reading.objects);
@@ -225,18 +231,20 @@ AdaptiveOptions read_adaptive(const Section& section) {
 
 /// Where its eye is and which way it looks, from an object.
 void read_aspect(const Section& section, const TerrainInput& terrain, ObserverInput& observer) {
-    observer.around = read_around(
-        section.section("around",
-                        "in place of place_m, height_above_ground_m and where it looks: "
-                        "from a sphere about an object"),
-        terrain);
+    observer.around =
+        read_around(section.section("around",
+                                    "in place of its place, height and where it looks: "
+                                    "from a sphere about an object"),
+                    terrain);
     observer.place = observer.around->eye();
-    observer.height_above_ground =
+    observer.stands.metres =
         std::max(0.1, observer.around->range * std::sin(radians(observer.around->elevation_deg)));
-    for (const char* key : {"place_m", "height_above_ground_m", "look_at_m", "look_at", "mount_deg",
-                            "trajectory", "azimuth_deg", "elevation_deg", "on", "mount_m"}) {
+    for (const char* key :
+         {"place_m", "place", "look_at_m", "look_at_place", "look_at", "mount_deg", "trajectory",
+          "azimuth_deg", "elevation_deg", "on", "mount_m"}) {
         if (section.has(key)) section.mistake(key, "stands beside around, which says it");
     }
+    refuse_heights(section, "stands beside around, which says it");
     for (const ObjectInput& object : terrain.objects) {
         if (object.name != observer.around->object || object.trajectory.empty()) continue;
         section.mistake("around", "is for objects that stand, this one goes along a trajectory",
@@ -331,10 +339,10 @@ ObserverInput read_observer(const Section& section, const ObserverReading& readi
     read_sampling(section, observer);
     read_bands_and_cubes(section, reading.bands, reading.cubes, observer);
     read_own_frames(section, reading, observer);
-    for (const char* key : {"around", "on", "trajectory", "place_m"}) {
+    for (const char* key : {"around", "on", "trajectory", "place", "place_m"}) {
         if (section.has(key) && observer.where.empty()) observer.where = section.where(key);
     }
-    for (const char* key : {"look_at", "look_at_m"}) {
+    for (const char* key : {"look_at", "look_at_place", "look_at_m"}) {
         if (section.has(key)) observer.look_where = section.where(key);
     }
     return observer;

@@ -9,17 +9,19 @@
 #include "render/view/observer.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/input/read_around.hpp"
+#include "scenes/input/read_height.hpp"
 #include "scenes/input/read_time.hpp"
 #include "scenes/input/read_trajectory.hpp"
+#include "scenes/input/scene_places.hpp"
 
 namespace diurna {
 
 struct ObserverInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    double height_above_ground = 2.0;
-    std::optional<Around> around;  // in place of those two and where it looks
-    std::string on;                // object that it rides on, likewise: its eye is at
+    HeightInput stands{.metres = 2.0};  // its eye
+    std::optional<Around> around;       // in place of those two and where it looks
+    std::string on;                     // object that it rides on, likewise: its eye is at
     Eigen::Vector3d mount_place = Eigen::Vector3d::Zero();  // right, front, up of its frame [m]
     std::string trajectory;                  // that it goes, likewise; one that rides its object's
     std::optional<Eigen::Vector2d> look_at;  // a point of the ground,
@@ -52,6 +54,7 @@ struct ObserverInput {
 
 /// What of a scene its observers may name.
 struct ObserverReading {
+    const ScenePlaces& places;
     const std::vector<BandInput>& bands;
     const std::vector<CubeInput>& cubes;
     const TerrainInput& terrain;

@@ -6,12 +6,12 @@ namespace diurna {
 
 namespace {
 
-PlumeInput read_plume(const Section& section) {
+PlumeInput read_plume(const Section& section, const ScenePlaces& places) {
     PlumeInput plume;
     plume.name = section.text("name", "of the plume");
-    plume.place = place(section, "place_m", "[east, north] of the middle of its foot");
-    plume.height_above_ground =
-        section.number_or("height_above_ground_m", "of its foot", 0.0, {0.0, 1e4});
+    plume.stands = read_height(section, "of its foot", 0.0, {0.0, 1e4});
+    plume.place =
+        places.one(section, {"place_m", "place"}, "of the middle of its foot", plume.stands);
     plume.height = section.number("height_m", "from its foot to its top", {0.1, 1e4});
     plume.radius = section.number("radius_m", "of its foot", {0.01, 1e3});
     plume.top_radius =
@@ -39,11 +39,11 @@ PlumeInput read_plume(const Section& section) {
 
 }  // namespace
 
-std::vector<PlumeInput> read_plumes(const Section& root) {
+std::vector<PlumeInput> read_plumes(const Section& root, const ScenePlaces& places) {
     std::vector<PlumeInput> plumes;
     for (const Section& section : root.sections(
              "plume", "gas or smoke: a leaning frustum that absorbs by Beer's law and emits")) {
-        plumes.push_back(read_plume(section));
+        plumes.push_back(read_plume(section, places));
     }
     return plumes;
 }

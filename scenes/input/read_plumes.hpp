@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "materials/radiation/spectrum.hpp"
-#include "scenes/input/checked_names.hpp"
+#include "scenes/input/scene_places.hpp"
 
 namespace diurna {
 
@@ -14,7 +14,7 @@ namespace diurna {
 struct PlumeInput {
     std::string name;
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its foot; east, north [m]
-    double height_above_ground = 0.0;                 // of its foot [m]
+    HeightInput stands;                               // its foot
     double height = 10.0;                             // [m]
     double radius = 1.0, top_radius = 1.0;            // [m]
     Eigen::Vector2d lean = Eigen::Vector2d::Zero();   // of its top; east, north [m]
@@ -24,6 +24,6 @@ struct PlumeInput {
 };
 
 /// Reads every table of [[plume]]; mistakes are noted.
-std::vector<PlumeInput> read_plumes(const Section& root);
+std::vector<PlumeInput> read_plumes(const Section& root, const ScenePlaces& places);
 
 }  // namespace diurna

@@ -12,10 +12,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Corners of a rectangle [east, north, length, width, heading of its length].
-std::vector<Eigen::Vector2d> rectangle(const std::vector<double>& spec) {
+/// Corners of a rectangle about a place [m]: spec has its length, width and the heading of its
+/// length after two numbers.
+std::vector<Eigen::Vector2d> rectangle(const Eigen::Vector2d& centre,
+                                       const std::vector<double>& spec) {
     const double heading = radians(spec[4]);
-    const Eigen::Vector2d centre(spec[0], spec[1]);
     const Eigen::Vector2d along =
         0.5 * spec[2] * Eigen::Vector2d(std::sin(heading), std::cos(heading));
     const Eigen::Vector2d right =
@@ -70,6 +71,59 @@ void check_ring(const Section& section, const std::string& key,
     if (!(std::abs(area) > 1e-4)) section.mistake(key, "has no area");
 }
 
+/// The key that says where it lies: one of four.
+std::string border_key(const Section& section) {
+    std::string found = "ring_m";
+    int given = 0;
+    for (const char* key : {"ring", "rectangle", "ring_m", "rectangle_m"}) {
+        if (!section.has(key)) continue;
+        found = key;
+        if (++given == 2) {
+            section.mistake(key,
+                            "stands beside another border, expected one of ring_m, rectangle_m, "
+                            "ring, rectangle");
+        }
+    }
+    return found;
+}
+
+/// Corners, east and north [m].
+std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlaces& places,
+                                         const std::string& key) {
+    if (key == "ring") {
+        return places.all(section, "ring",
+                          section.rows("ring",
+                                       "in place of ring_m: [[latitude, longitude], ...], or as "
+                                       "place_crs says",
+                                       2, 3));
+    }
+    if (key == "ring_m") {
+        std::vector<Eigen::Vector2d> ring;
+        for (const auto& corner : section.rows(
+                 "ring_m", "[[east, north], ...]: its corners in turn, the first not repeated", 2,
+                 3)) {
+            ring.emplace_back(corner[0], corner[1]);
+        }
+        return ring;
+    }
+    const bool mapped = key == "rectangle";
+    const std::vector<double> spec = section.numbers(
+        key,
+        mapped ? "in place of rectangle_m: [latitude, longitude, length, width, heading_deg], the "
+                 "first two as place_crs says, the others in metres and degrees"
+               : "[east, north, length, width, heading_deg]: middle, sides, the way its length "
+                 "points; or ring_m",
+        5);
+    if (!(spec[2] > 0.0 && spec[3] > 0.0 && std::abs(spec[4]) <= 360.0)) {
+        section.mistake(key, fmt::format("expected [{}, length > 0, width > 0, heading_deg of "
+                                         "-360 to 360]",
+                                         mapped ? "latitude, longitude" : "east, north"));
+    }
+    return rectangle(mapped ? places.all(section, "rectangle", {spec}).front()
+                            : Eigen::Vector2d(spec[0], spec[1]),
+                     spec);
+}
+
 GroundPolygon read_polygon(const Section& section, Reading& reading) {
     GroundPolygon polygon;
     polygon.name = reading.object(section, "of the object that this ground is");
@@ -80,24 +134,8 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
     reading.texture(section, reading.texture_uses.of_object, polygon.name);
     polygon.largest_edge =
         section.number_or("largest_edge_m", "of the triangles within", 30.0, {1.0, 1e4});
-    if (section.has("rectangle_m")) {
-        const std::vector<double> spec =
-            section.numbers("rectangle_m",
-                            "[east, north, length, width, heading_deg]: middle, sides, the way its "
-                            "length points; or ring_m",
-                            5);
-        if (!(spec[2] > 0.0 && spec[3] > 0.0 && std::abs(spec[4]) <= 360.0)) {
-            section.mistake("rectangle_m",
-                            "expected [east, north, length > 0, width > 0, heading_deg of -360 to "
-                            "360]");
-        }
-        polygon.ring = rectangle(spec);
-    } else {
-        const auto corners = section.rows(
-            "ring_m", "[[east, north], ...]: its corners in turn, the first not repeated", 2, 3);
-        for (const auto& corner : corners) polygon.ring.emplace_back(corner[0], corner[1]);
-    }
-    const std::string key = section.has("rectangle_m") ? "rectangle_m" : "ring_m";
+    const std::string key = border_key(section);
+    polygon.ring = read_border(section, reading.places, key);
     polygon.where = section.where(key);
     check_ring(section, key, polygon.ring);
     return polygon;
@@ -108,7 +146,7 @@ Building read_building(const Section& section, Reading& reading) {
     building.name = reading.object(section, "of the object that it is");
     building.kind = class_of(section, "building");
     reading.texture(section, reading.texture_uses.of_object, building.name);
-    building.place = place(section, "place_m", "[east, north] of the middle of its plan");
+    building.place = reading.places.one(section, {"place_m", "place"}, "of the middle of its plan");
     building.width = section.number("width_m", "of its front", {0.5, 1000.0});
     building.depth = section.number("depth_m", "from its front to its back", {0.5, 1000.0});
     building.height = section.number("height_m", "above the ground at its middle", {0.5, 500.0});
@@ -139,33 +177,9 @@ GroundRule read_rule(const Section& rule, const Reading& reading) {
             .most_height = height[1]};
 }
 
-/// How the raster is to be taken.
-DemOptions read_dem_options(const Section& section, const std::optional<Site>& site) {
-    DemOptions options = read_posts(section, false);
-    if (!section.has("radius_m")) return options;
-    options.radius = section.number(
-        "radius_m", "of the circle about the site whose posts are read; else the whole raster",
-        {10.0, 2e5});
-    if (site) {
-        options.centre = Geodetic{site->latitude_deg, site->longitude_deg, 0.0};
-    } else {
-        section.mistake("radius_m", "a radius needs a [site] to be around");
-    }
-    return options;
-}
-
-/// The elevation, its mesh and what covers it where nothing else does.
+/// The mesh of the elevation and what covers it where nothing else does.
 void read_ground(const Section& section, Reading& reading, TerrainInput& terrain) {
     using Mesh = TerrainInput::Mesh;
-    terrain.elevation = section.file(
-        "elevation", "a raster that GDAL reads: GeoTIFF, DTED, SRTM, USGS DEM, ENVI, netCDF, ...");
-    const std::vector<std::string> tiles =
-        section.texts_or("more_tiles", "rasters of the same lattice that go on beside it", {});
-    for (const std::string& tile : tiles) {
-        terrain.tiles.push_back(section.file_named("more_tiles", tile));
-    }
-    terrain.tolerance = section.number_or(
-        "tolerance_m", "no post lies further from the mesh, vertically", 1.0, {0.0, 1000.0});
     terrain.coarsest = section.number_or(
         "coarsest_m", "the tolerance where no observer looks closely, a pixel at most",
         {0.0, "tolerance_m"}, {0.0, 1000.0});
@@ -175,9 +189,6 @@ void read_ground(const Section& section, Reading& reading, TerrainInput& terrain
         "makes no more than half a million triangles",
         Mesh::network,
         {{"network", Mesh::network}, {"grid", Mesh::grid}, {"auto", Mesh::grid_where_it_fits}});
-    terrain.refraction = section.number_or(
-        "refraction", "k of lines of sight: their curvature over the earth's; 0.13 by day", 0.0,
-        {0.0, 0.5});
     terrain.default_material =
         section.name("material", "of ground where nothing below says otherwise", reading.materials);
     reading.texture(section, reading.texture_uses.of_object, "ground");
@@ -199,11 +210,10 @@ void read_ground(const Section& section, Reading& reading, TerrainInput& terrain
 }  // namespace
 
 TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading,
-                          const std::optional<Site>& site) {
+                          ElevationInput elevation) {
     TerrainInput terrain;
+    terrain.elevation = std::move(elevation);
     read_ground(section, reading, terrain);
-    terrain.reading = read_dem_options(section, site);
-    terrain.details = read_details(section, terrain.tolerance, terrain.reading.geoid);
     for (const Section& polygon : root.sections(
              "ground", "a piece of ground with a border of its own; later ones lie on top")) {
         terrain.polygons.push_back(read_polygon(polygon, reading));

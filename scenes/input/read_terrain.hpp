@@ -8,12 +8,9 @@
 #include <vector>
 
 #include "scenes/input/checked_names.hpp"
-#include "scenes/input/read_details.hpp"
+#include "scenes/input/read_elevation.hpp"
 #include "scenes/input/read_land.hpp"
 #include "scenes/input/read_object.hpp"
-#include "terrain/place/site.hpp"
-#include "terrain/raster/dem.hpp"
-#include "terrain/raster/dem_options.hpp"
 
 namespace diurna {
 
@@ -43,18 +40,13 @@ struct Building {
 };
 
 struct TerrainInput {
-    std::filesystem::path elevation;
-    std::vector<std::filesystem::path> tiles;  // more of it, on the same lattice
-    DemOptions reading;
-    std::vector<DetailInput> details;  // finer models on it, later ones on top
-    double tolerance = 1.0;            // vertical [m]
+    ElevationInput elevation;
     /// The full grid as quads of two triangles instead of a network within the tolerance, on
     /// details every post: always, or where it has no more than `most_grid_triangles`.
     enum class Mesh { network, grid, grid_where_it_fits };
     Mesh mesh = Mesh::network;
     static constexpr std::size_t most_grid_triangles = 500'000;
-    double refraction = 0.0;  // k of lines of sight (Site)
-    double coarsest = 0.0;    // of the tolerance where no observer looks closely; 0: the same [m]
+    double coarsest = 0.0;  // of the tolerance where no observer looks closely; 0: the same [m]
     std::string default_material;
     std::vector<GroundRule> rules;  // the first that fits wins
     std::vector<GroundPolygon> polygons;
@@ -65,8 +57,10 @@ struct TerrainInput {
 };
 
 /// The section [terrain] and the tables that stand on it: [[ground]], [[building]], [[object]],
-/// [[shapes]]. `site` is the middle of a `radius_m`.
+/// [[shapes]].
+///
+/// - elevation: read_elevation_keys() of the section
 TerrainInput read_terrain(const Section& section, const Section& root, Reading& reading,
-                          const std::optional<Site>& site);
+                          ElevationInput elevation);
 
 }  // namespace diurna

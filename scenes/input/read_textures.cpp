@@ -61,25 +61,33 @@ void scale_values(const Section& section, const std::string& file, double scale,
     }
 }
 
+bool says_where(const Section& section) {
+    return section.has("place_m") || section.has("place") || section.has("heading_deg");
+}
+
 /// Where a picture lies that its file does not place.
-void read_placing(const Section& section, TextureInput& texture) {
+void read_placing(const Section& section, const ScenePlaces& places, TextureInput& texture) {
     if (section.has("metres_per_texel")) {
         texture.metres_per_texel = section.number(
             "metres_per_texel", "of a picture that its file does not place on Earth", {1e-4, 1e5});
-        const auto place = section.numbers_or(
-            "place_m",
-            "with metres_per_texel: [east, north] of its middle; on an object from that's",
-            std::vector{0.0, 0.0}, 2);
-        texture.place = {place[0], place[1]};
+        if (section.has("place")) {
+            texture.place = places.one(section, {"place_m", "place"}, "of its middle");
+        } else {
+            const auto place = section.numbers_or(
+                "place_m",
+                "with metres_per_texel: [east, north] of its middle; on an object from that's",
+                std::vector{0.0, 0.0}, 2);
+            texture.place = {place[0], place[1]};
+        }
         texture.heading_deg = section.number_or(
             "heading_deg", "with metres_per_texel: the way its upper edge looks, from north", 0.0,
             {-360.0, 360.0});
-    } else if (section.has("place_m") || section.has("heading_deg")) {
+    } else if (says_where(section)) {
         section.mistake("metres_per_texel", "missing, but place_m and heading_deg need it");
     }
 }
 
-void read_image(const Section& section, TextureInput& texture) {
+void read_image(const Section& section, const ScenePlaces& places, TextureInput& texture) {
     texture.file =
         section.file("file", "a picture whose texels say the value: GeoTIFF, PNG, JPEG, ENVI, ...");
     const std::string name = texture.file.filename().string();
@@ -91,7 +99,7 @@ void read_image(const Section& section, TextureInput& texture) {
                           {{"linear", false}, {"nearest", true}});
     texture.repeat = section.flag_or(
         "repeat", "the picture again and again; else the material's own around it", false);
-    read_placing(section, texture);
+    read_placing(section, places, texture);
     if (texture.file.empty()) return;
     try {
         texture.image = read_texture_image(texture.file, channel, section.confines());
@@ -99,8 +107,7 @@ void read_image(const Section& section, TextureInput& texture) {
         section.mistake("file", error.mistakes().front().line());
         return;
     }
-    const bool placed = section.has("place_m") || section.has("heading_deg");  // told above
-    if (texture.metres_per_texel == 0.0 && !texture.image.georeferenced && !placed) {
+    if (texture.metres_per_texel == 0.0 && !texture.image.georeferenced && !says_where(section)) {
         section.mistake("metres_per_texel",
                         "missing, and " + name + " does not say where on Earth it lies");
     }
@@ -146,7 +153,7 @@ TextureInput read_texture(const Section& section, const Reading& reading) {
                         {section.has("file") ? "raster" : "clutter", "raster where file is given"},
                         {"raster", "clutter"});
     if (kind == "raster") {
-        read_image(section, texture);
+        read_image(section, reading.places, texture);
     } else {
         read_clutter(section, texture);
     }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "materials/base/error.hpp"
@@ -11,8 +12,6 @@
 namespace diurna {
 
 namespace {
-
-using Heights = TrajectoryInput::Heights;
 
 constexpr double fastest = 1e4;  // [m/s]
 
@@ -37,12 +36,38 @@ void read_file(const Section& section, TrajectoryInput& input) {
     }
 }
 
-/// Waypoints of the scene file with their seconds, or with a speed.
-void read_waypoints(const Section& section, TrajectoryInput& input) {
-    for (const std::vector<double>& row : section.rows(
-             "waypoints_m", "[[east, north, height], ...], with times_s or speed_m_s", 3, 2)) {
-        input.way.place.emplace_back(row[0], row[1], row[2]);
+const char* waypoints_key(const Section& section) {
+    return section.has("waypoints") ? "waypoints" : "waypoints_m";
+}
+
+/// East, north [m] and height.
+void read_waypoint_places(const Section& section, const ScenePlaces& places,
+                          TrajectoryInput& input) {
+    if (!section.has("waypoints")) {
+        for (const std::vector<double>& row : section.rows(
+                 "waypoints_m", "[[east, north, height], ...], with times_s or speed_m_s", 3, 2)) {
+            input.way.place.emplace_back(row[0], row[1], row[2]);
+        }
+        return;
     }
+    if (section.has("waypoints_m")) {
+        section.mistake("waypoints_m", "stands beside waypoints, expected one of the two");
+    }
+    const std::vector<std::vector<double>> rows = section.rows(
+        "waypoints",
+        "in place of waypoints_m: [[latitude, longitude, height], ...], or as place_crs says", 3,
+        2);
+    const std::vector<Geodetic> found = places.geodetic(section, "waypoints", rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const HeightInput height{rows[i][2], input.heights};
+        const Eigen::Vector2d at = places.at(section, "waypoints", found[i], height);
+        input.way.place.emplace_back(at.x(), at.y(), height.metres);
+    }
+}
+
+/// Waypoints of the scene file with their seconds, or with a speed.
+void read_waypoints(const Section& section, const ScenePlaces& places, TrajectoryInput& input) {
+    read_waypoint_places(section, places, input);
     const std::size_t count = input.way.place.size();
     if (section.has("speed_m_s")) {
         input.way.seconds = seconds_at_speed(
@@ -62,7 +87,7 @@ void read_waypoints(const Section& section, TrajectoryInput& input) {
     for (std::size_t i = 1; i < input.way.seconds.size(); ++i) {
         if (!(input.way.seconds[i] <= input.way.seconds[i - 1])) continue;
         if (section.has("speed_m_s")) {
-            section.mistake("waypoints_m",
+            section.mistake(waypoints_key(section),
                             fmt::format("number {} is where number {} is, expected another place "
                                         "of one that goes at a speed",
                                         i + 1, i),
@@ -78,7 +103,7 @@ void read_waypoints(const Section& section, TrajectoryInput& input) {
 /// What a way must be to be gone: else one that can be takes its place, and the mistake is told.
 void check_way(const Section& section, TrajectoryInput& input) {
     Trajectory& way = input.way;
-    const std::string key = input.file.empty() ? "waypoints_m" : "file";
+    const std::string key = input.file.empty() ? waypoints_key(section) : "file";
     const bool ascending =
         std::adjacent_find(way.seconds.begin(), way.seconds.end(),
                            [](double a, double b) { return !(b > a); }) == way.seconds.end();
@@ -104,7 +129,8 @@ void check_way(const Section& section, TrajectoryInput& input) {
     }
 }
 
-TrajectoryInput read_trajectory(const Section& section, const TimeInput& time) {
+TrajectoryInput read_trajectory(const Section& section, const TimeInput& time,
+                                const ScenePlaces& places) {
     TrajectoryInput input;
     input.where = section.where();
     input.name = section.text("name", "by which observers and objects name it");
@@ -118,32 +144,31 @@ TrajectoryInput read_trajectory(const Section& section, const TimeInput& time) {
             section.mistake("start", error.mistakes().front().problem);
         }
     }
+    input.heights = section.choice_or(
+        "heights",
+        "what its heights are above: the ground beneath at every instant, the sea, or the "
+        "ellipsoid of WGS84, as GPS has them",
+        HeightOver::ground,
+        {{"ground", HeightOver::ground},
+         {"sea", HeightOver::sea},
+         {"ellipsoid", HeightOver::ellipsoid}});
     if (section.has("file")) {
         read_file(section, input);
-        for (const char* key : {"waypoints_m", "times_s", "speed_m_s"}) {
+        for (const char* key : {"waypoints_m", "waypoints", "times_s", "speed_m_s"}) {
             if (section.has(key)) section.mistake(key, "stands beside file, which says it");
         }
     } else {
-        read_waypoints(section, input);
+        read_waypoints(section, places, input);
     }
     input.way.smooth = section.choice_or(
         "curve",
         "between places: straight at even speed, or smooth, a cubic, through three or more", false,
         {{"straight", false}, {"smooth", true}});
-    input.heights = section.choice_or(
-        "heights",
-        "what its heights are above: the ground beneath at every "
-        "instant, the sea, or, of latitudes and longitudes, the ellipsoid",
-        Heights::ground,
-        {{"ground", Heights::ground}, {"sea", Heights::sea}, {"ellipsoid", Heights::ellipsoid}});
     check_way(section, input);
     if (input.way.smooth && section.has("speed_m_s") && !section.has("file")) {
         const double speed =
             (input.way.place[1] - input.way.place[0]).norm() / input.way.seconds[1];
         input.way = smooth_at_speed(input.way.place, speed);
-    }
-    if (input.heights == Heights::ellipsoid && !input.geodetic) {
-        section.mistake("heights", "\"ellipsoid\" is for files of latitudes and longitudes");
     }
     input.sound = !section.amiss();
     return input;
@@ -151,11 +176,12 @@ TrajectoryInput read_trajectory(const Section& section, const TimeInput& time) {
 
 }  // namespace
 
-std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time) {
+std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time,
+                                               const ScenePlaces& places) {
     std::vector<TrajectoryInput> ways;
     for (const Section& section :
          root.sections("trajectory", "a way that observers and objects go")) {
-        TrajectoryInput way = read_trajectory(section, time);
+        TrajectoryInput way = read_trajectory(section, time, places);
         if (find_trajectory(ways, way.name) != nullptr) {
             section.mistake("name", fmt::format("another trajectory is named \"{}\"", way.name));
         }

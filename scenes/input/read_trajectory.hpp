@@ -4,8 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/input/checked_names.hpp"
+#include "scenes/input/read_height.hpp"
 #include "scenes/input/read_time.hpp"
+#include "scenes/input/scene_places.hpp"
 #include "terrain/place/trajectory.hpp"
 
 namespace diurna {
@@ -17,8 +18,7 @@ struct TrajectoryInput {
     /// [deg]; height [m] over what `heights` says.
     Trajectory way;
     bool geodetic = false;
-    enum class Heights { ground, sea, ellipsoid };
-    Heights heights = Heights::ground;
+    HeightOver heights = HeightOver::ground;
     Instant start;
     std::filesystem::path file;  // "": the scene's own
     std::string where;           // in the scene file
@@ -31,7 +31,8 @@ struct TrajectoryInput {
 };
 
 /// The tables [[trajectory]]; by default a way starts as the scene's span does.
-std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time);
+std::vector<TrajectoryInput> read_trajectories(const Section& root, const TimeInput& time,
+                                               const ScenePlaces& places);
 
 /// That of a name; null where there is none.
 const TrajectoryInput* find_trajectory(const std::vector<TrajectoryInput>& ways,

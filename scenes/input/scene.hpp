@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,7 +50,8 @@ struct Scene {
     std::string title;
     std::optional<Site> site;  // none: the middle of the raster; height NaN: the ground there
     TerrainInput terrain;
-    MaterialLibrary materials;  // the program's own with the scene's added
+    std::shared_ptr<const Dem> elevation{};  // read already, for places that asked for it
+    MaterialLibrary materials;               // the program's own with the scene's added
     WeatherInput weather;
     ClearSky sky;
     AirInput air;

@@ -125,15 +125,18 @@ Scene read_scene(const Document& document) {
     note_file_read(scene.file);
     const Section root = document.root();
     scene.confines = document.confines();
-    Reading reading;
     read_about(root.section("scene", "names, and how finely the scene is sampled"), scene);
     scene.tolerance = root.number_or(
         "tolerance_K",
         "rms, that pictures may be worse by where facets stand for others that no picture sees and "
         "whose heat none feels; 0: every facet is solved. temperatures.nc has what they stand for",
         0.0, {0.0, 10.0});
-    scene.site = read_site(
-        root.section("site", "origin of the east-north-up frame; else the middle of the raster"));
+    const Section site =
+        root.section("site", "origin of the east-north-up frame; else the middle of the raster");
+    scene.site = read_site(site);
+    const Section terrain = root.required_section("terrain", "elevation, and what covers it");
+    const ElevationInput elevation = read_elevation_keys(terrain, scene.site);
+    Reading reading{.places{site, terrain, scene.site, elevation}};
     const Section materials = root.section(
         "material", "materials of the scene's own, which may stand in for the library's");
     read_materials(materials, scene, reading);
@@ -147,12 +150,11 @@ Scene read_scene(const Document& document) {
     }
     scene.time =
         read_time(root.required_section("time", "the span, its steps and pictures"), scene.site);
-    scene.trajectories = read_trajectories(root, scene.time);
+    scene.trajectories = read_trajectories(root, scene.time, reading.places);
     for (const TrajectoryInput& way : scene.trajectories) {
         reading.trajectories.known.push_back(way.name);
     }
-    scene.terrain = read_terrain(root.required_section("terrain", "elevation, and what covers it"),
-                                 root, reading, scene.site);
+    scene.terrain = read_terrain(terrain, root, reading, elevation);
     const Section weather = root.required_section("weather", "what drives the heat balance");
     scene.weather = read_weather_input(weather, reading);
     scene.sky = read_sky(root.section("sky", sky_says));
@@ -165,9 +167,10 @@ Scene read_scene(const Document& document) {
         root.section("labels", "pictures and labels for programs that learn from them"));
     scene.bands = read_bands(root);
     scene.cubes = read_cubes(root);
-    scene.plumes = read_plumes(root);
+    scene.plumes = read_plumes(root, reading.places);
     reading.object_names.erase("ground");  // it has no middle to look at
     ObserverReading seen_by{
+        .places = reading.places,
         .bands = scene.bands,
         .cubes = scene.cubes,
         .terrain = scene.terrain,
@@ -209,6 +212,7 @@ Scene read_scene(const Document& document) {
                           scene.materials[scene.materials.find(name)], seen);
     }
     document.finish();
+    scene.elevation = reading.places.elevation();
     scene.files = opened.files();
     scene.said = document.text_without({});
     scene.said_but_for_pictures = document.text_without(of_pictures);

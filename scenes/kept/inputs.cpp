@@ -23,7 +23,7 @@ namespace {
 /// Finer elevation and land cover.
 std::vector<fs::path> rasters_on_ground(const Scene& scene) {
     std::vector<fs::path> files;
-    for (const DetailInput& detail : scene.terrain.details) {
+    for (const DetailInput& detail : scene.terrain.elevation.details) {
         files.insert(files.end(), detail.files.begin(), detail.files.end());
     }
     for (const LandCoverInput& cover : scene.terrain.land_cover) files.push_back(cover.file);
@@ -32,9 +32,11 @@ std::vector<fs::path> rasters_on_ground(const Scene& scene) {
 
 /// Those that the scene names itself, opened yet or not.
 std::vector<fs::path> named_files(const Scene& scene) {
-    std::vector<fs::path> files{scene.file,           scene.terrain.elevation, scene.weather.file,
-                                scene.air.table_file, scene.air.sounding_file, scene.time.state};
-    files.insert(files.end(), scene.terrain.tiles.begin(), scene.terrain.tiles.end());
+    std::vector<fs::path> files{
+        scene.file,           scene.terrain.elevation.file, scene.weather.file,
+        scene.air.table_file, scene.air.sounding_file,      scene.time.state};
+    files.insert(files.end(), scene.terrain.elevation.tiles.begin(),
+                 scene.terrain.elevation.tiles.end());
     for (const fs::path& file : rasters_on_ground(scene)) files.push_back(file);
     for (const ShapesInput& shapes : scene.terrain.shapes) files.push_back(shapes.file);
     const ObjectInput* before = nullptr;
@@ -75,8 +77,8 @@ std::set<fs::path> listed(const Scene& scene) {
         if (fs::is_regular_file(file, ignored)) files.insert(file.lexically_normal());
     };
     for (const fs::path& file : named_files(scene)) add(file);
-    std::vector<fs::path> read_with_sidecars{scene.terrain.elevation};
-    const auto& tiles = scene.terrain.tiles;
+    std::vector<fs::path> read_with_sidecars{scene.terrain.elevation.file};
+    const auto& tiles = scene.terrain.elevation.tiles;
     read_with_sidecars.insert(read_with_sidecars.end(), tiles.begin(), tiles.end());
     for (const fs::path& file : rasters_on_ground(scene)) read_with_sidecars.push_back(file);
     for (const ShapesInput& shapes : scene.terrain.shapes)

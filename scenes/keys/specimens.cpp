@@ -24,7 +24,21 @@ rectangle_m = [0.0, 0.0, 1500.0, 45.0, 45.0]
 [[ground]]
 name = "pond"
 ring_m = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
+[[ground]]
+name = "field"
+ring = [[36.31, -84.21], [36.31, -84.2], [36.32, -84.2]]
+place_crs = "EPSG:4326"
+[[ground]]
+name = "pad"
+rectangle = [36.32, -84.2, 30.0, 30.0, 0.0]
 [[building]]
+[[building]]
+place = [36.32, -84.2]
+[[object]]
+place = [36.32, -84.2]
+height_above_sea_m = 900.0
+[[object]]
+height_above_ellipsoid_m = 900.0
 [[object]]
 [object.parts]
 wheels = "asphalt"
@@ -69,10 +83,15 @@ metres_per_texel = 0.5
 name = "another picture"
 file = "pattern.png"
 metres_per_texel = 0.5
+place = [36.32, -84.2]
 [material.paint]
 like = "painted_steel"
 [[plume]]
 absorption_per_m = 0.2
+place = [36.32, -84.2]
+height_above_sea_m = 320.0
+[[plume]]
+height_above_ellipsoid_m = 290.0
 [[plume]]
 absorption = "smoke.csv"
 [[bands]]
@@ -87,6 +106,12 @@ table = "air.tp7"
 sounding = "sonde.txt"
 [[observer]]  # stands, looks at a place
 look_at_m = [0.0, 0.0]
+[[observer]]  # as a map has it
+place = [36.32, -84.2]
+height_above_sea_m = 900.0
+look_at_place = [36.33, -84.2]
+[[observer]]
+height_above_ellipsoid_m = 900.0
 [[observer]]  # flies, behind a lens
 focal_length_mm = 50.0
 velocity_m_s = [40.0, 0.0, 0.0]
@@ -97,6 +122,9 @@ waypoints_m = [[0.0, 0.0, 100.0], [1000.0, 0.0, 100.0]]
 speed_m_s = 100.0
 start = 2026-07-15T12:00:00Z
 [[trajectory]]
+times_s = [0.0, 10.0]
+[[trajectory]]
+waypoints = [[36.32, -84.2, 900.0], [36.33, -84.2, 900.0]]
 times_s = [0.0, 10.0]
 [[trajectory]]
 name = "log"

@@ -15,7 +15,6 @@
 #include "scenes/world/air.hpp"
 #include "scenes/world/build_world.hpp"
 #include "scenes/world/elevation.hpp"
-#include "scenes/world/ground_point.hpp"
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/plumes.hpp"
@@ -52,19 +51,22 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
     return notes;
 }
 
-/// Ways over the ellipsoid on ground whose own zero nobody has told.
-std::vector<std::string> notes_on_ways(const Scene& scene) {
+/// Heights over the ellipsoid on ground whose own zero nobody has told.
+std::vector<std::string> notes_on_heights(const Scene& scene) {
     std::vector<std::string> notes;
-    for (const TrajectoryInput& way : scene.trajectories) {
-        if (way.heights != TrajectoryInput::Heights::ellipsoid || scene.terrain.reading.geoid) {
-            continue;
-        }
+    if (scene.terrain.elevation.reading.geoid) return notes;
+    const auto look = [&](const char* kind, const std::string& name, HeightOver over) {
+        if (over != HeightOver::ellipsoid) return;
         notes.push_back(fmt::format(
-            "heights of the trajectory \"{}\" above the ellipsoid are taken to have the "
+            "heights of the {} \"{}\" above the ellipsoid are taken to have the "
             "elevation data's own zero: if that is the sea, terrain.vertical_datum = \"egm96\" "
             "parts the two, by up to 107 m",
-            way.name));
-    }
+            kind, name));
+    };
+    for (const auto& way : scene.trajectories) look("trajectory", way.name, way.heights);
+    for (const auto& one : scene.observers) look("observer", one.name, one.stands.over);
+    for (const auto& one : scene.terrain.objects) look("object", one.name, one.stands.over);
+    for (const auto& one : scene.plumes) look("plume", one.name, one.stands.over);
     return notes;
 }
 
@@ -134,13 +136,14 @@ Prepared prepare(Scene scene) {
     std::vector<Plume> plumes;
     for (const PlumeInput& plume : scene.plumes) {
         const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
-        plumes.push_back(plume_at(plume, ground_point(dem, world.site, plume.place, where)));
+        plumes.push_back(
+            plume_at(plume, stand_point(world, dem, plume.place, plume.stands, where)));
     }
     std::vector<std::string> notes = dem.notes;
     notes.insert(notes.end(), world.notes.begin(), world.notes.end());
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
     for (std::string& note : notes_on_frames(scene)) notes.push_back(std::move(note));
-    for (std::string& note : notes_on_ways(scene)) notes.push_back(std::move(note));
+    for (std::string& note : notes_on_heights(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {

@@ -11,6 +11,7 @@
 #include "scenes/plan/aspect_place.hpp"
 #include "scenes/plan/eye_check.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/movers.hpp"
 #include "scenes/world/ways.hpp"
 #include "terrain/place/trajectory.hpp"
@@ -165,8 +166,7 @@ Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& 
         sequence.pose = {placed_around(observer, *input.around, world)};
         return sequence;
     }
-    observer.position = ground_point(dem, world.site, input.place, input.where) +
-                        Eigen::Vector3d(0.0, 0.0, input.height_above_ground);
+    observer.position = stand_point(world, dem, input.place, input.stands, input.where);
     if (!target.goes()) {
         const auto at = target.at({});
         sequence.pose = {at ? pointed_at(input, observer, *at) : observer};

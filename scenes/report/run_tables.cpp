@@ -91,7 +91,7 @@ std::string errors_table(const Prepared& prepared, const JobReport& report) {
     out += row("vertical error of the mesh",
                fmt::format("{:.3f} m at the worst post, rms {:.3f} m, {:g} m allowed",
                            report.ground_check.worst_error, report.ground_check.rms_error,
-                           prepared.scene.terrain.tolerance));
+                           prepared.scene.terrain.elevation.tolerance));
     for (const auto& [key, value] : report.heat) out += row(escaped(key), escaped(value));
     for (const Decision& decision : report.plan.decisions) {
         if (!(decision.error > 0.0)) continue;

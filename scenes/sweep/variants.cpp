@@ -45,7 +45,7 @@ Scene scene_with(const Sweep& sweep, const Variant& variant, const Counts& count
 
 /// Whether the ground's mesh follows the observers (terrain.coarsest_m), in any variant.
 bool ground_by_observers(const Scene& base) {
-    bool follows = base.terrain.coarsest > base.terrain.tolerance;
+    bool follows = base.terrain.coarsest > base.terrain.elevation.tolerance;
     for (const SweepAxis& axis : base.sweep.axes) {
         for (const std::string& key : axis.keys) {
             follows = follows || key == "terrain" || key == "terrain.coarsest_m" ||

@@ -1,10 +1,5 @@
 #include "scenes/world/build_world.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "materials/base/error.hpp"
 #include "scenes/world/copied_objects.hpp"
 #include "scenes/world/ground.hpp"
 #include "scenes/world/ground_marks.hpp"
@@ -12,30 +7,10 @@
 #include "scenes/world/movers.hpp"
 #include "scenes/world/structures.hpp"
 #include "terrain/objects/walls.hpp"
-#include "terrain/raster/dem_places.hpp"
-#include "terrain/raster/geoid.hpp"
 
 namespace diurna {
 
 namespace {
-
-Site resolved_site(const Scene& scene, const Dem& dem) {
-    if (!scene.site) {
-        const Geodetic centre = dem_centre(dem);
-        return {centre.latitude_deg, centre.longitude_deg, centre.height, scene.terrain.refraction};
-    }
-    Site site = *scene.site;
-    site.refraction = scene.terrain.refraction;
-    if (std::isnan(site.height)) {
-        site.height = height_at(dem, site.latitude_deg, site.longitude_deg);
-        if (std::isnan(site.height)) {
-            throw InputError(scene.file.string() + ": site",
-                             fmt::format("{:.5f}, {:.5f} lies outside {} or over a void",
-                                         site.latitude_deg, site.longitude_deg, dem.source));
-        }
-    }
-    return site;
-}
 
 /// "runway", "hangar", ...: the name of each ObjectId: 0 the ground, then polygons, buildings
 /// and objects.
@@ -51,19 +26,17 @@ std::vector<std::string> object_names(const Scene& scene) {
 
 World build_world(Scene& scene, const Dem& dem) {
     World world;
-    world.site = resolved_site(scene, dem);
-    world.sea_level_height = world.site.height;
-    if (scene.terrain.reading.geoid) {
-        const Geodetic here{world.site.latitude_deg, world.site.longitude_deg, 0.0};
-        world.sea_level_height -= geoid_heights({&here, 1}).front();
-    }
+    const SceneFrame frame =
+        frame_of(scene.site, scene.terrain.elevation, dem, scene.file.string() + ": site");
+    world.site = frame.site;
+    world.sea_level_height = frame.sea_level_height;
     put_at_begin(scene, dem, world);
     world.objects = object_names(scene);
     world.posts = dem.height.size();
     for (const DemDetail& detail : dem.detail) world.posts += detail.raster.height.size();
     std::vector<BoxSpec> boxes = box_specs(scene, dem, world.site);
     auto [shapes, left_out] =
-        shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.tolerance);
+        shape_buildings(scene.terrain.shapes, dem, world.site, scene.terrain.elevation.tolerance);
     world.notes = std::move(left_out);
     // The walls stand on the vertices of the ground round them.
     const std::vector<WalledPlan> plans = walled_plans(boxes, shapes);

@@ -14,7 +14,7 @@
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/passed_light.hpp"
-#include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/overlaps.hpp"
 #include "scenes/world/structures.hpp"
 #include "scenes/world/surroundings.hpp"
@@ -54,11 +54,11 @@ void refuse_textures(const Scene& scene, const ObjectInput& object) {
     }
 }
 
-/// Where an object stands; but for what lifts all of them alike.
+/// Where an object stands.
 Eigen::Isometry3d pose_of(const ObjectInput& object, const Dem& dem, const World& world) {
     const std::string where = fmt::format("{}: object \"{}\"", object.where, object.name);
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translate(ground_point(dem, world.site, object.place, where));
+    pose.translate(stand_point(world, dem, object.place, object.stands, where));
     pose.rotate(Eigen::AngleAxisd(-radians(object.placing.heading_deg), Eigen::Vector3d::UnitZ()));
     return pose;
 }
@@ -164,10 +164,7 @@ void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
         for (std::size_t c = 1; c < set.count; ++c) {
             all.push_back({set.first_facet, set.facets, object_id(scene, set.first + c),
                            set.pose[c] * set.pose.front().inverse()});
-            if (objects[c].height_above_ground < 0.0) {
-                refuse_buried(objects[c], in_place(world.facets, all.back()).vertex, dem,
-                              world.site);
-            }
+            refuse_buried(objects[c], in_place(world.facets, all.back()).vertex, dem, world.site);
         }
     }
     std::vector<BodyBox> boxes;

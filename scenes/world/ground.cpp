@@ -71,10 +71,10 @@ GroundMesh ground_of(const Scene& scene, const Dem& dem, const World& world,
                                        triangles <= TerrainInput::most_grid_triangles)) {
         std::vector<Tin> grids;
         for (const Dem* one : rasters) grids.push_back(full_grid(*one));
-        return ground_mesh(dem, grids.front(), terrain.tolerance, footprints, {},
+        return ground_mesh(dem, grids.front(), terrain.elevation.tolerance, footprints, {},
                            std::span(grids).subspan(1));
     }
-    return ground_mesh(dem, terrain.tolerance, footprints, slack_of(scene, dem, world));
+    return ground_mesh(dem, terrain.elevation.tolerance, footprints, slack_of(scene, dem, world));
 }
 
 /// How far the earth falls away [m] under a place of the raster, from the plane through the site.
@@ -87,7 +87,7 @@ double earth_drop(const Eigen::Vector2d& from_site, const Eigen::Vector2d& spaci
 /// they are.
 GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
                                const std::vector<Footprint>& cuts) {
-    if (scene.terrain.tolerance <= 0.0) {
+    if (scene.terrain.elevation.tolerance <= 0.0) {
         GroundMesh mesh = ground_of(scene, dem, world, cuts);
         world.ground_check = check_ground_mesh(dem, mesh);
         return mesh;
@@ -120,7 +120,7 @@ GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
 std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
                                                         const Dem& dem,
                                                         std::span<const WalledPlan> buildings) {
-    const Cuts cuts = cuts_of(scene, dem, world.site, buildings);
+    const Cuts cuts = cuts_of(scene, dem, world, buildings);
     const GroundMesh mesh = mesh_on_round_earth(world, scene, dem, cuts.footprint);
     const std::vector<Eigen::Vector3d> vertex =
         local_vertices(dem, world.site, mesh.place, mesh.height);

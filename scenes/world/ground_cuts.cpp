@@ -11,6 +11,8 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/world/copy_ground.hpp"
+#include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/jets.hpp"
 #include "scenes/world/land.hpp"
 #include "scenes/world/objects.hpp"
@@ -74,11 +76,11 @@ std::vector<Eigen::Vector2d> shadow_places(const ObjectInput& input, const Scene
     return places;
 }
 
-/// Of an object beyond the raster: only one that flies, its heights not those above the ground, may
-/// be there.
+/// Of an object beyond the raster: only one whose height is not that above the ground may be there.
 void refuse_beyond(const ObjectInput& object, const Eigen::Vector2d& place, const Scene& scene) {
     const TrajectoryInput* way = find_trajectory(scene.trajectories, object.trajectory);
-    if (way != nullptr && way->heights != TrajectoryInput::Heights::ground) return;
+    const HeightOver over = way != nullptr ? way->heights : object.stands.over;
+    if (over != HeightOver::ground) return;
     throw InputError(
         way != nullptr ? way->where : object.where,
         fmt::format("\"{}\" {} east {:g} m, north {:g} m, outside the elevation data", object.name,
@@ -107,7 +109,10 @@ std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Si
             }
         } else {
             for (const ObjectInput& copy : objects.subspan(k, end - k)) {
-                if (lies_on(dem, raster_places(dem, site, {&copy.place, 1}))) continue;
+                if (copy.stands.over != HeightOver::ground ||
+                    lies_on(dem, raster_places(dem, site, {&copy.place, 1}))) {
+                    continue;
+                }
                 throw InputError(copy.where,
                                  fmt::format("\"{}\" lies outside the elevation data", copy.name));
             }
@@ -126,8 +131,9 @@ std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Si
 
 }  // namespace
 
-Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
+Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
              std::span<const WalledPlan> buildings) {
+    const Site& site = world.site;
     Cuts cuts;
     for (const GroundShape& shape : ground_shapes(scene.terrain.shapes, dem, site)) {
         cuts.add(shape.footprint, shape.material, 0);
@@ -156,8 +162,11 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
         cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
     }
     for (const ObjectInput& input : scene.terrain.objects) {
-        if (!input.copy_of.empty()) continue;
-        for (const GroundPatch& patch : jet_patches(input)) {
+        const auto ground = ground_if_any(dem, site, input.place);
+        if (!input.copy_of.empty() || input.target.jet.empty() || !ground) continue;
+        const double over_ground =
+            stand_point(world, dem, input.place, input.stands, input.where).z() - ground->z();
+        for (const GroundPatch& patch : jet_patches(input, over_ground)) {
             const Ring ring = raster_places(dem, site, patch.ring);
             if (lies_on(dem, ring)) cuts.footprint.push_back({ring, patch.largest_edge});
         }

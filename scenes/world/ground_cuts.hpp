@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
 #include "terrain/ground/ground_mesh.hpp"
 #include "terrain/ground/ring_index.hpp"
 #include "terrain/ground/rings.hpp"
-#include "terrain/place/site.hpp"
 #include "terrain/raster/dem.hpp"
 
 /// The lines along which the ground of a scene is cut into triangles.
@@ -45,7 +45,7 @@ struct Cuts {
     bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
 };
 
-Cuts cuts_of(const Scene& scene, const Dem& dem, const Site& site,
+Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
              std::span<const WalledPlan> buildings);
 
 /// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it

@@ -9,16 +9,22 @@
 
 namespace diurna {
 
-Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
-                             const std::string& where) {
+std::optional<Eigen::Vector3d> ground_if_any(const Dem& dem, const Site& site,
+                                             const Eigen::Vector2d& place) {
     const Geodetic below = to_geodetic(site, {place.x(), place.y(), 0.0});
     const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
-    if (std::isnan(height)) {
-        throw InputError(where,
-                         fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
-                                     place.x(), place.y(), dem.source));
-    }
+    if (std::isnan(height)) return std::nullopt;
     return to_local(site, {below.latitude_deg, below.longitude_deg, height});
+}
+
+Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
+                             const std::string& where) {
+    const auto ground = ground_if_any(dem, site, place);
+    if (ground) return *ground;
+    throw InputError(where,
+                     fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
+                                 place.x(), place.y(), dem.source),
+                     "there height_above_sea_m or height_above_ellipsoid_m says how high");
 }
 
 }  // namespace diurna

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "terrain/place/site.hpp"
@@ -12,5 +13,9 @@ namespace diurna {
 /// Throws InputError(where, ...) outside the raster or over a void.
 Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
                              const std::string& where);
+
+/// The same; none where there is no ground.
+std::optional<Eigen::Vector3d> ground_if_any(const Dem& dem, const Site& site,
+                                             const Eigen::Vector2d& place);
 
 }  // namespace diurna

@@ -5,11 +5,30 @@
 #include <algorithm>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/world/ground_point.hpp"
 
 namespace diurna {
 
 double height_above_sea(const World& world, const Eigen::Vector3d& place) {
     return world.sea_level_height + level_height(place);
+}
+
+double up_of(const World& world, const Eigen::Vector2d& place, const HeightInput& height) {
+    Eigen::Vector3d at(place.x(), place.y(), 0.0);
+    if (height.over == HeightOver::sea) return height.metres - height_above_sea(world, at);
+    // Up leans away from the vertical with distance, and refraction bends it: twice is to 1 µm.
+    for (int pass = 0; pass < 3; ++pass) {
+        at.z() += height.metres - to_geodetic(world.site, at).height;
+    }
+    return at.z();
+}
+
+Eigen::Vector3d stand_point(const World& world, const Dem& dem, const Eigen::Vector2d& place,
+                            const HeightInput& height, const std::string& where) {
+    if (height.over != HeightOver::ground) {
+        return {place.x(), place.y(), up_of(world, place, height)};
+    }
+    return ground_point(dem, world.site, place, where) + Eigen::Vector3d(0.0, 0.0, height.metres);
 }
 
 std::vector<float> facet_heights(const World& world) {

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "materials/air/air_by_height.hpp"
+#include "scenes/input/read_height.hpp"
 #include "scenes/input/scene.hpp"
 #include "scenes/world/world.hpp"
+#include "terrain/raster/dem.hpp"
 #include "thermal/weather/weather.hpp"
 
 namespace diurna {
@@ -16,6 +18,14 @@ namespace diurna {
 /// Height [m] above the sea of a place in the world's frame, which is a plane that touches the
 /// earth at the site.
 double height_above_sea(const World& world, const Eigen::Vector3d& place);
+
+/// Where something stands that is told by its place and height: east, north, up [m]. Throws
+/// InputError(where) for one above the ground where there is none; one above the sea or the
+/// ellipsoid may be anywhere.
+Eigen::Vector3d stand_point(const World& world, const Dem& dem, const Eigen::Vector2d& place,
+                            const HeightInput& height, const std::string& where);
+/// The same [m] of one that is not above the ground.
+double up_of(const World& world, const Eigen::Vector2d& place, const HeightInput& height);
 
 /// Of every surface's middle: (facet of World::surfaces()).
 std::vector<float> facet_heights(const World& world);

@@ -293,13 +293,12 @@ void compare_plumes(const World& world, const Scene& scene, std::vector<NetworkO
 
 }  // namespace
 
-std::vector<GroundPatch> jet_patches(const ObjectInput& object) {
+std::vector<GroundPatch> jet_patches(const ObjectInput& object, double over_ground) {
     std::vector<GroundPatch> patches;
     if (!object.trajectory.empty()) return patches;
     TargetFacets target{.object = 0, .id = {}};
     target.pose.linear() = attitude(object.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
-    target.pose.translation() =
-        Eigen::Vector3d(object.place.x(), object.place.y(), object.height_above_ground);
+    target.pose.translation() = Eigen::Vector3d(object.place.x(), object.place.y(), over_ground);
     for (const JetInput& told : object.target.jet) {
         const Placed jet = placed(told, object, target, 0.0);
         const double range = -jet.outlet.z() / std::min(-1e-9, jet.direction.z());

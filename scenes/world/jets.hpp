@@ -11,7 +11,9 @@ namespace diurna {
 
 /// Ground that shall be fine where the jets of an object that stands meet it: squares round the
 /// stagnation point.
-std::vector<GroundPatch> jet_patches(const ObjectInput& object);
+///
+/// - over_ground: height of its lowest point over the ground at its place [m]
+std::vector<GroundPatch> jet_patches(const ObjectInput& object, double over_ground);
 
 /// Finds what the jets of targets blow over (thermal/surface/hot_jet.hpp): faces of their own, of
 /// other targets, and of what is neither: ground and plain objects of plain layers, which become

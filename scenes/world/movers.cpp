@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "materials/base/units.hpp"
-#include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
 #include "terrain/place/trajectory.hpp"
 
 namespace diurna {
@@ -65,8 +65,7 @@ ObjectCourse::ObjectCourse(const ObjectInput& object, const Scene& scene, const 
         return;
     }
     still_.linear() = attitude(object.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
-    still_.translation() = ground_point(dem, world.site, object.place, object.where) +
-                           Eigen::Vector3d(0.0, 0.0, object.height_above_ground);
+    still_.translation() = stand_point(world, dem, object.place, object.stands, object.where);
 }
 
 Eigen::Isometry3d ObjectCourse::at(Instant when) const {

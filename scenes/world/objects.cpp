@@ -51,10 +51,10 @@ std::string part_material_name(const ObjectInput& object, std::size_t part) {
            object.mesh->part[part].node;
 }
 
-ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
+ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
                        MaterialLibrary& materials) {
     Placing placing = object.placing;
-    placing.base = ground + Eigen::Vector3d(0.0, 0.0, object.height_above_ground);
+    placing.base = base;
     std::vector<MaterialId> material;
     for (const std::string& name : object.material) {
         material.push_back(object.airspeed > 0.0 ? in_flight(object, name, materials)

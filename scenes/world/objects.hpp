@@ -15,10 +15,10 @@ namespace diurna {
 /// which its facets are known.
 std::string part_material_name(const ObjectInput& object, std::size_t part);
 
-/// Its triangles, its lowest point `height_above_ground` over the ground at its place. Of one in
-/// flight the materials are copies that know its speed and length, added to the library; so are
-/// those of the parts of a target.
-ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& ground,
+/// Its triangles, the middle of its plan and its lowest point at `base`. Of one in flight the
+/// materials are copies that know its speed and length, added to the library; so are those of the
+/// parts of a target.
+ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
                        MaterialLibrary& materials);
 
 /// From its lowest to its highest point [m].

@@ -7,7 +7,7 @@
 
 namespace diurna {
 
-/// ground  the point of the ground at its place
-Plume plume_at(const PlumeInput& input, const Eigen::Vector3d& ground);
+/// - foot: its middle
+Plume plume_at(const PlumeInput& input, const Eigen::Vector3d& foot);
 
 }  // namespace diurna

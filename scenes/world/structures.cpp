@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/movers.hpp"
 #include "scenes/world/objects.hpp"
 #include "scenes/world/targets.hpp"
@@ -21,7 +22,8 @@ constexpr double off_the_ground = 0.01;  // [m] of sheets that would lie in its 
 /// Neither thick nor lifted: rays could not tell it from the ground it lies on.
 bool lies_in_the_ground(const ObjectInput& object) {
     constexpr double apart = 0.005;  // [m]
-    return std::abs(object.height_above_ground) < apart && object_height(object) < apart;
+    return object.stands.over == HeightOver::ground && std::abs(object.stands.metres) < apart &&
+           object_height(object) < apart;
 }
 
 /// Triangles at the foot of a box's walls: half a metre, or a thousandth of a long way round.
@@ -48,7 +50,7 @@ std::vector<BoxSpec> box_specs(const Scene& scene, const Dem& dem, const Site& s
         for (const Eigen::Vector2d& corner : plan_of(spec)) {
             lowest = std::min(lowest, ground_point(dem, site, corner, where).z());
         }
-        spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.tolerance;
+        spec.sunk = spec.base.z() - lowest + 1.0 + scene.terrain.elevation.tolerance;
         spec.lowest_row = foot_edge(spec);
         boxes.push_back(spec);
     }
@@ -77,21 +79,21 @@ void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpe
 
 void refuse_buried(const ObjectInput& object, std::span<const Eigen::Vector3f> vertex,
                    const Dem& dem, const Site& site) {
-    if (object.height_above_ground >= 0.0) return;
+    if (object.stands.over == HeightOver::ground && object.stands.metres >= 0.0) return;
     double highest = -1e9;  // above the ground at its place
     for (const Eigen::Vector3f& v : vertex) {
         const Eigen::Vector2d plan = v.head<2>().cast<double>();
-        const Eigen::Vector3d below = ground_point(dem, site, plan, object.where);
-        highest = std::max(highest, double{v.z()} - below.z());
+        const auto below = ground_if_any(dem, site, plan);
+        if (!below) return;
+        highest = std::max(highest, double{v.z()} - below->z());
         if (highest > 0.0) return;
     }
-    throw InputError(
-        object.where,
-        fmt::format("found {:g} for object \"{}\", whose highest point then lies "
-                    "{:.2f} m below the ground; expected more than {:.1f}",
-                    object.height_above_ground, object.name, -highest,
-                    std::round(10.0 * (object.height_above_ground - highest)) / 10.0 + 0.0),
-        "it may stand partly in the ground, not wholly");
+    throw InputError(object.where,
+                     fmt::format("found {:g} for object \"{}\", whose highest point then lies "
+                                 "{:.2f} m below the ground; expected more than {:.1f}",
+                                 object.stands.metres, object.name, -highest,
+                                 std::round(10.0 * (object.stands.metres - highest)) / 10.0 + 0.0),
+                     "it may stand partly in the ground, not wholly");
 }
 
 ObjectId object_id(const Scene& scene, std::size_t object) {
@@ -104,32 +106,30 @@ void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, s
     const ObjectInput& input = scene.terrain.objects[object];
     const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
     const ObjectId id = object_id(scene, object);
-    Eigen::Vector3d ground = ground_point(dem, world.site, input.place, where);
-    if (!input.trajectory.empty()) {
-        const Eigen::Isometry3d pose =
-            ObjectCourse(input, scene, dem, world)
-                .at(find_trajectory(scene.trajectories, input.trajectory)->begin());
-        ground = pose.translation();
-        Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
-        upright.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
-        upright.translation() = ground;
-        world.movers.push_back({object, id, upright});
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
+    if (input.trajectory.empty()) {
+        pose.translation() = stand_point(world, dem, input.place, input.stands, where);
+    } else {
+        pose.translation() = ObjectCourse(input, scene, dem, world)
+                                 .at(find_trajectory(scene.trajectories, input.trajectory)->begin())
+                                 .translation();
+        world.movers.push_back({object, id, pose});
     }
     if (lies_in_the_ground(input)) {
-        ground.z() += off_the_ground;
+        pose.translation().z() += off_the_ground;
         world.notes.push_back(
             fmt::format("{}: a flat sheet on the ground, lifted by {:g} m", where, off_the_ground));
     }
     for (const std::string& note : input.notes) {
         world.notes.push_back(fmt::format("{}: {}", where, note));
     }
-    const ObjectMesh mesh = object_mesh(input, ground, scene.materials);
+    const ObjectMesh mesh = object_mesh(input, pose.translation(), scene.materials);
     refuse_buried(input, mesh.vertex, dem, world.site);
     sheets.append(world.facets, mesh, id);
     if (input.target.given()) {
         TargetFacets target = target_facets(input, object, id, scene.materials);
-        target.pose.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
-        target.pose.translation() = ground + Eigen::Vector3d(0.0, 0.0, input.height_above_ground);
+        target.pose = pose;
         world.targets.push_back(std::move(target));
     }
 }

@@ -4,6 +4,7 @@
 
 #include "materials/base/units.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/heights.hpp"
 #include "scenes/world/ways.hpp"
 #include "terrain/ground/level_of_detail.hpp"
 #include "terrain/raster/dem_places.hpp"
@@ -11,6 +12,18 @@
 namespace diurna {
 
 namespace {
+
+/// Height over the ground below [m], over the site's level where there is none.
+double height_over_ground(const Eigen::Vector3d& at, const Dem& dem, const World& world) {
+    const auto ground = ground_if_any(dem, world.site, at.head<2>());
+    return at.z() - (ground ? ground->z() : 0.0);
+}
+
+double height_over_ground(const ObserverInput& observer, const Dem& dem, const World& world) {
+    if (observer.stands.over == HeightOver::ground) return observer.stands.metres;
+    const double up = up_of(world, observer.place, observer.stands);
+    return height_over_ground({observer.place.x(), observer.place.y(), up}, dem, world);
+}
 
 /// East, north and height above the ground of some of its frames' places [m].
 std::vector<Eigen::Vector3d> places_on_way(const ObserverInput& observer, const Scene& scene,
@@ -23,7 +36,7 @@ std::vector<Eigen::Vector3d> places_on_way(const ObserverInput& observer, const 
     for (std::size_t i = 0; i < shown; ++i) {
         const std::size_t frame = shown < 2 ? 0 : i * (count - 1) / (shown - 1);
         Eigen::Vector3d at = way.at(observer.frames[frame]).place;
-        at.z() -= ground_point(dem, world.site, at.head<2>(), input.where).z();
+        at.z() = height_over_ground(at, dem, world);
         places.push_back(at);
     }
     return places;
@@ -32,7 +45,7 @@ std::vector<Eigen::Vector3d> places_on_way(const ObserverInput& observer, const 
 }  // namespace
 
 std::vector<float> slack_of(const Scene& scene, const Dem& dem, const World& world) {
-    if (!(scene.terrain.coarsest > scene.terrain.tolerance)) return {};
+    if (!(scene.terrain.coarsest > scene.terrain.elevation.tolerance)) return {};
     std::vector<Viewpoint> viewpoints;
     const auto add = [&](const Eigen::Vector2d& place, double height, double angle) {
         viewpoints.push_back({raster_places(dem, world.site, {&place, 1}).front(), height, angle});
@@ -40,7 +53,7 @@ std::vector<float> slack_of(const Scene& scene, const Dem& dem, const World& wor
     for (const ObserverInput& observer : scene.observers) {
         const double pixel = radians(observer.horizontal_fov_deg) / observer.width;
         if (!observer.goes()) {
-            add(observer.place, observer.height_above_ground, pixel);
+            add(observer.place, height_over_ground(observer, dem, world), pixel);
             continue;
         }
         for (const Eigen::Vector3d& at : places_on_way(observer, scene, dem, world)) {
@@ -52,7 +65,7 @@ std::vector<float> slack_of(const Scene& scene, const Dem& dem, const World& wor
     for (const GroundPolygon& polygon : scene.terrain.polygons) {
         for (const Eigen::Vector2d& corner : polygon.ring) add(corner, 0.0, 0.01);
     }
-    return level_of_detail(dem, viewpoints, std::max(scene.terrain.tolerance, 1e-3),
+    return level_of_detail(dem, viewpoints, std::max(scene.terrain.elevation.tolerance, 1e-3),
                            scene.terrain.coarsest);
 }
 

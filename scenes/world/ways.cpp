@@ -3,24 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scenes/world/ground_point.hpp"
 #include "scenes/world/heights.hpp"
 
 namespace diurna {
 
 namespace {
 
-using Heights = TrajectoryInput::Heights;
-
 /// A place of a file of latitudes and longitudes. Where its height is above the ground only east
 /// and north count.
-Eigen::Vector3d from_geodetic(const World& world, Heights heights, const Eigen::Vector3d& at) {
+Eigen::Vector3d from_geodetic(const World& world, HeightOver heights, const Eigen::Vector3d& at) {
     const double geoid = world.site.height - world.sea_level_height;
-    const double height = heights == Heights::ground ? world.site.height
-                          : heights == Heights::sea  ? at.z() + geoid
-                                                     : at.z();
+    const double height = heights == HeightOver::ground ? world.site.height
+                          : heights == HeightOver::sea  ? at.z() + geoid
+                                                        : at.z();
     Eigen::Vector3d local = to_local(world.site, Geodetic{at.y(), at.x(), height});
-    if (heights == Heights::ground) local.z() = at.z();
+    if (heights == HeightOver::ground) local.z() = at.z();
     return local;
 }
 
@@ -33,7 +30,7 @@ Motion motion_between(const PoseOnWay& before, const PoseOnWay& after, double se
 
 Way::Way(const TrajectoryInput& input, const Dem& dem, const World& world)
     : way_(input.way),
-      in_frame_(input.geodetic && input.heights != Heights::ground),
+      in_frame_(input.geodetic && input.heights != HeightOver::ground),
       heights_(input.heights),
       start_(input.start),
       where_(input.where),
@@ -52,13 +49,7 @@ Way::Around Way::around(double seconds) const {
 Eigen::Vector3d Way::place(double seconds) const {
     const Eigen::Vector3d at = place_at(way_, seconds);
     if (in_frame_) return at;
-    if (heights_ == Heights::ground) {
-        return ground_point(*dem_, world_->site, at.head<2>(), where_) +
-               Eigen::Vector3d(0.0, 0.0, at.z());
-    }
-    Eigen::Vector3d over_sea(at.x(), at.y(), 0.0);
-    over_sea.z() = at.z() - height_above_sea(*world_, over_sea);
-    return over_sea;
+    return stand_point(*world_, *dem_, at.head<2>(), {at.z(), heights_}, where_);
 }
 
 Eigen::Vector3d Way::going(double seconds) const {

@@ -61,7 +61,7 @@ class Way {
 
     Trajectory way_;
     bool in_frame_ = false;  // heights are up of the site
-    TrajectoryInput::Heights heights_;
+    HeightOver heights_;
     Instant start_;
     std::string where_;
     const Dem* dem_;

@@ -44,7 +44,7 @@ struct Built {
 
 Built built(const std::string& text) {
     Scene scene = scene_of(text);
-    Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    Dem dem = read_dem(scene.terrain.elevation.file, scene.terrain.elevation.reading);
     World world = build_world(scene, dem);
     return {std::move(scene), std::move(dem), std::move(world)};
 }
@@ -279,7 +279,7 @@ TEST_CASE("a scene with refraction lifts its far ground", "[scenes][land]") {
 }
 
 TEST_CASE("voids of a file are marked in its picture", "[scenes][land][voids]") {
-    Dem dem = read_dem(scene_of(small_scene()).terrain.elevation);
+    Dem dem = read_dem(scene_of(small_scene()).terrain.elevation.file);
     const Eigen::Vector2d site =
         raster_places(dem, std::vector<Geodetic>{{36.32, -84.203333, 0.0}}).front();
     // A square hole of 7 posts, 600 m, half-way between site and observer.
@@ -290,7 +290,7 @@ TEST_CASE("voids of a file are marked in its picture", "[scenes][land][voids]") 
         }
     }
     write_geotiff(scratch.path / "holed.tif", dem, {{"height", dem.height}});
-    std::string text = with(small_scene(), scene_of(small_scene()).terrain.elevation.string(),
+    std::string text = with(small_scene(), scene_of(small_scene()).terrain.elevation.file.string(),
                             (scratch.path / "holed.tif").string());
     CHECK_THROWS_AS(prepare(scene_of(text)), InputError);  // refused unless told to fill
     text = with(text, "tolerance_m = 10.0", "tolerance_m = 10.0\nvoids = \"fill\"");

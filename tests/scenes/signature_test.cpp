@@ -246,7 +246,7 @@ range_m = [1.0, 100000.0]
 )";
     Scene scene = scene_with(folder, ball_mesh(r, 96), 1.0, camera, 3.0);
     scene.observers.front().place = {150.0, 170.0};
-    scene.observers.front().height_above_ground = 60.0;
+    scene.observers.front().stands.metres = 60.0;
     const Prepared prepared = prepare(std::move(scene));
     const Stages stages(prepared);
     const DetectionInput& input = prepared.scene.detections.front();

@@ -252,7 +252,7 @@ values = [1, 2, 3, 4]
         seeds_of_heat[variant.heat].insert(variant.choice[1]);
         if (order.empty() || order.back() != variant.heat) order.push_back(variant.heat);
         const Scene scene = scene_of(sweep, variant);
-        CHECK(scene.observers[0].height_above_ground == 400.0 + 50.0 * double(variant.choice[0]));
+        CHECK(scene.observers[0].stands.metres == 400.0 + 50.0 * double(variant.choice[0]));
         CHECK(scene.seed == 1 + variant.choice[1]);
     }
     CHECK(sweep.variants.size() == 12);

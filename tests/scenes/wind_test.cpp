@@ -24,7 +24,7 @@ Built built(const std::string& text) {
     const ScratchFolder folder("wind");
     write_text(folder.path / "scene.toml", text);
     Scene scene = read_scene(folder.path / "scene.toml");
-    const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    const Dem dem = read_dem(scene.terrain.elevation.file, scene.terrain.elevation.reading);
     World world = build_world(scene, dem);
     return {std::move(scene), std::move(world)};
 }

@@ -29,7 +29,7 @@ Built built(const std::string& text) {
     const ScratchFolder folder("world");
     write_text(folder.path / "scene.toml", text);
     Scene scene = read_scene(folder.path / "scene.toml", {}, true);
-    Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    Dem dem = read_dem(scene.terrain.elevation.file, scene.terrain.elevation.reading);
     World world = build_world(scene, dem);
     return {std::move(scene), std::move(dem), std::move(world)};
 }
@@ -215,7 +215,7 @@ height_field = "storeys_m"
 wall = "concrete_wall"
 )");
     Scene scene = read_scene(folder.path / "scene.toml");
-    const Dem dem = read_dem(scene.terrain.elevation, scene.terrain.reading);
+    const Dem dem = read_dem(scene.terrain.elevation.file, scene.terrain.elevation.reading);
     const World world = build_world(scene, dem);
     REQUIRE(world.objects.back() == "houses");
     const MaterialId water = scene.materials.find("water");
@@ -235,7 +235,7 @@ wall = "concrete_wall"
                          (0.006 - 0.002) * east * 20.0)
                       .epsilon(2e-3));
     CHECK(house == Approx(0.0002 * east * 0.0002 * north).epsilon(2e-3));
-    CHECK(world.ground_check.worst_error <= scene.terrain.tolerance + 1e-3);
+    CHECK(world.ground_check.worst_error <= scene.terrain.elevation.tolerance + 1e-3);
 }
 
 TEST_CASE("ground that was filled in is marked, facet by facet and in the picture",

@@ -70,14 +70,13 @@ void read_placing(const Section& section, const ScenePlaces& places, TextureInpu
     if (section.has("metres_per_texel")) {
         texture.metres_per_texel = section.number(
             "metres_per_texel", "of a picture that its file does not place on Earth", {1e-4, 1e5});
+        const auto place = section.numbers_or(
+            "place_m",
+            "with metres_per_texel: [east, north] of its middle; on an object from that's",
+            std::vector{0.0, 0.0}, 2);
+        texture.place = {place[0], place[1]};
         if (section.has("place")) {
             texture.place = places.one(section, {"place_m", "place"}, "of its middle");
-        } else {
-            const auto place = section.numbers_or(
-                "place_m",
-                "with metres_per_texel: [east, north] of its middle; on an object from that's",
-                std::vector{0.0, 0.0}, 2);
-            texture.place = {place[0], place[1]};
         }
         texture.heading_deg = section.number_or(
             "heading_deg", "with metres_per_texel: the way its upper edge looks, from north", 0.0,

@@ -2,7 +2,7 @@
 
 A block that begins with "# file: NAME" is that file, one that begins with "# add to NAME" goes to its end. A ```console block
 has commands behind "$ " and, below each, what it prints. A line "..." stands for any number of lines, "…" within a line for any
-words. A command fails unless "$ echo $?" follows, which tells its exit code. A block that begins with "# not run: REASON" is shown
+words; empty lines do not count. A command fails unless "$ echo $?" follows, which tells its exit code. A block that begins with "# not run: REASON" is shown
 alone.
 """
 
@@ -56,7 +56,7 @@ def commands_of(block):
             here = re.search(r"<<'?(\w+)'?", line)
             ends_with = here[1] if here else None
         elif found:
-            found[-1].quoted.append(line.rstrip())
+            found[-1].quoted += [line.rstrip()] if line.strip() else []
         else:
             raise ValueError(f"line {number}: output before any command")
     return found

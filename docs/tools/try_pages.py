@@ -19,7 +19,7 @@ from page_blocks import blocks_of, commands_of, first_misfit
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("DIURNA_PROGRAM", ROOT / "build/release/diurna"))
-LONGEST = 300  # [s] that a command may take
+LONGEST = 600  # [s] that a command may take
 
 
 def run(command, folder, environment):

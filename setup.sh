@@ -22,7 +22,7 @@ packages=(
 [ "${1:-}" != --python ] || packages+=(python3-dev python3-venv pybind11-dev python3-numpy python3-pandas python3-netcdf4 python3-openimageio)
 [ "${1:-}" != --packages ] || packages+=(debootstrap dpkg-dev file)
 [ "${1:-}" != --slurm ] || packages+=(slurm-wlm munge)
-[ "${1:-}" != --docs ] || packages+=(mkdocs python3)
+[ "${1:-}" != --docs ] || packages+=(mkdocs python3 ffmpeg)
 [ "${1:-}" != --fuzz ] || packages+=(clang libclang-rt-14-dev)
 
 missing=()

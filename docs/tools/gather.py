@@ -82,6 +82,17 @@ def with_tables(text):
     return re.sub(r"<!-- table (\w+) of (\S+) -->", lambda m: marked(m[2], m[1]), text)
 
 
+def equation_places():
+    """A table of the equations of docs/theory.md and of the sources that name them."""
+    named = {}
+    for folder in ("materials", "terrain", "thermal", "render", "scenes"):
+        for source in sorted((ROOT / folder).glob("**/*.?pp")):
+            for number in re.findall(r"\(T(\d+)\) of docs/theory\.md", source.read_text()):
+                named.setdefault(int(number), []).append(source.relative_to(ROOT).as_posix())
+    rows = [f"| (T{n}) | {', '.join(f'`{place}`' for place in dict.fromkeys(places))} |" for n, places in sorted(named.items())]
+    return "\n".join(["| equation | computed in |", "|---|---|", *rows])
+
+
 def help_of(*verb):
     return subprocess.run([PROGRAM, *verb, "--help"], check=True, capture_output=True, text=True).stdout.rstrip()
 
@@ -102,7 +113,7 @@ def main(folder):
     stage = Path(folder)
     site, pictures = {**pages(), **MADE}, set()
     for source, target in pages().items():
-        text = with_tables((ROOT / source).read_text())
+        text = with_tables((ROOT / source).read_text()).replace("<!-- places of equations -->", equation_places())
         place = stage / "pages" / target
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(with_links(text, source, target, site, pictures))

@@ -2,8 +2,8 @@
 
 A block that begins with "# file: NAME" is that file, one that begins with "# add to NAME" goes to its end. A ```console block
 has commands behind "$ " and, below each, what it prints. A line "..." stands for any number of lines, "…" within a line for any
-words. A command fails unless "$ echo $?" follows, which tells its exit code. A block that begins with "# not run: REASON" is shown
-alone.
+words; empty lines do not count, and spaces in a row are one. A command fails unless "$ echo $?" follows, which tells its exit
+code. A block that begins with "# not run: REASON" is shown alone.
 """
 
 import re
@@ -56,15 +56,16 @@ def commands_of(block):
             here = re.search(r"<<'?(\w+)'?", line)
             ends_with = here[1] if here else None
         elif found:
-            found[-1].quoted.append(line.rstrip())
+            found[-1].quoted += [line.rstrip()] if line.strip() else []
         else:
             raise ValueError(f"line {number}: output before any command")
     return found
 
 
 def line_fits(quoted, line):
-    pattern = ".*".join(re.escape(part) for part in quoted.split("…"))
-    return re.fullmatch(pattern, line) is not None
+    one_space = [re.sub(r"\s+", " ", text) for text in (quoted, line)]
+    pattern = ".*".join(re.escape(part) for part in one_space[0].split("…"))
+    return re.fullmatch(pattern, one_space[1]) is not None
 
 
 def first_misfit(quoted, lines):

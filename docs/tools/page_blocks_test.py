@@ -44,6 +44,10 @@ class Quotes(unittest.TestCase):
         self.assertIsNone(first_misfit(["plan:", "...", "in … s", "done"], self.said))
         self.assertIsNotNone(first_misfit(["...", "in … min", "..."], self.said))
 
+    def test_columns_may_be_wider(self):
+        self.assertIsNone(first_misfit(["...", "3   facets", "..."], self.said))
+        self.assertIsNotNone(first_misfit(["...", "3facets", "..."], self.said))
+
     def test_order_counts(self):
         self.assertIsNotNone(first_misfit(["...", "done", "...", "3 facets", "..."], self.said))
 

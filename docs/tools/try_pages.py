@@ -19,32 +19,38 @@ from page_blocks import blocks_of, commands_of, first_misfit
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("DIURNA_PROGRAM", ROOT / "build/release/diurna"))
-LONGEST = 120  # [s] that a command may take
+LONGEST = 600  # [s] that a command may take
 
 
 def run(command, folder, environment):
-    done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LONGEST)
+    """Exit code and the lines printed; no code of what takes too long."""
+    try:
+        done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=LONGEST)
+    except subprocess.TimeoutExpired:
+        return None, [f"not done after {LONGEST} s"]
     return done.returncode, done.stdout.decode("utf-8", "replace").rstrip("\n").split("\n")
 
 
 def try_block(block, folder, environment):
-    """Mistakes of one block."""
+    """Mistakes of one block, and the folder that it leaves its reader in."""
     mistakes = []
     commands = commands_of(block)
     for at, command in enumerate(commands):
         if command.text == "echo $?":
             continue
-        code, lines = run(command.text, folder, environment)
+        if command.text.startswith("cd "):
+            folder = folder / command.text[3:]
+        code, lines = run("true" if command.text.startswith("cd ") else command.text, folder, environment)
         follows = commands[at + 1] if at + 1 < len(commands) else None
         expected = int(follows.quoted[0]) if follows and follows.text == "echo $?" else 0
         if code != expected:
             mistakes.append((command, f"exit code {code}, the page says {expected}", lines))
             continue
-        misfit = first_misfit(command.quoted, lines if lines != [""] else [])
+        misfit = first_misfit(command.quoted, [line.rstrip() for line in lines if line.strip()])
         if misfit is not None:
             mistakes.append((command, f"it does not print: {misfit}", lines))
-    return mistakes
+    return mistakes, folder
 
 
 def try_page(page, scratch):
@@ -66,7 +72,8 @@ def try_page(page, scratch):
                 file.write("\n" + rest)
         elif block.language == "console":
             commands += sum(c.text != "echo $?" for c in commands_of(block))
-            for command, what, lines in try_block(block, folder, environment):
+            found, folder = try_block(block, folder, environment)
+            for command, what, lines in found:
                 mistakes += 1
                 print(f"{page.relative_to(ROOT)}:{command.line}: {command.text}\n    {what}")
                 print("".join(f"    | {line}\n" for line in lines[-40:]), end="")

@@ -261,6 +261,7 @@ std::vector<float> tilts(const SolveState& solve) {
     for_each_index(
         solve.facets,
         [&](std::size_t f) {
+            // (T28) of docs/theory.md
             tilt[f] = float(tilted_sky_excess(sky_of(solve.input.views, solve.input.facets, f)));
         },
         4096);

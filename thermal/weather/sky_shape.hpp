@@ -11,7 +11,6 @@ namespace diurna {
 /// horizontal's flux, per σT⁴ of the air. The clear sky's emissivity grows towards the horizon as
 /// ε(z) = ε + b (ln sec z − ½), b = 0.09 (Unsworth & Monteith 1975, Q. J. R. Meteorol. Soc. 101,
 /// 13). Zero for a level facet under the whole sky, ½ b ln 2 = 0.031 for a wall (12 W/m²).
-/// (T28) of docs/theory.md
 inline double tilted_sky_excess(const SkyVector& sky) {
     return 0.09 * (double{sky[3]} - 0.5 * double{sky[0]});
 }

@@ -48,8 +48,8 @@ class Progress {
     ProgressStyle style_;
     std::mutex mutex_;
     std::string name_, doing_;
-    double share_ = 0.0;   // as told last
-    int tenths_ = 0;       // of the present stage that have been shown as lines
+    double share_ = 0.0;  // as told last
+    int tenths_ = 0;      // of the present stage that have been shown as lines
     Clock::time_point began_{}, shown_{};
     std::vector<Stage> stages_;
 };

@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 
 namespace diurna {
 
@@ -71,7 +72,7 @@ void write_envi(const std::filesystem::path& path, const Cube& cube) {
     }
     const std::string header = fmt::format(
         "ENVI\n"
-        "description = {{diurna: spectral radiance at the aperture, W m-2 sr-1 um-1, observer {}, "
+        "description = {{{}: spectral radiance at the aperture, W m-2 sr-1 um-1, observer {}, "
         "{}}}\n"
         "samples = {}\n"
         "lines = {}\n"
@@ -84,8 +85,8 @@ void write_envi(const std::filesystem::path& path, const Cube& cube) {
         "wavelength units = Micrometers\n"
         "wavelength = {{\n{}}}\n"
         "fwhm = {{\n{}}}\n",
-        cube.observer, format_instant(cube.instant), cube.width, cube.height, cube.radiance.size(),
-        wavelengths, widths);
+        made_by(), cube.observer, format_instant(cube.instant), cube.width, cube.height,
+        cube.radiance.size(), wavelengths, widths);
     write_whole_file(path, std::as_bytes(std::span(values)));
     std::filesystem::path beside = path;
     write_whole_file(beside.replace_extension(".hdr"), std::string_view(header));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "materials/base/made_by.hpp"
 #include "render/picture/palette.hpp"
 #include "terrain/objects/ply_file.hpp"
 
@@ -25,7 +26,7 @@ ColourScale write_coloured_ply(const std::filesystem::path& file, const RunHeat&
     write_ply(file, vertex, facets.corner,
               {.colour = colour,
                .temperature = at.kelvin,
-               .comments = {fmt::format("diurna {}", format_instant(at.when)),
+               .comments = {fmt::format("{} {}", made_by(), format_instant(at.when)), made_with(),
                             fmt::format("x, y, z: east, north, up [m] from {:.9f}, {:.9f} (WGS84), "
                                         "{:.3f} m, heights as the scene's",
                                         site.latitude_deg, site.longitude_deg, site.height),

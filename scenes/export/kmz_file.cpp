@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 #include "render/picture/colour_png.hpp"
 #include "render/picture/palette.hpp"
 #include "scenes/export/heat_raster.hpp"
@@ -100,10 +101,10 @@ std::string picture_name(Instant when) {
 std::string kml(const Overlay& overlay, const RunHeat& heat, const Scene& scene,
                 const ColourScale& scale, std::span<const Instant> instants) {
     std::string text = fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- {}, with {} -->\n"
         "<kml xmlns=\"http://www.opengis.net/kml/2.2\">\n<Document>\n<name>{}</name>\n"
         "<description>temperature of the ground, colours from {:g} to {:g} degC</description>\n",
-        escaped(scene.name), scale.low, scale.high);
+        made_by(), made_with(), escaped(scene.name), scale.low, scale.high);
     for (std::size_t i = 0; i < instants.size(); ++i) {
         const Instant end = i + 1 < instants.size() ? instants[i + 1]
                             : i > 0

@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 #include "scenes/report/html.hpp"
 
 namespace diurna {
@@ -73,10 +74,11 @@ std::string vtu_text(const RunHeat& heat, const HeatAt& at) {
     constexpr std::uint8_t vtk_triangle = 5;
     std::string text = xml_head;
     text += fmt::format(
-        "<!-- diurna: {}; x, y, z are east, north, up [m] from {:.9f}, {:.9f} (WGS84), {:.3f} m, "
+        "<!-- {}, with {}\n     {}; x, y, z are east, north, up [m] from {:.9f}, {:.9f} (WGS84), "
+        "{:.3f} m, "
         "heights as the scene's\n     materials: {}\n     objects: {} -->\n",
-        format_instant(at.when), site.latitude_deg, site.longitude_deg, site.height,
-        listed(heat.mesh.materials), listed(heat.mesh.objects));
+        made_by(), made_with(), format_instant(at.when), site.latitude_deg, site.longitude_deg,
+        site.height, listed(heat.mesh.materials), listed(heat.mesh.objects));
     text +=
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "materials/base/made_by.hpp"
 #include "scenes/labels/attribute_json.hpp"
 
 namespace diurna {
@@ -69,7 +70,7 @@ Json label_json(const LabelBook& book, const LabelledPicture& picture, const Lab
 
 std::string coco_json(const LabelBook& book, const std::vector<const LabelledPicture*>& pictures) {
     Json coco;
-    coco["info"] = {{"description", "diurna " DIURNA_VERSION}, {"version", "1.0"}};
+    coco["info"] = {{"description", made_by()}, {"version", "1.0"}, {"libraries", made_with()}};
     coco["licenses"] = Json::array();
     coco["images"] = Json::array();
     coco["annotations"] = Json::array();

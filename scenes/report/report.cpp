@@ -4,6 +4,7 @@
 
 #include "materials/atmosphere/band_model.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 #include "scenes/input/bands.hpp"
 #include "scenes/report/clock_names.hpp"
 #include "scenes/report/contact_sheet.hpp"
@@ -104,10 +105,9 @@ void write_report(const fs::path& folder, const Prepared& prepared, const JobRep
     }
     std::string html = page_begin(prepared.scene.title, links);
     html += fmt::format(
-        "<p class=\"key\">diurna {}, scene {}, {} to {}; clock times are {}; the sun stands "
-        "highest "
-        "at 12:00 solar time</p>\n",
-        DIURNA_VERSION, escaped(prepared.scene.file.filename().string()),
+        "<p class=\"key\"><span title=\"{}\">{}</span>, scene {}, {} to {}; clock times are {}; "
+        "the sun stands highest at 12:00 solar time</p>\n",
+        escaped(made_with()), made_by(), escaped(prepared.scene.file.filename().string()),
         when(prepared, report.plan.steps.front()), when(prepared, report.plan.steps.back()),
         clock_zone(prepared.scene.time.utc_offset));
     for (const Chapter& section : sections) {

@@ -42,8 +42,8 @@ void check_names(const fs::path& file, const char* what, std::size_t facets, con
 void check_facets(const Prepared& prepared, const fs::path& file, std::size_t found) {
     const FacetSet& now = prepared.world.surfaces();
     if (found != now.size()) {
-        refuse(file, fmt::format("found temperatures of {} facets, expected {}", found,
-                                 now.size()));
+        refuse(file,
+               fmt::format("found temperatures of {} facets, expected {}", found, now.size()));
     }
     const FacetSet placed =
         prepared.movement.none()
@@ -58,8 +58,8 @@ void check_facets(const Prepared& prepared, const fs::path& file, std::size_t fo
         most = std::max(most, off);
     }
     if (elsewhere > 0) {
-        refuse(file,
-               fmt::format("{} of {} facets lie elsewhere, up to {:.3g} m", elsewhere, found, most));
+        refuse(file, fmt::format("{} of {} facets lie elsewhere, up to {:.3g} m", elsewhere, found,
+                                 most));
     }
     if (!mesh.materials.empty()) {
         check_names(

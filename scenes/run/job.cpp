@@ -106,9 +106,9 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
     std::set<std::string> keep{ledger_file, "manifest.json"};
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
     clear_run_folder(out, keep, expected, [&](const Cleared& cleared) {
-        progress.tell(fmt::format(
-            "{}: of earlier runs' pictures and labels {} are made anew, {} removed", out.string(),
-            cleared.again, cleared.gone));
+        progress.tell(
+            fmt::format("{}: of earlier runs' pictures and labels {} are made anew, {} removed",
+                        out.string(), cleared.again, cleared.gone));
         if (cleared.gone == 0) return;
         report.remade.push_back(
             fmt::format("{} files of earlier runs removed from {}", cleared.gone, out.string()));

@@ -27,8 +27,8 @@ struct JobOptions {
     std::vector<std::filesystem::path> parts{};  // folders of runs that have them all between them
     std::filesystem::path from{};  // folder of a run of the same inputs that has temperatures
     std::filesystem::path temperatures{};  // file of those to be seen, in place of a heat balance
-    bool resume = false;           // keep what an earlier run with the same inputs has left
-    double max_memory = 0.0;       // [bytes] that the plan may need; 0: what the machine has free
+    bool resume = false;                   // keep what an earlier run with the same inputs has left
+    double max_memory = 0.0;  // [bytes] that the plan may need; 0: what the machine has free
     ProgressTo progress{};
 };
 

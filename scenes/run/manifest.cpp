@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 #include "materials/base/parallel.hpp"
 #include "scenes/kept/digest.hpp"
 #include "scenes/labels/attribute_json.hpp"
@@ -49,9 +50,9 @@ nlohmann::ordered_json course_json(const CameraCourse& course) {
 
 void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& manifest) {
     nlohmann::ordered_json json;
-    json["program"] = "diurna " DIURNA_VERSION;
+    json["program"] = made_by();
     json["compiler"] = "g++ " __VERSION__;
-    json["libraries"] = DIURNA_LIBRARIES;
+    json["libraries"] = made_with();
     json["state"] = manifest.outputs.empty() ? "running" : "done";
     if (!manifest.not_converged.empty()) json["not_converged"] = manifest.not_converged;
     json["key"] = manifest.key;

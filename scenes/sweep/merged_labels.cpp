@@ -6,6 +6,7 @@
 #include <set>
 
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 #include "scenes/labels/split.hpp"
 #include "scenes/sweep/records.hpp"
 
@@ -24,7 +25,7 @@ struct Part {
 };
 
 Json empty_set() {
-    return {{"info", {{"description", "diurna " DIURNA_VERSION}, {"version", "1.0"}}},
+    return {{"info", {{"description", made_by()}, {"version", "1.0"}, {"libraries", made_with()}}},
             {"licenses", Json::array()},
             {"images", Json::array()},
             {"annotations", Json::array()},

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "materials/base/files.hpp"
+#include "materials/base/made_by.hpp"
 
 namespace diurna {
 
@@ -101,7 +102,8 @@ void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
                           const std::map<std::string, std::string>& outputs) {
     const SweepInput& input = sweep.base.sweep;
     Json json;
-    json["program"] = "diurna " DIURNA_VERSION;
+    json["program"] = made_by();
+    json["libraries"] = made_with();
     json["scene"] = sweep.base.name;
     json["seed"] = sweep.base.seed;
     json["settings"] = sweep.settings;

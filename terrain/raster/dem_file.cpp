@@ -141,8 +141,9 @@ void read_georeference(GDALDataset& raster, Dem& dem) {
     }
     const OGRSpatialReference* reference = raster.GetSpatialRef();
     if (!reference || reference->IsEmpty() || reference->IsLocal()) {
-        throw InputError(dem.source, "names no coordinate reference system",
-                         "gdal_translate -a_srs EPSG:... writes one, of ESRI ASCII a .prj file beside it does");
+        throw InputError(
+            dem.source, "names no coordinate reference system",
+            "gdal_translate -a_srs EPSG:... writes one, of ESRI ASCII a .prj file beside it does");
     }
     dem.crs_wkt = wkt_of(*reference);
 }

@@ -53,15 +53,16 @@ Reach reach_of(const Dem& dem) {
         hint = "are site.latitude_deg and longitude_deg exchanged?";
     } else if (reach.has(latitude, -longitude) || reach.has(-latitude, longitude) ||
                reach.has(-latitude, -longitude)) {
-        hint = "is a sign missing? west of Greenwich site.longitude_deg is below zero, south of the "
-               "equator latitude_deg";
+        hint =
+            "is a sign missing? west of Greenwich site.longitude_deg is below zero, south of the "
+            "equator latitude_deg";
     }
-    throw InputError(dem.source,
-                     fmt::format("does not reach the place {:.5f}, {:.5f}: it spans latitudes "
-                                 "{:.5f} to {:.5f}, longitudes {:.5f} to {:.5f}",
-                                 latitude, longitude, reach.south, reach.north, reach.west,
-                                 reach.east),
-                     hint);
+    throw InputError(
+        dem.source,
+        fmt::format("does not reach the place {:.5f}, {:.5f}: it spans latitudes "
+                    "{:.5f} to {:.5f}, longitudes {:.5f} to {:.5f}",
+                    latitude, longitude, reach.south, reach.north, reach.west, reach.east),
+        hint);
 }
 
 }  // namespace

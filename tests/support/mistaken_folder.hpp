@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -170,9 +172,8 @@ bands = ["3-5", "8-12"]
          "ncols 5\nnrows 5\nxllcorner -84.215833\nyllcorner 36.3075\ncellsize 0.005\n"
          "NODATA_value -9999\n300 300 300 300 300\n300 300 300 300 300\n300 300 300 300 300\n"
          "300 300 300 300 300\n300 300 300 300 300\n"},
-        {"dem.prj",
-         R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
-         R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])"},
+        {"dem.prj", R"(GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],)"
+                    R"(PRIMEM["Greenwich",0],UNIT["degree",0.0174532925199433]])"},
         {"column.toml", R"([site]
 latitude_deg = 36.32
 longitude_deg = -84.203333

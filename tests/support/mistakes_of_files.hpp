@@ -33,12 +33,10 @@ inline std::vector<NaturalMistake> mistakes_of_weather() {
          0},
         {"pressure in hectopascal",
          {column(4, [](double pascal) { return 0.01 * pascal; })},
-         "weather.file",
-         {"pressure_Pa", "[weather.columns]", "pressure hPa"},
-         0},
+         "july.csv:2:1",
+         {"pressure_Pa", "[weather.columns]", "pressure hPa"}},
         {"pressure reduced to the sea, of a place at 1600 m",
-         {swap_all("dem.asc", "300", "1600"),
-          column(4, [](double) { return 101300.0; })},
+         {swap_all("dem.asc", "300", "1600"), column(4, [](double) { return 101300.0; })},
          "weather.file",
          {"pressure_Pa", "1600 m", "reduced to the sea"},
          0},
@@ -76,7 +74,7 @@ inline std::vector<NaturalMistake> mistakes_of_weather() {
         {"one time twice",
          {july_swap(row.c_str(), "2026-07-15T11:00:00-04:00")},
          "july.csv:38:1",
-         {"2026-07-15T15:00:00Z", "ascend"}},
+         {"2026-07-15T15:00:00Z", "each once"}},
         {"weather of another year",
          {swap_all("july.csv", "2026-", "2024-")},
          "july.csv",
@@ -153,7 +151,9 @@ inline std::vector<NaturalMistake> mistakes_of_weather() {
 }
 
 inline std::vector<NaturalMistake> mistakes_of_elevation() {
-    const auto dem_swap = [](const char* from, const char* to) { return swap("dem.asc", from, to); };
+    const auto dem_swap = [](const char* from, const char* to) {
+        return swap("dem.asc", from, to);
+    };
     return {
         {"elevation whose CRS nobody tells",
          {without("dem.prj")},
@@ -165,13 +165,14 @@ inline std::vector<NaturalMistake> mistakes_of_elevation() {
          {"pressure_Pa", "984 m", "terrain.height_unit = \"ft\""},
          0},
         {"elevation with a hole in it",
-         {dem_swap("300 300 300\n300 300 300 300 300\n300", "300 -9999 300\n300 300 300 300 300\n300")},
+         {dem_swap("300 300 300\n300 300 300 300 300\n300",
+                   "300 -9999 300\n300 300 300 300 300\n300")},
          "dem.asc",
-         {"void", "terrain.voids = \"fill\""}},
+         {"no elevation", "terrain.voids = \"fill\""}},
         {"a hole whose number is not declared",
          {dem_swap("300 300 300 300 300\n", "300 300 -32768 300 300\n")},
          "dem.asc",
-         {"-32768"}},
+         {"no elevation", "terrain.voids = \"fill\""}},
         {"heights with a comma as decimal sign",
          {dem_swap("300 300", "300,5 300")},
          "dem.asc",
@@ -210,8 +211,10 @@ inline std::vector<NaturalMistake> mistakes_of_elevation() {
          {in_scene("\"dem.asc\"", "\"../dem.asc\"")},
          "scene.toml:8:13: terrain.elevation",
          {"--allow-outside"}},
-        {"a radius in kilometres", {in_scene("radius_m = 300.0", "radius_m = 0.3")},
-         "scene.toml:9:12: terrain.radius_m", {"0.3", "from 10"}},
+        {"a radius in kilometres",
+         {in_scene("radius_m = 300.0", "radius_m = 0.3")},
+         "scene.toml:9:12: terrain.radius_m",
+         {"0.3", "from 10"}},
     };
 }
 

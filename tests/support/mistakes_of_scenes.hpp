@@ -17,10 +17,7 @@ inline std::vector<NaturalMistake> mistakes_of_toml() {
          {in_scene("\"grass\"", "\"grass")},
          "scene.toml:10:",
          {"quote"}},
-        {"a word without quotes",
-         {in_scene("\"grass\"", "grass")},
-         "scene.toml:10:12",
-         {"quotes"}},
+        {"a word without quotes", {in_scene("\"grass\"", "grass")}, "scene.toml:10:12", {"quotes"}},
         {"typographic quotes",
          {in_scene("\"grass\"", "\xE2\x80\x9Cgrass\xE2\x80\x9D")},
          "scene.toml:10:12",
@@ -37,10 +34,7 @@ inline std::vector<NaturalMistake> mistakes_of_toml() {
          {in_scene("radius_m = 300.0", "radius_m = 300.0  // all of it")},
          "scene.toml:9:",
          {"'#'"}},
-        {"True of Python",
-         {scene_adds("[output]\nstate = True")},
-         "scene.toml:45:9",
-         {"true"}},
+        {"True of Python", {scene_adds("[output]\nstate = True")}, "scene.toml:45:9", {"true"}},
         {"a key twice",
          {in_scene("radius_m = 300.0", "radius_m = 300.0\nradius_m = 400.0")},
          "scene.toml:10:1",
@@ -67,8 +61,7 @@ inline std::vector<NaturalMistake> mistakes_of_toml() {
 }
 
 inline std::vector<NaturalMistake> mistakes_of_scenes() {
-    const std::string mine =
-        "[material.mine]\nlike = \"grass\"\n", place = "place_m = [0.0, 5.0]";
+    const std::string mine = "[material.mine]\nlike = \"grass\"\n", place = "place_m = [0.0, 5.0]";
     return {
         {"tarmac",
          {in_scene("\"asphalt\"", "\"tarmac\"")},
@@ -287,19 +280,19 @@ inline std::vector<NaturalMistake> mistakes_of_commands() {
         says("--out of a folder with files of one's own", "run scene.toml --out .", "--out: .",
              {"choose another folder"}),
         says("--only of an observer mistyped", "run scene.toml --only observer=eats --out o",
-             "--only", {"did you mean 'east'?"}),
+             "--only observer=eats", {"did you mean 'east'?"}),
         says("--only of a band that is not there", "run scene.toml --only band=8-14 --out o",
              "--only", {"8-12"}),
-        says("--band of a band that is not there", "run scene.toml --band 8-14 --out o", "--band",
-             {"8-12"}),
+        says("--band of a band that is not there", "run scene.toml --band 8-14 --out o",
+             "--only band=8-14", {"8-12"}),
         says("--only of hours without pictures",
              "run scene.toml --only frames=01:00..02:00 --out o", "--only", {"diurna plan"}),
         says("--shard beyond the last", "run scene.toml --shard 5/4 --out o", "--shard", {"5/4"}),
         says("threads below zero", "run scene.toml --threads -1 --out o", "--threads", {"0"}),
         says("memory without a unit", "run scene.toml --max-memory 8 --out o", "--max-memory",
              {"8G"}),
-        says("temperatures that are not there",
-             "render scene.toml --temperatures none.nc --out o", "none.nc", {"diurna solve"}),
+        says("temperatures that are not there", "render scene.toml --temperatures none.nc --out o",
+             "none.nc", {"diurna solve"}),
         says("weather for temperatures", "render scene.toml --temperatures july.csv --out o",
              "july.csv", {"diurna solve"}),
         says("a path between no heights", "path --band 8-12", "--range-km", {"--to-space"}),

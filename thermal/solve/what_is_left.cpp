@@ -38,8 +38,7 @@ std::string furthest(const SolveState& solve, const PointFacets& points,
                            points.size());
     }
     if (network > plain) {
-        return fmt::format("the furthest among the {} facets of targets",
-                           targets.summary().facets);
+        return fmt::format("the furthest among the {} facets of targets", targets.summary().facets);
     }
     if (worst == nullptr) return "";
     const std::size_t facet = furthest_of(*worst);

@@ -70,13 +70,13 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
             layout.used.push_back({c, *quantity, is_declared ? found->unit : Unit{}});
         } else if (declared.empty()) {
             const std::string near = did_you_mean(name, own_columns());
-            mistakes.push_back(
-                {fmt::format("{}:{}:{}: {}", file, csv.header_line, c + 1, name),
-                 "is no column of a weather file",
-                 near.empty() ? fmt::format("[weather.columns] tells what it holds: {} = "
-                                            "\"air_temperature degC\", \"wind_speed kn\" ...",
-                                            name)
-                              : near});
+            mistakes.push_back({fmt::format("{}:{}:{}: {}", file, csv.header_line, c + 1, name),
+                                "is no column of a weather file",
+                                near.empty()
+                                    ? fmt::format("[weather.columns] tells what it holds: {} = "
+                                                  "\"air_temperature degC\", \"wind_speed kn\" ...",
+                                                  name)
+                                    : near});
         } else {
             layout.unused.push_back(name);
         }

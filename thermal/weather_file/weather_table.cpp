@@ -64,8 +64,8 @@ void check_range(Quantity quantity, double value, const std::string& where) {
         stands_for_none(value) ? "where nothing was measured, leave the cell empty"
         : unit.empty()         ? ""
                                : fmt::format("looks like another unit: [weather.columns] takes "
-                                   "a column as \"{} {}\"",
-                                   f.name, unit));
+                                                     "a column as \"{} {}\"",
+                                             f.name, unit));
 }
 
 void put(WeatherTable& table, Quantity quantity, double value, const std::string& where) {

@@ -10,8 +10,10 @@
 
 #include "materials/base/error.hpp"
 #include "terrain/ground/rings.hpp"
+#include "terrain/raster/crs.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/dem_window.hpp"
+#include "terrain/raster/geotransform.hpp"
 
 namespace diurna {
 
@@ -19,10 +21,22 @@ namespace {
 
 constexpr double told_from = 1.0;  // [m] of a step between the two
 
-/// From the lattice of one raster to that of another, by PROJ.
+/// From the lattice of one raster to that of another: on one map straight, else by PROJ.
 LatticeMap between(const Dem& from, const Dem& to, const Eigen::Vector2d& low,
                    const Eigen::Vector2d& high) {
-    return lattice_map(low, high, [&](std::span<const Eigen::Vector2d> places) {
+    using Places = std::span<const Eigen::Vector2d>;
+    if (same_reference(from.crs_wkt, to.crs_wkt)) {
+        return lattice_map(low, high, [&](Places places) {
+            std::vector<Eigen::Vector2d> there;
+            for (const Eigen::Vector2d& p : places) {
+                const Eigen::Vector2d at =
+                    map_place(from.transform, Eigen::Vector2d(p.array() + 0.5));
+                there.emplace_back(pixel_at(to.transform, at.x(), at.y()).array() - 0.5);
+            }
+            return there;
+        });
+    }
+    return lattice_map(low, high, [&](Places places) {
         const std::vector<float> height(places.size(), 0.0f);
         return raster_places(to, geodetic_places(from, places, height));
     });

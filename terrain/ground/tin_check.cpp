@@ -30,8 +30,7 @@ std::vector<std::uint8_t> coverable_posts(const Dem& dem) {
 /// Triangles over one lattice: what they are off its posts.
 class PostCheck {
  public:
-    /// - touching: how far beside a triangle a post may lie and count as under it [posts]; twice
-    ///   the area between [posts²]
+    /// - touching: how far beside a triangle a post may lie and count as under it [posts]
     PostCheck(const Dem& dem, double touching)
         : dem_(dem), touching_(touching), error_(dem.height.size(), -1.0f) {}
 
@@ -39,14 +38,20 @@ class PostCheck {
     void add(const Eigen::Vector3d& i, const Eigen::Vector3d& j, const Eigen::Vector3d& k) {
         const Eigen::Vector2d a = i.head<2>(), b = j.head<2>(), c = k.head<2>();
         const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+        const double across = (c - b).norm(), down = (a - c).norm(), along = (b - a).norm();
+        // Beside a sliver its plane tells nothing.
+        const double width = turn(a, c, b) / std::max({across, down, along});
+        const double beside = width > 10.0 * touching_ ? touching_ : std::min(touching_, 1e-9);
         const auto first = [&](double x) { return std::max(0, int(std::ceil(x - touching_))); };
         const int last_row = std::min(dem_.rows - 1, int(std::floor(high.y() + touching_)));
         const int last_column = std::min(dem_.columns - 1, int(std::floor(high.x() + touching_)));
         for (int row = first(low.y()); row <= last_row; ++row) {
             for (int column = first(low.x()); column <= last_column; ++column) {
                 const Eigen::Vector2d post(column, row);
-                const double wa = turn(post, c, b), wb = turn(a, c, post), wc = turn(a, post, b);
-                if (std::min({wa, wb, wc}) < -touching_) continue;
+                double wa = turn(post, c, b), wb = turn(a, c, post), wc = turn(a, post, b);
+                if (wa < -beside * across || wb < -beside * down || wc < -beside * along) continue;
+                // The triangle's own heights, where the post lies just beside it.
+                for (double* w : {&wa, &wb, &wc}) *w = std::max(*w, 0.0);
                 const double surface = (wa * i.z() + wb * j.z() + wc * k.z()) / (wa + wb + wc);
                 const double off = std::abs(surface - dem_.at(row, column));
                 float& worst = error_[std::size_t(row) * dem_.columns + column];
@@ -89,7 +94,7 @@ TinCheck check(const Dem& dem, std::span<const Eigen::Vector2d> place,
                std::span<const std::int32_t> on_detail) {
     TinCheck result;
     // A straight side of the coarse lattice is slightly bent on a detail's.
-    constexpr double rounding = 1e-9, bent = 1e-3;
+    constexpr double rounding = 1e-9, bent = 2e-3;
     PostCheck coarse(dem, rounding);
     std::vector<PostCheck> fine;
     for (const DemDetail& detail : dem.detail) fine.emplace_back(detail.raster, bent);

@@ -14,7 +14,10 @@
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/place/site.hpp"
 #include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/dem_window.hpp"
+#include "terrain/raster/read_dem.hpp"
 #include "tests/support/detailed_relief.hpp"
+#include "tests/support/shared_data.hpp"
 
 // Finer rasters on a coarse one, of other lattices and maps, against the surface all are sampled
 // from.
@@ -302,6 +305,48 @@ TEST_CASE("the full grid has every post of a detail", "[terrain][detail][grid]")
     for (const std::int32_t k : mesh.detail) on_detail += k >= 0;
     CHECK(on_detail > 2 * 79 * 79);
     CHECK(check_ground_mesh(dem, mesh).worst_on_detail < 1.0);
+}
+
+// A city and its hill in 2.5 m (terrain models of Scotland, phase 5) in means over 30 m of them.
+TEST_CASE("a measured model lies in a coarse one", "[terrain][detail][samples]") {
+    const auto file = shared_data("data/dem/holyrood_dsm_2p5m_osgb.tif");
+    if (!file) return;
+    const Dem whole = read_dem(*file, {.voids = VoidPolicy::fill});
+    constexpr int side = 12;
+    Dem coarse;
+    coarse.source = "means.tif";
+    coarse.columns = whole.columns / side;
+    coarse.rows = whole.rows / side;
+    coarse.crs_wkt = whole.crs_wkt;
+    coarse.transform = whole.transform;
+    for (const std::size_t k : {1u, 2u, 4u, 5u}) coarse.transform[k] *= side;
+    for (int row = 0; row < coarse.rows; ++row) {
+        for (int column = 0; column < coarse.columns; ++column) {
+            double sum = 0.0;
+            for (int k = 0; k < side * side; ++k) {
+                sum += whole.at(side * row + k / side, side * column + k % side);
+            }
+            coarse.height.push_back(static_cast<float>(sum / (side * side)));
+        }
+    }
+    Dem fine = whole;
+    crop(fine, {200, 150, 320, 240});
+    fine.is_void.clear();
+    Dem dem = coarse;
+    lay_detail(dem, fine, {.tolerance = 0.5, .blend = 60.0});
+    CHECK(dem.notes.size() == fine.notes.size());  // no step between the two
+
+    const GroundMesh mesh = ground_mesh(dem, 3.0);
+    check_whole(dem, mesh);
+    const TinCheck check = check_ground_mesh(dem, mesh);
+    CHECK(check.worst_on_detail <= 0.5 + 1e-3);
+    CHECK(check.worst_error <= 3.0 + 1e-3);
+    // Inside the strip the raster's own posts stand.
+    const DemDetail& detail = dem.detail.front();
+    for (const auto& [column, row] : {std::pair{60, 60}, {160, 100}, {290, 200}}) {
+        CHECK(height_at(dem, detail.to_coarse({double(column), double(row)})) ==
+              Approx(fine.at(row, column)).margin(0.01));
+    }
 }
 
 TEST_CASE("what cannot be a detail is refused in one line", "[terrain][detail][stress]") {

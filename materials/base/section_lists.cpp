@@ -64,14 +64,16 @@ std::vector<std::string> Section::texts_or(const std::string& key, const char* s
     }
     const toml::node& node = *node_of(table_, key);
     const toml::array* array = node.as_array();
-    if (array == nullptr || !all_of_them(*array, [](const auto& n) { return n.is_string(); })) {
+    // A moment is the text that it is written by: what it is asked for says whether it may be one.
+    const auto is_text = [](const auto& n) { return n.is_string() || n.is_date_time(); };
+    if (array == nullptr || !all_of_them(*array, is_text)) {
         mistake(key, fmt::format("found {}, expected an array of texts", shown(node)),
                 node.is_string() ? fmt::format("write [{}]", shown(node)) : "");
         return fallback.value;
     }
     std::vector<std::string> values;
     for (const toml::node& element : *array) {
-        values.push_back(element.as_string()->get());
+        values.push_back(element.is_string() ? element.as_string()->get() : shown(element));
         if (is_plain(values.back())) continue;
         mistake(key,
                 fmt::format("found {}, expected lines without control characters", shown(element)));

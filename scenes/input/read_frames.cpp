@@ -110,7 +110,7 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
         "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
         "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the clock of start",
         {});
-    if (section.has("frames") && texts.empty()) {
+    if (section.has("frames") && texts.empty() && !section.amiss()) {
         section.mistake("frames", "found no instant, expected one or more, or windows of a day",
                         "without the key a picture is taken every frame_every_s");
     }

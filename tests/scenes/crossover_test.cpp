@@ -25,15 +25,15 @@ using namespace diurna;
 
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi / 86400.0, hour = 3600.0;
+constexpr double daily = 2.0 * std::numbers::pi / 86400.0, hour = 3600.0;
 
 /// With a black plate of 30 m, seen from 60 m above.
 std::string plate_on_plain(const std::string& more) {
     return black_plain(plate_below_drone("black", R"(["0.5-0.6", "8-12", "3-5"])") + more);
 }
 
-double plate_at(double t) { return 300.0 + 10.0 * std::cos(turn * (t - 13.0 * hour)); }
-double plain_at(double t) { return 297.0 + 4.0 * std::cos(turn * (t - 15.0 * hour)); }
+double plate_at(double t) { return 300.0 + 10.0 * std::cos(daily * (t - 13.0 * hour)); }
+double plain_at(double t) { return 297.0 + 4.0 * std::cos(daily * (t - 15.0 * hour)); }
 
 /// Every 600 s: the plate's, and all else's [K].
 TemperatureField two_days(const Prepared& prepared) {
@@ -99,13 +99,13 @@ refined = false
     REQUIRE(answer.report[0].band.size() == 2);  // the observer's beyond 3 um
     REQUIRE(answer.report[1].band.size() == 1);
     // 10 cos(wt - p) - 4 cos(wt - q) + 3 = R cos(wt - s) + 3.
-    const double p = turn * 13.0 * hour, q = turn * 15.0 * hour;
+    const double p = daily * 13.0 * hour, q = daily * 15.0 * hour;
     const double x = 10.0 * std::cos(p) - 4.0 * std::cos(q),
                  y = 10.0 * std::sin(p) - 4.0 * std::sin(q);
     const double r = std::hypot(x, y), s = std::atan2(y, x), half = std::acos(-3.0 / r);
     std::vector<double> wanted;
     for (const double angle : {s - half, s + half}) {
-        wanted.push_back(std::fmod(angle / turn + 2.0 * 86400.0, 86400.0));
+        wanted.push_back(std::fmod(angle / daily + 2.0 * 86400.0, 86400.0));
     }
     std::sort(wanted.begin(), wanted.end());
     for (const CrossoverReport& report : answer.report) {
@@ -117,7 +117,7 @@ refined = false
                 // Straight between steps of 600 s: w^2 h^2 / 8 of the swing, 0.8 s of time.
                 CHECK(std::abs(seconds_between(study.scene().time.start, one.when) - wanted[i]) <
                       2.0);
-                const double slope = -r * turn * std::sin(turn * wanted[i] - s);
+                const double slope = -r * daily * std::sin(daily * wanted[i] - s);
                 CHECK(one.slope == Approx(slope).epsilon(0.01));
                 CHECK(one.first_warmer_after == (slope > 0.0));
                 CHECK(one.kind == ZeroCrossing::Kind::crosses);
@@ -127,7 +127,7 @@ refined = false
                 CHECK(day.second[k] == Approx(plain_at(600.0 * double(k))).margin(2e-3));
             }
             // |R cos x + 3| < 1: between acos(-2/R) and acos(-4/R), twice.
-            const double lost = 2.0 * (std::acos(-4.0 / r) - std::acos(-2.0 / r)) / turn;
+            const double lost = 2.0 * (std::acos(-4.0 / r) - std::acos(-2.0 / r)) / daily;
             CHECK(day.lost == Approx(lost).epsilon(0.002));
         }
     }

@@ -55,6 +55,11 @@ TEST_CASE("pictures are taken every so often, at instants and in windows", "[sce
     CHECK(seconds_between(night.start, night.frames.at(0)) == 1.5 * 3600.0);
     CHECK(seconds_between(night.start, night.frames.at(2)) == 2.5 * 3600.0);
     CHECK_THROWS_WITH(time_of(start + "frames = [\"at dawn\"]"), Catch::Contains("time.frames"));
+    // Moments of TOML are as good as texts.
+    const TimeInput noon = time_of(start + "frames = [2026-03-08T12:00:00-05:00]");
+    CHECK(format_instant(noon.frames.at(0)) == "2026-03-08T17:00:00Z");
+    CHECK_THROWS_WITH(time_of(start + "frames = [2026-03-08T12:00:00]"),
+                      Catch::Contains("time.frames") && Catch::Contains("T06:00:00-04:00"));
     CHECK_THROWS_WITH(time_of(start + "frames = [\"2026-03-09T03:00:01Z\"]"),
                       Catch::Contains("outside the span"));
     CHECK_THROWS_WITH(time_of(start + "frame_every_s = 60.0\nframes = [\"05:00-06:00 every 1 h\"]"),

@@ -34,7 +34,10 @@ std::string syntax_hint(std::string_view line) {
         if (line.find(quote) != line.npos) return "straight quotes (\") enclose texts";
     }
     const std::size_t equals = line.find('=');
-    if (equals == line.npos) return "";
+    if (equals == line.npos) {
+        const bool table = std::count(line.begin(), line.end(), ',') > 1;
+        return table ? "is it a file of TOML? diurna inspect FILE says what a file is" : "";
+    }
     const std::string_view value = trimmed(line.substr(equals + 1));
     if (value.empty()) return "a value stands behind '='";
     if (value.find('\\') != value.npos && value.front() == '"') {

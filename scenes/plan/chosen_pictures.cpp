@@ -102,10 +102,11 @@ void check_names(const char* kind, const std::vector<std::string>& names,
 void spell_bands(const Scene& scene, const std::vector<std::string>& known,
                  std::vector<std::string>& names) {
     for (std::string& name : names) {
-        if (!among(known, name)) name = band_name(scene.bands, name);
         std::string dashed = name;
         std::replace(dashed.begin(), dashed.end(), ':', '-');
-        if (among(known, dashed)) name = dashed;
+        for (const std::string& meant : {band_name(scene.bands, name), dashed}) {
+            if (!among(known, name) && among(known, meant)) name = meant;
+        }
     }
 }
 

@@ -106,11 +106,13 @@ std::string chart_of(const std::string& name, const TermMeans& means, const Time
 
 std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepared& prepared,
                               const TemperatureField& field) {
+    const std::filesystem::path file = folder / "temperatures.nc";
+    if (!std::filesystem::exists(file)) return "";  // temperatures were given
     std::vector<FacetGroup> groups = told_groups(prepared);
     const std::size_t all = groups.size();
     groups.resize(std::min(all, most_charts));
     const std::vector<TermMeans> means =
-        read_means(folder / "temperatures.nc", field, groups, prepared.world.surfaces().area);
+        read_means(file, field, groups, prepared.world.surfaces().area);
     if (means.empty()) return "";
     const TimeAxis axis =
         time_axis(field.instant.front(), field.instant.back(), prepared.scene.time.utc_offset);

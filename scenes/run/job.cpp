@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "materials/base/error.hpp"
 #include "scenes/doubts/doubts.hpp"
 #include "scenes/kept/digest.hpp"
 #include "scenes/labels/label_frames.hpp"
@@ -30,6 +31,10 @@ namespace {
 std::vector<RunInput> inputs_of(const Prepared& prepared, const JobOptions& options) {
     std::vector<RunInput> inputs = run_inputs(prepared.scene);
     const fs::path& heat = options.temperatures;
+    if (!heat.empty() && !fs::is_regular_file(heat)) {
+        throw InputError(heat.string(), "no such file",
+                         "diurna solve SCENE --out FILE.nc makes it");
+    }
     if (!heat.empty()) inputs.push_back({heat, "temperatures", sha256_of_file(heat)});
     return inputs;
 }

@@ -30,8 +30,8 @@ std::vector<DetailInput> read_details(const Section& terrain, double tolerance, 
     std::vector<DetailInput> details;
     for (const Section& section :
          terrain.sections("detail",
-                          "a finer model of part of the ground, blended into the one "
-                          "below; later ones lie on top")) {
+                          "a finer model of part of the ground, blended into the one below; later "
+                          "ones lie on top. Its vertical_datum is terrain's unless it names one")) {
         DetailInput detail;
         detail.files.push_back(section.file(
             "elevation",

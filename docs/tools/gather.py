@@ -30,6 +30,7 @@ TAKEN = {
     "python/README.md": "house/python.md",
     "packaging/README.md": "house/packaging.md",
     "SECURITY.md": "house/SECURITY.md",
+    "tests/scenes/mistakes.md": "reference/mistakes.md",
     "scenes/KEYS.md": "reference/keys.md",
     "materials/LIBRARY.md": "reference/materials.md",
 }

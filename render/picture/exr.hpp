@@ -20,7 +20,9 @@ enum class ExrCompression { none, zips, zip, piz };
 ///
 /// Not packed unless asked: noise of 32-bit floats packs badly. The ten planes of a frame of
 /// 640 x 512 take 15 ms and 13.1 MB as they are, 144 ms and 7.6 MB with `zips`, 219 ms and 7.0 MB
-/// with `piz`; all else of that picture takes some 220 ms.
+/// with `piz`; all else of that picture takes some 220 ms. Of a plain scene's two pictures of that
+/// size: 14 ms and 13.1 MB, 37 ms and 9.7 MB run by run, 72 ms and 2.7 MB with `zips`, 74 ms and
+/// 2.3 MB with `zip`, 89 ms and 2.7 MB with `piz`, where the rest takes some 450 ms of a processor.
 void write_exr(const std::filesystem::path& path, const Frame& frame,
                ExrCompression compression = ExrCompression::none,
                const CameraTags* camera = nullptr);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "materials/base/section.hpp"
+#include "render/picture/exr.hpp"
 
 namespace diurna {
 
@@ -8,6 +9,7 @@ namespace diurna {
 struct OutputInput {
     bool fluxes = false;  // the heat balance of every facet in temperatures.nc
     bool state = false;   // state.nc: the heat at the end, for another run to go on from
+    ExrCompression compression = ExrCompression::none;  // of pictures
 };
 
 OutputInput read_output(const Section& section);

@@ -120,6 +120,7 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
 Prepared prepare(Scene scene) {
     const FilesRead opened;
     const Dem dem = elevation_of(scene);
+    scene.elevation.reset();  // which may be large
     refuse_depths(dem);
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials), world.copies);

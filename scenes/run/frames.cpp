@@ -34,12 +34,13 @@ std::string not_held(const GreyPicture& counts, Instant instant) {
 
 /// EXR, quick-look and plain grey picture of every band; returns what the pictures could not hold.
 Told write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
-                 const LabelsInput& labels, const CameraTags& camera) {
+                 const Scene& scene, const CameraTags& camera) {
+    const LabelsInput& labels = scene.labels;
     Told told;
     for (const Band& band : bands) {
         const std::string name = frame_base(frame.observer, band.name, frame.instant);
         const Frame one = band_frame(frame, band.name);
-        write_exr(out / (name + ".exr"), one, ExrCompression::none, &camera);
+        write_exr(out / (name + ".exr"), one, scene.output.compression, &camera);
         write_quicklook(out / (name + ".png"), one, shown_plane(band));
         const std::filesystem::path grey =
             out / grey_picture(frame.observer, band.name, frame.instant, labels.format);
@@ -75,8 +76,7 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
                     Ledger& ledger, bool blurred = false) {
     const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
     Told told(picture.frame.notes.begin(), picture.frame.notes.end());
-    for (auto& beyond :
-         write_bands(out, picture.frame, s.bands, prepared.scene.labels, picture.camera)) {
+    for (auto& beyond : write_bands(out, picture.frame, s.bands, prepared.scene, picture.camera)) {
         told.push_back(std::move(beyond));
     }
     for (std::size_t c = 0; c < s.cubes.size(); ++c) {

@@ -202,7 +202,7 @@ Taking::Told Taking::take_frame(std::size_t k) const {
     add_facts(shot, k, frame);
     write_grey(shot, k, frame, shown);
     const CameraTags tags = camera_tags(prepared_, sequence_.at(k), sequence_.frame[k]);
-    write_exr(base(k).string() + ".exr", frame, ExrCompression::none, &tags);
+    write_exr(base(k).string() + ".exr", frame, prepared_.scene.output.compression, &tags);
     return told;
 }
 

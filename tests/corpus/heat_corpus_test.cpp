@@ -113,7 +113,7 @@ std::map<std::string, std::string> spoilt(const std::string& fine) {
 
 Malformed rendered(const std::string& name, const std::string& file) {
     return {.name = "temperatures: " + name,
-            .files = {{"t.nc", file}},
+            .files = {{"t.nc", file}, {"weather.csv", two_days()}},
             .words = {"render", "scene.toml", "--temperatures", "t.nc", "--out", "out",
                       "--progress", "none"}};
 }

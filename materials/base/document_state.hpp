@@ -43,7 +43,8 @@ struct DocumentState {
 
     /// "file:line:column: path.to.key"
     std::string place(const toml::source_region& source, const std::string& path) const {
-        if (source.begin.line == 0) return "--set " + path;  // it is not from the file
+        const bool set = source.path && source.path->starts_with("--set ");
+        if (set || source.begin.line == 0) return "--set " + path;  // it is not from the file
         return fmt::format("{}:{}:{}: {}", file, source.begin.line, source.begin.column, path);
     }
     void note(const toml::source_region& source, const std::string& path,

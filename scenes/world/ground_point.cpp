@@ -18,13 +18,13 @@ std::optional<Eigen::Vector3d> ground_if_any(const Dem& dem, const Site& site,
 }
 
 Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,
-                             const std::string& where) {
+                             const std::string& where, const std::string& hint) {
     const auto ground = ground_if_any(dem, site, place);
     if (ground) return *ground;
     throw InputError(where,
                      fmt::format("east {:g} m, north {:g} m lies outside {} or over a void",
                                  place.x(), place.y(), dem.source),
-                     "there height_above_sea_m or height_above_ellipsoid_m says how high");
+                     hint);
 }
 
 }  // namespace diurna

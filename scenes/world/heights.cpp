@@ -28,7 +28,10 @@ Eigen::Vector3d stand_point(const World& world, const Dem& dem, const Eigen::Vec
     if (height.over != HeightOver::ground) {
         return {place.x(), place.y(), up_of(world, place, height)};
     }
-    return ground_point(dem, world.site, place, where) + Eigen::Vector3d(0.0, 0.0, height.metres);
+    const auto ground =
+        ground_point(dem, world.site, place, where,
+                     "there height_above_sea_m or height_above_ellipsoid_m says how high it is");
+    return ground + Eigen::Vector3d(0.0, 0.0, height.metres);
 }
 
 std::vector<float> facet_heights(const World& world) {

@@ -11,10 +11,16 @@ namespace diurna {
 
 std::optional<Eigen::Vector3d> ground_if_any(const Dem& dem, const Site& site,
                                              const Eigen::Vector2d& place) {
-    const Geodetic below = to_geodetic(site, {place.x(), place.y(), 0.0});
-    const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
-    if (std::isnan(height)) return std::nullopt;
-    return to_local(site, {below.latitude_deg, below.longitude_deg, height});
+    // Up leans away from the vertical with distance: first the ground below the site's plane, then
+    // that below the place so high.
+    Eigen::Vector3d found(place.x(), place.y(), 0.0);
+    for (int pass = 0; pass < 2; ++pass) {
+        const Geodetic below = to_geodetic(site, found);
+        const double height = height_at(dem, below.latitude_deg, below.longitude_deg);
+        if (std::isnan(height)) return std::nullopt;
+        found.z() = to_local(site, {below.latitude_deg, below.longitude_deg, height}).z();
+    }
+    return found;
 }
 
 Eigen::Vector3d ground_point(const Dem& dem, const Site& site, const Eigen::Vector2d& place,

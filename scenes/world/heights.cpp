@@ -14,11 +14,12 @@ double height_above_sea(const World& world, const Eigen::Vector3d& place) {
 }
 
 double up_of(const World& world, const Eigen::Vector2d& place, const HeightInput& height) {
+    const double sea = world.site.height - world.sea_level_height;
+    const double wanted = height.metres + (height.over == HeightOver::sea ? sea : 0.0);
     Eigen::Vector3d at(place.x(), place.y(), 0.0);
-    if (height.over == HeightOver::sea) return height.metres - height_above_sea(world, at);
-    // Up leans away from the vertical with distance, and refraction bends it: twice is to 1 µm.
+    // Up leans away from the vertical with distance, and refraction bends it: three are to 1 µm.
     for (int pass = 0; pass < 3; ++pass) {
-        at.z() += height.metres - to_geodetic(world.site, at).height;
+        at.z() += wanted - to_geodetic(world.site, at).height;
     }
     return at.z();
 }

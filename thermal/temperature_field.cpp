@@ -85,7 +85,7 @@ void declare_times(const NetcdfFile& file, int time_dim, Variables& variables) {
     file.text(variables.clock, "long_name", "time on the scene's clock, with its offset from UTC");
     variables.solar = file.variable("solar_time", NC_DOUBLE, {time_dim});
     file.text(variables.solar, "long_name", "apparent solar time at the site: 12 is its true noon");
-    file.text(variables.solar, "units", "hours");
+    file.text(variables.solar, "units", "hour");
 }
 
 /// A variable (time, facet).

@@ -3,12 +3,10 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <map>
 #include <string>
 
-#include "render/picture/exr.hpp"
 #include "tests/support/folder_contents.hpp"
 #include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
@@ -322,32 +320,5 @@ object = "hangar"
         CHECK(one.size() == 3);
         CHECK(one.count("hangar.csv") + one.count("hangar.json") + one.count("hangar.svg") == 3);
         CHECK(one == ran_on(2));
-    }
-}
-
-TEST_CASE("packed pictures have every plane as it was, in less room", "[command_line]") {
-    const ScratchFolder folder("packed_pictures");
-    write_text(folder.path / "scene.toml", small_scene());
-    const auto made = [&](const std::string& out, const std::string& more) {
-        const Ran done = diurna(fmt::format("run '{}' --out '{}' --progress none {}",
-                                            (folder.path / "scene.toml").string(),
-                                            (folder.path / out).string(), more));
-        REQUIRE(done.code == 0);
-        for (const auto& entry : fs::directory_iterator(folder.path / out / "frames")) {
-            if (entry.path().extension() == ".exr") return entry.path();
-        }
-        FAIL("no picture");
-        return fs::path();
-    };
-    const fs::path plain = made("plain", "");
-    const fs::path packed = folder.path / "zip" / "frames" / plain.filename();
-    made("zip", "--set output.compression=zip");
-    CHECK(double(fs::file_size(packed)) < 0.8 * double(fs::file_size(plain)));
-    const diurna::Frame one = diurna::read_exr(plain), other = diurna::read_exr(packed);
-    REQUIRE(one.planes.size() == other.planes.size());
-    for (std::size_t p = 0; p < one.planes.size(); ++p) {
-        CAPTURE(one.planes[p].name);
-        CHECK(std::memcmp(one.planes[p].pixel.data(), other.planes[p].pixel.data(),
-                          one.planes[p].pixel.size() * sizeof(float)) == 0);
     }
 }

@@ -4,8 +4,8 @@
 
 #include "thermal/solve/network_facets.hpp"
 #include "thermal/solve/point_facets.hpp"
+#include "thermal/solve/solve_report.hpp"
 #include "thermal/solve/solve_state.hpp"
-#include "thermal/solve/solver.hpp"
 
 namespace diurna {
 

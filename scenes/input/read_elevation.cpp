@@ -68,6 +68,9 @@ SceneFrame frame_of(const std::optional<Site>& site, const ElevationInput& eleva
         frame.site = *site;
         if (std::isnan(site->height)) {
             frame.site.height = height_at(dem, site->latitude_deg, site->longitude_deg);
+        } else if (elevation.reading.geoid) {  // as the raster's
+            const Geodetic here{site->latitude_deg, site->longitude_deg, 0.0};
+            frame.site.height += geoid_heights({&here, 1}).front();
         }
         if (std::isnan(frame.site.height)) {
             throw InputError(where,

@@ -58,9 +58,12 @@ void read_waypoint_places(const Section& section, const ScenePlaces& places,
         "in place of waypoints_m: [[latitude, longitude, height], ...], or as place_crs says", 3,
         2);
     const std::vector<Geodetic> found = places.geodetic(section, "waypoints", rows);
+    bool sound = !section.amiss();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const HeightInput height{rows[i][2], input.heights};
-        const Eigen::Vector2d at = places.at(section, "waypoints", found[i], height);
+        Eigen::Vector2d at(double(i), 0.0);  // another one after a mistake, which is told once
+        if (sound) at = places.at(section, "waypoints", found[i], height);
+        sound = sound && !section.amiss();
         input.way.place.emplace_back(at.x(), at.y(), height.metres);
     }
 }

@@ -10,6 +10,7 @@
 #include "materials/matter/everyday_words.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/matter/read_material.hpp"
+#include "render/picture/frame.hpp"
 #include "scenes/input/index_reach.hpp"
 #include "scenes/input/object_names.hpp"
 #include "thermal/weather/sky_section.hpp"
@@ -101,6 +102,13 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
     return ranges;
 }
 
+/// Of its pictures' files, but for band and instant.
+std::string picture_name(const ObserverInput& observer) {
+    Frame named;
+    named.observer = observer.name;
+    return frame_name(named, "");
+}
+
 /// How and when the scene is looked at, and studies of what is seen.
 constexpr const char* of_pictures[] = {"observer",
                                        "instrument",
@@ -183,10 +191,15 @@ Scene read_scene(const Document& document) {
     add_objects(seen_by.objects, scene.terrain);
     for (const Section& observer : root.sections("observer", "a camera; at least one")) {
         ObserverInput input = read_observer(observer, seen_by);
-        const bool twice = std::any_of(scene.observers.begin(), scene.observers.end(),
-                                       [&](const auto& other) { return other.name == input.name; });
-        if (twice && !input.name.empty()) {
-            observer.mistake("name", fmt::format("a second observer named \"{}\"", input.name));
+        const auto same = std::find_if(
+            scene.observers.begin(), scene.observers.end(),
+            [&](const ObserverInput& other) { return picture_name(other) == picture_name(input); });
+        if (same != scene.observers.end() && !input.name.empty()) {
+            observer.mistake(
+                "name", same->name == input.name
+                            ? fmt::format("a second observer named \"{}\"", input.name)
+                            : fmt::format("the pictures of \"{}\" and \"{}\" would have one name",
+                                          same->name, input.name));
         }
         scene.observers.push_back(std::move(input));
     }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "scenes/input/sea_height.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/named_crs.hpp"
 
@@ -21,13 +23,25 @@ constexpr const char* crs_of_all_says =
     "of all places that are not in metres of the site and have none of their own: EPSG:32616, ...";
 constexpr const char* wgs84_said = "WGS84: [latitude, longitude]";
 
+/// Whether what is read while it lives is a mistake of a section that had none: of what it would
+/// lead to, nothing more is to be told.
+class Watched {
+ public:
+    explicit Watched(const Section& section) : section_(section), before_(section.amiss()) {}
+    bool went_wrong() const { return !before_ && section_.amiss(); }
+
+ private:
+    const Section& section_;
+    bool before_;
+};
+
 /// A name that PROJ knows, else "" and a mistake.
 std::string crs_under(const Section& section, const char* says, const Or<std::string>& fallback) {
     const std::string crs = section.text_or("place_crs", says, fallback);
     if (!section.has("place_crs") || is_crs(crs)) return crs;
     section.mistake(
         "place_crs",
-        fmt::format("found \"{}\", no coordinate reference system that PROJ knows", crs),
+        fmt::format("found \"{}\", no horizontal coordinate reference system that PROJ knows", crs),
         "such as \"EPSG:32616\", UTM zone 16 north");
     return "";
 }
@@ -60,9 +74,7 @@ struct ScenePlaces::State {
 
     double height_of(const Geodetic& at, const HeightInput& height) const {
         if (height.over == HeightOver::ellipsoid) return height.metres;
-        if (height.over == HeightOver::sea) {
-            return height.metres + frame->site.height - frame->sea_level_height;
-        }
+        if (height.over == HeightOver::sea) return height.metres + sea_at(*frame, at);
         const double ground = height_at(*dem, at.latitude_deg, at.longitude_deg);
         return height.metres + (std::isnan(ground) ? frame->site.height : ground);
     }
@@ -96,7 +108,10 @@ ScenePlaces::ScenePlaces(const Section& site, const Section& terrain, std::optio
 
 std::vector<Geodetic> ScenePlaces::geodetic(const Section& section, const char* mapped,
                                             const std::vector<std::vector<double>>& rows) const {
+    const Watched watched(section);
     const std::string crs = crs_under(section, crs_says, {state_->crs, "that of [site]"});
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    if (watched.went_wrong()) return {rows.size(), Geodetic{none, none, 0.0}};
     std::vector<Eigen::Vector2d> given;
     for (const std::vector<double>& row : rows) given.emplace_back(row[0], row[1]);
     std::vector<Geodetic> places = geodetic_of(crs, given);
@@ -105,7 +120,7 @@ std::vector<Geodetic> ScenePlaces::geodetic(const Section& section, const char* 
         const bool sound =
             std::abs(places[i].latitude_deg) <= 90.0 && std::abs(places[i].longitude_deg) <= 360.0;
         if (sound) continue;
-        places[i] = {std::nan(""), std::nan(""), 0.0};
+        places[i] = {none, none, 0.0};
         if (std::exchange(told, true)) continue;
         const std::string found =
             fmt::format("found [{:.10g}, {:.10g}]", given[i].x(), given[i].y());
@@ -121,9 +136,11 @@ std::vector<Geodetic> ScenePlaces::geodetic(const Section& section, const char* 
 
 std::vector<Eigen::Vector2d> ScenePlaces::all(const Section& section, const char* mapped,
                                               const std::vector<std::vector<double>>& rows) const {
+    const Watched watched(section);
     std::vector<Eigen::Vector2d> places;
     for (const Geodetic& at : geodetic(section, mapped, rows)) {
         places.push_back(state_->local(section, mapped, at, {}));
+        if (watched.went_wrong()) return {rows.size(), Eigen::Vector2d::Zero()};
     }
     return places;
 }
@@ -141,7 +158,13 @@ Eigen::Vector2d ScenePlaces::one(const Section& section, const PlaceKeys& keys, 
     }
     const std::string on_map =
         fmt::format("in place of {}: [latitude, longitude], or as place_crs says", keys.metres);
+    const Watched watched(section);
     const std::vector<double> at = section.numbers(keys.mapped, on_map.c_str(), 2);
+    const bool wrong = watched.went_wrong();
+    if (wrong) {
+        section.text_or("place_crs", crs_says, "");  // what it is meant for is not lost on it
+        return Eigen::Vector2d::Zero();
+    }
     return state_->local(section, keys.mapped, geodetic(section, keys.mapped, {at}).front(),
                          height);
 }

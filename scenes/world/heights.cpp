@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/input/sea_height.hpp"
 #include "scenes/world/ground_point.hpp"
 
 namespace diurna {
@@ -14,9 +15,11 @@ double height_above_sea(const World& world, const Eigen::Vector3d& place) {
 }
 
 double up_of(const World& world, const Eigen::Vector2d& place, const HeightInput& height) {
-    const double sea = world.site.height - world.sea_level_height;
-    const double wanted = height.metres + (height.over == HeightOver::sea ? sea : 0.0);
+    const SceneFrame frame{world.site, world.sea_level_height};
     Eigen::Vector3d at(place.x(), place.y(), 0.0);
+    const Geodetic below = to_geodetic(world.site, at);
+    const double wanted =
+        height.metres + (height.over == HeightOver::sea ? sea_at(frame, below) : 0.0);
     // Up leans away from the vertical with distance, and refraction bends it: three are to 1 µm.
     for (int pass = 0; pass < 3; ++pass) {
         at.z() += wanted - to_geodetic(world.site, at).height;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scenes/input/sea_height.hpp"
 #include "scenes/world/heights.hpp"
 
 namespace diurna {
@@ -12,10 +13,11 @@ namespace {
 /// A place of a file of latitudes and longitudes. Where its height is above the ground only east
 /// and north count.
 Eigen::Vector3d from_geodetic(const World& world, HeightOver heights, const Eigen::Vector3d& at) {
-    const double geoid = world.site.height - world.sea_level_height;
+    const SceneFrame frame{world.site, world.sea_level_height};
     const double height = heights == HeightOver::ground ? world.site.height
-                          : heights == HeightOver::sea  ? at.z() + geoid
-                                                        : at.z();
+                          : heights == HeightOver::sea
+                              ? at.z() + sea_at(frame, {at.y(), at.x(), 0.0})
+                              : at.z();
     Eigen::Vector3d local = to_local(world.site, Geodetic{at.y(), at.x(), height});
     if (heights == HeightOver::ground) local.z() = at.z();
     return local;

@@ -14,10 +14,9 @@ namespace diurna {
 
 std::vector<double> geoid_heights(std::span<const Geodetic> places) {
     const QuietGdal gdal;
-    OGRSpatialReference above_sea = reference_of("EPSG:4326+5773");
-    OGRSpatialReference above_ellipsoid = reference_of("EPSG:4979");
-    const std::unique_ptr<OGRCoordinateTransformation> shift(
-        OGRCreateCoordinateTransformation(&above_sea, &above_ellipsoid));
+    // Made once per thread: places on ways are asked for one by one.
+    thread_local const Transformation shift =
+        transformation(reference_of("EPSG:4326+5773"), reference_of("EPSG:4979"));
     if (!shift) throw InputError("EGM96", "PROJ knows no way from it to the ellipsoid");
     std::vector<double> x, y, z(places.size(), 0.0);
     for (const Geodetic& place : places) {

@@ -208,8 +208,14 @@ TEST_CASE("heights above the sea and the ellipsoid part by the geoid",
     const Eigen::Vector3d expected = in_frame(gps.world.site, latitude, longitude, 1500.0);
     CHECK((gps.sequences[0].at(0).position - expected).norm() < 2e-3);
     const double parts = sea.sequences[0].at(0).position.z() - gps.sequences[0].at(0).position.z();
-    const Geodetic site{36.32, -84.203333, 0.0};
-    CHECK(parts == Approx(geoid_heights({&site, 1}).front()).margin(1e-3));
+    const Geodetic there{latitude, longitude, 0.0};  // the sea's height is that of the place
+    CHECK(parts == Approx(geoid_heights({&there, 1}).front()).margin(1e-3));
+    // A site's height is one of the raster's, above the sea there, too.
+    const Prepared raised = prepared(
+        with(with(scene_with(eye(at + "height_above_sea_m = 1500.0\n")), "radius_m = 4000.0\n",
+                  "radius_m = 4000.0\nvertical_datum = \"egm96\"\n"),
+             "longitude_deg = -84.203333\n", "longitude_deg = -84.203333\nheight_m = 500.0\n"));
+    CHECK(raised.world.sea_level_height == Approx(500.0).margin(1e-6));
     CHECK((parts > -32.0 && parts < -30.0));
     // Without a datum the two are one, and that is told.
     const Prepared untold = prepared(scene_with(eye(at + "height_above_ellipsoid_m = 1500.0\n")));
@@ -278,8 +284,25 @@ TEST_CASE("places that are none, or not what they seem, are told", "[scenes][pla
                Catch::Contains("place_crs") && Catch::Contains("unknown key"));
     CHECK_THAT(told("place = [36.335, -84.18]\nheight_above_sea_m = 500.0\n"),
                Catch::Contains("stands beside another height"));
-    CHECK_THAT(told("place = [36.335]\n"), Catch::Contains("observer[0].place"));
-    CHECK_THAT(told("place = [nan, -84.18]\n"), Catch::Contains("observer[0].place"));
+    for (const char* none :
+         {"place = [36.335]\n", "place = [nan, -84.18]\n", "place = \"36.335, -84.18\"\n",
+          "place = [753000.0, 4024000.0]\nplace_crs = 32616\n"}) {
+        CAPTURE(none, told(none));
+        CHECK_THAT(told(none), Catch::Contains("observer[0].place"));
+        CHECK(one_line(told(none)));
+    }
+    const std::string ground = "[[ground]]\nname = \"g\"\n";
+    for (const char* border : {"ring = [[-84.2, 36.32], [-84.2, 36.33], [-84.19, 36.33]]\n",
+                               "rectangle = [36.32, -84.2, 10.0, 20.0]\n",
+                               "rectangle = [-84.2, 36.32, 10.0, 20.0, 0.0]\n"}) {
+        const std::string all =
+            mistakes_of(scene_with(ground + border + eye("place_m = [0.0, 0.0]\n" + height)));
+        CAPTURE(border, all);
+        CHECK(one_line(all));
+    }
+    CHECK_THAT(mistakes_of(scene_with(with(eye("place_m = [0.0, 0.0]\n" + height), "eye", "a/b") +
+                                      with(eye("place_m = [9.0, 0.0]\n" + height), "eye", "a-b"))),
+               Catch::Contains("\"a/b\" and \"a-b\" would have one name"));
     CHECK_THAT(
         mistakes_of(scene_with(R"([[object]]
 name = "lot"

@@ -84,7 +84,7 @@ constexpr double latitude = 36.335, longitude = -84.180;  // 2.7 km from the sit
 
 }  // namespace
 
-TEST_CASE("an eye stands over its latitude and longitude", "[scenes][places][by_other_models]") {
+TEST_CASE("an eye stands over its latitude and longitude", "[scenes][places][by_comparison]") {
     const std::string at = "place = [36.335, -84.180]\nlook_at_place = [36.32, -84.203333]\n";
     const Prepared low = prepared(scene_with(eye(at + "height_above_ground_m = 1.0\n")));
     const Prepared high = prepared(scene_with(eye(at + "height_above_ground_m = 3000.0\n")));
@@ -107,7 +107,7 @@ TEST_CASE("an eye stands over its latitude and longitude", "[scenes][places][by_
 }
 
 TEST_CASE("a map's coordinates and latitude and longitude are one place",
-          "[scenes][places][by_other_models]") {
+          "[scenes][places][by_comparison]") {
     const Map map = utm(latitude, longitude);
     const std::string height = "height_above_ground_m = 40.0\nlook_at_m = [0.0, 0.0]\n";
     const auto position = [&](const std::string& keys) {
@@ -196,7 +196,7 @@ heights = "sea"
 }
 
 TEST_CASE("heights above the sea and the ellipsoid part by the geoid",
-          "[scenes][places][by_other_models]") {
+          "[scenes][places][by_comparison]") {
     // EGM96's geoid is 31 m below the ellipsoid there; tests/terrain has it at NGA's own places.
     const std::string at = "place = [36.335, -84.180]\nlook_at_m = [0.0, 0.0]\n";
     const auto built = [&](const std::string& keys) {

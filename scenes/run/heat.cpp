@@ -63,11 +63,24 @@ std::string start_told(const SolveInput& input, const SpanOptions& span, const S
     if (span.begin == SpanStart::state) return "it adds nothing to what that run had";
     std::string line;
     if (report.periodic_residual > 0.0 && !result.repeated) {
-        line = fmt::format("the repeated day has not been found, Newton is {:.1e} K from it; ",
+        line = fmt::format("periodic day not converged: its residual is {:.1e} K; ",
                            std::max(report.periodic_residual, report.target_residual));
     } else if (report.periodic_residual > 0.0) {
-        line = fmt::format("Newton's residual of the repeated day is worth {:.1e} K; ",
-                           result.repeated_error);
+        line =
+            fmt::format("residual of the repeated day is worth {:.1e} K; ", result.repeated_error);
+    }
+    if (report.stores_held > 0) {
+        line += fmt::format(
+            "hoar or snow changes by up to {:.2g} mm from day to day on {} {}, so it starts with "
+            "what eight such days leave; ",
+            report.store_growth, report.stores_held, report.stores_held == 1 ? "facet" : "facets");
+    }
+    if (report.alternating > 0) {
+        line += fmt::format(
+            "{} {} no repeated day: their days alternate by up to {:.2g} K below the surface ({}), "
+            "one between is taken; ",
+            report.alternating, report.alternating == 1 ? "facet has" : "facets have",
+            report.alternation, report.alternating_facet);
     }
     return line + told(measure_start(input, span));
 }
@@ -91,14 +104,16 @@ std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
     if (!report.unsolved.empty()) return "the heat balance has failed: " + report.unsolved;
     std::string told = fmt::format(
-        "the heat balance has not converged in {} passes: periodic to {:.1e} K (tolerance {:.0e} "
-        "K), estimated error {:.1e} K",
-        report.passes, report.periodic_residual, SolveOptions{}.tolerance, report.estimated_error);
+        "the heat balance has not converged in {} passes: estimated error {:.1e} K (limit {:.2g} "
+        "K), residual of the repeated day {:.1e} K{}{}; a shorter time.step_s, or a start from a "
+        "longer weather record, may help",
+        report.passes, report.estimated_error, SolveOptions{}.settled, report.periodic_residual,
+        report.furthest.empty() ? "" : ", largest at ", report.furthest);
     // What changed to the last, of passes that wait for one another.
     if (report.light_change > 0.05) {
-        told +=
-            fmt::format("; light that wet or snowed facets reflect still changed by {:.1g} W/m2",
-                        report.light_change);
+        told += fmt::format(
+            "; reflected light of wet or snow-covered facets still changes by {:.1g} W/m2",
+            report.light_change);
     }
     if (report.target_residual > SolveOptions{}.settled) {
         told +=

@@ -24,8 +24,14 @@ struct ScratchFolder {
 };
 
 /// Makes the temporary folder of this process its own, so that tests that run at the same time do
-/// not meet there: one object of it at the top of a test file.
+/// not meet there: one object of it at the top of a test file. Those of one process share it.
 struct PrivateTempFolder {
-    ScratchFolder folder{"test"};
-    PrivateTempFolder() { ::setenv("TMPDIR", folder.path.c_str(), 1); }
+    const ScratchFolder& folder;
+    PrivateTempFolder() : folder(of_process()) { ::setenv("TMPDIR", folder.path.c_str(), 1); }
+
+ private:
+    static const ScratchFolder& of_process() {
+        static const ScratchFolder made{"test"};
+        return made;
+    }
 };

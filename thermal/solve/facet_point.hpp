@@ -21,9 +21,11 @@ struct FacetPoint {
     double residual = 0.0, move = 0.0;  // [K]
     int passes = 0;
     PointFacet::Count count{};
-    double water_closure = 0.0;  // [kg m⁻²] of the last run
-    bool store_held = false;     // what lies at the start is no longer that of the end
-    double store_growth = 0.0;   // [mm] by which what lies has changed over the last run
+    double water_closure = 0.0;     // [kg m⁻²] of the last run
+    bool store_held = false;        // what lies at the start is no longer that of the end
+    double store_growth = 0.0;      // [mm] by which what lies has changed over the last pass
+    bool alternates = false;        // passes are averaged: no start leads back to itself
+    double earlier_residual = 1e9;  // [K] at the end of the last run of passes
 };
 
 /// What lies on a facet at the start of the next pass of a periodic span: what the pass before has
@@ -44,6 +46,16 @@ inline bool next_store(FacetPoint& p, const Standing& stood, Standing& left) {
     if (p.store_growth <= settled) return true;
     p.store_held = p.passes >= most_store_days;
     return false;
+}
+
+/// After a run of passes that found no repeated day: whether passes are averaged from now on. In
+/// calm nights a surface may have two balances, and where the day before decides which, days
+/// alternate; Newton's steps then lead to and fro for ever.
+inline void note_alternating(FacetPoint& p) {
+    constexpr int enough_passes = 24;
+    p.alternates =
+        p.alternates || (p.passes >= enough_passes && p.residual > 0.5 * p.earlier_residual);
+    p.earlier_residual = p.residual;
 }
 
 /// The facet that is a point's back; none: the facet itself.

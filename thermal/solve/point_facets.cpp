@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <span>
 #include <tuple>
@@ -202,9 +201,8 @@ std::vector<HeatState::Point> PointFacets::left() const {
 
 bool PointFacets::rests(const FacetPoint& p) const {
     if (!p.begun || p.kelvin.empty()) return false;
-    if (solve_.options.periodic && (p.residual > solve_.options.tolerance || p.move > 0.01)) {
-        return false;
-    }
+    const bool closed = p.residual <= solve_.options.tolerance && p.move <= 0.01;
+    if (solve_.options.periodic && !closed && !p.alternates) return false;
     constexpr double counts = 0.05;  // [W m⁻²], as for blocks
     const std::vector<float>& relit = solve_.relit;
     if (!relit.empty() && std::max(relit[p.facet], relit[back_of_point(solve_, p)]) > counts) {
@@ -321,7 +319,7 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
     p.kelvin.resize(instants);
     const bool periodic = solve_.options.periodic;
     double before = 1e9;
-    bool astray = false;
+    bool astray = false, closed = false;
     for (int pass = 0; pass < most_passes; ++pass) {
         const std::vector<double> start = facet.u;
         const Standing stood = facet.standing;
@@ -329,7 +327,7 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
         const auto size = static_cast<Eigen::Index>(start.size());
         // Where a front of freezing passes other nodes than it did, the map before misleads: a
         // plain pass brings it on its way, and needs no map.
-        const bool newton = periodic && !astray;
+        const bool newton = periodic && !astray && !p.alternates;
         Eigen::MatrixXd map;
         if (newton) map = Eigen::MatrixXd::Identity(size, size);
         march_span(level, forcing, facet, p, newton ? &map : nullptr);
@@ -345,9 +343,14 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
         p.move = newton ? facet.close_period(start, map) : p.residual;
         astray = !astray && p.residual > 0.5 * before && !facet.column.linear();
         before = p.residual;
+        for (std::size_t i = 0; p.alternates && i < start.size(); ++i) {
+            facet.u[i] = 0.5 * (start[i] + facet.u[i]);
+        }
         const bool store_settled = next_store(p, stood, facet.standing);
-        if (p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled) break;
+        closed = p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
+        if (closed) break;
     }
+    if (periodic && !closed) note_alternating(p);
     p.start.u = facet.u;
     p.start.standing = facet.standing;
 }
@@ -422,22 +425,23 @@ void PointFacets::put(SolveState& solve) const {
     }
 }
 
-void PointFacets::worst_to_stderr() const {
-    std::vector<const FacetPoint*> v; for (auto& p : point_) v.push_back(&p);
-    std::sort(v.begin(), v.end(), [](auto a, auto b){return a->residual > b->residual;});
-    std::size_t over=0, over2=0; for (auto p : v) { over += p->residual > 1e-4; over2 += p->move > 0.01; }
-    std::fprintf(stderr, "   over 1e-4: %zu, move>0.01: %zu;", over, over2);
-    for (std::size_t i = 0; i < v.size() && i < 6; ++i) std::fprintf(stderr, " f%zu %s res %.2e mv %.2e water %.4f n %d;", v[i]->facet, solve_.input.materials[solve_.input.facets.material[v[i]->facet]].kind().c_str(), v[i]->residual, v[i]->move, v[i]->end.standing.water, v[i]->passes);
-    std::fprintf(stderr, "\n");
-}
 PointFacets::Summary PointFacets::summary() const {
     Summary s = left_out_;
     s.fresh = fresh_;
     s.stores = stores_;
     s.batched = batched_;
     for (const FacetPoint& p : point_) {
-        s.residual = std::max(s.residual, p.residual);
-        s.largest_move = std::max(s.largest_move, p.move);
+        if (p.alternates) {
+            ++s.alternating;
+            if (p.residual > s.alternation) s.alternating_facet = p.facet;
+            s.alternation = std::max(s.alternation, p.residual);
+        } else {
+            if (p.residual > s.residual) s.worst_facet = p.facet;
+            s.residual = std::max(s.residual, p.residual);
+            s.largest_move = std::max(s.largest_move, p.move);
+        }
+        s.stores_held += p.store_held ? 1 : 0;
+        if (p.store_held) s.store_growth = std::max(s.store_growth, p.store_growth);
         s.worst_closure = std::max(s.worst_closure, p.count.worst_closure);
         s.worst_passes = std::max(s.worst_passes, p.passes);
         s.limited += p.count.limited;

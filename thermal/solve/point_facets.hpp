@@ -55,8 +55,13 @@ class PointFacets {
     std::size_t size() const { return point_.size(); }
     /// Worst of all points: of the last run, and (worst_passes) of all runs together.
     struct Summary {
-        double residual = 0.0;      // [K] |P(T) − T|
+        double residual = 0.0;      // [K] |P(T) − T|, of those whose days do not alternate
         double largest_move = 0.0;  // [K] that the next start is away
+        std::size_t worst_facet = 0;
+        std::size_t alternating = 0, alternating_facet = 0;  // no repeated day: how many, the worst
+        double alternation = 0.0;                            // [K] from one of its days to the next
+        std::size_t stores_held = 0;  // what lies on them grows or melts on from day to day
+        double store_growth = 0.0;    // [mm] a day of these, the most
         double worst_closure = 0.0;
         int worst_passes = 0, limited = 0;
         int unsolved = 0;                      // steps in which nothing moved
@@ -67,7 +72,6 @@ class PointFacets {
         double most_dew_unfollowed = 0.0, dew_left_out = 0.0, worst_water_closure = 0.0;
     };
     Summary summary() const;
-    void worst_to_stderr() const;
 
  private:
     void take_in(const Level& level);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <optional>
 
@@ -232,6 +230,7 @@ class GroupRun {
         const bool closed = close_period(l);
         FacetPoint& p = *lane.point;
         if (closed || lane.passes == most_passes) {
+            if (!closed) note_alternating(p);
             for (std::size_t i = 0; i < nodes(); ++i) p.start.u[i] = batch_.u[i * W + l];
             p.start.standing = batch_.standing[l];
             load(l);
@@ -267,15 +266,14 @@ class GroupRun {
                 map(i, k) = double(batch_.map[std::size_t(i * columns + k) * W + l]);
             }
         }
-        const Eigen::VectorXd next = next_start(column_, lane.start, end, map, lane.search);
+        Eigen::VectorXd next = next_start(column_, lane.start, end, map, lane.search);
+        if (p.alternates) {
+            next = 0.5 * (lane.start + end);
+            lane.search.move = lane.search.residual;
+        }
         for (Eigen::Index i = 0; i < n; ++i) batch_.u[std::size_t(i) * W + l] = next[i];
         p.residual = lane.search.residual;
         p.move = lane.search.move;
-        if (const char* d = std::getenv("DBGF"); d && std::size_t(std::atoi(d)) == p.facet) {
-            Eigen::Index w; (end - lane.start).cwiseAbs().maxCoeff(&w);
-            std::fprintf(stderr, "  f%zu sub %d node %ld depth %.3f u %.5f->%.5f next %.5f T %.4f melts %d res %.2e move %.2e plain %d stood %.5f -> %.5f apart %.2e n %zu slow %ld limited %d\n", p.facet, lane.passes, long(w), column_.column.depth(std::size_t(w)), lane.start[w], end[w], next[w],
-              column_.column.temperature(std::size_t(w), end[w]), int(column_.column.melts(std::size_t(w))), p.residual, p.move, int(lane.search.plain), lane.stood.frost, batch_.standing[l].frost, apart(batch_.standing[l], lane.stood), nodes(), long(columns), lane.limited);
-        }
         const bool store_settled = next_store(p, lane.stood, batch_.standing[l]);
         return p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
     }

@@ -7,7 +7,8 @@ namespace diurna {
 
 /// How the solve went, for the report. Nothing here is an estimate unless it says so.
 struct SolveReport {
-    bool converged = false;
+    bool converged = false;     // `estimated_error` is within SolveOptions::settled
+    bool within_error = false;  // likewise, after the last pass
     std::size_t facets = 0;
     int steps = 0;                   // per pass
     int passes = 0;                  // over the span
@@ -28,6 +29,17 @@ struct SolveReport {
     /// [kg m⁻²] that any of them had.
     std::size_t unfollowed = 0;
     double most_dew_unfollowed = 0.0, dew_left_out = 0.0;
+    /// Facets on which hoar or snow grows or melts on from day to day, so that none repeats: the
+    /// span starts with what eight such days leave. The most by which it changes in a day [mm].
+    std::size_t stores_held = 0;
+    double store_growth = 0.0;
+    /// Facets without a repeated day, whose days alternate (two balances of a calm night): one is
+    /// taken that lies between; by how much its end differs from its start [K], and the worst
+    /// facet.
+    std::size_t alternating = 0;
+    double alternation = 0.0;
+    std::string alternating_facet{};
+    std::string furthest{};            // the facets with the largest residual, in words
     double worst_water_closure = 0.0;  // [kg m⁻²] fallen + condensed − evaporated − run off − kept
     double target_residual = 0.0;   // [K] likewise |P(T) − T| of targets' nodes and lumps
     std::size_t target_facets = 0;  // of targets (thermal/solve/network_facets.hpp)

@@ -73,6 +73,12 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.target_facets = one.target_facets;
     all.target_residual = std::max(all.target_residual, one.target_residual);
     all.dew_left_out = std::max(all.dew_left_out, one.dew_left_out);
+    all.stores_held = std::max(all.stores_held, one.stores_held);
+    all.store_growth = std::max(all.store_growth, one.store_growth);
+    all.alternating = std::max(all.alternating, one.alternating);
+    all.alternation = std::max(all.alternation, one.alternation);
+    if (all.alternating_facet.empty()) all.alternating_facet = one.alternating_facet;
+    if (!one.converged || all.furthest.empty()) all.furthest = one.furthest;
     all.worst_water_closure = std::max(all.worst_water_closure, one.worst_water_closure);
     all.coldest = first ? one.coldest : std::min(all.coldest, one.coldest);
     all.warmest = std::max(all.warmest, one.warmest);

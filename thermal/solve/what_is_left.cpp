@@ -23,7 +23,13 @@ std::size_t furthest_of(const Block& block) {
     return block.facet[lane];
 }
 
-/// What is furthest from a repeated span.
+}  // namespace
+
+std::string facet_name(const SolveState& solve, std::size_t facet) {
+    return fmt::format("facet {} of {}", facet,
+                       solve.input.materials[solve.input.facets.material[facet]].kind());
+}
+
 std::string furthest_facets(const SolveState& solve, const PointFacets& points,
                             const NetworkFacets& targets) {
     const double single = points.summary().residual, network = targets.summary().residual;
@@ -34,34 +40,28 @@ std::string furthest_facets(const SolveState& solve, const PointFacets& points,
     }
     const double plain = worst == nullptr ? 0.0 : worst->residual;
     if (single > std::max(plain, network)) {
-        return fmt::format(
-            "the furthest among the {} facets of water, snow or freezing ground",
-            points.size());
+        return facet_name(solve, points.summary().worst_facet) +
+               ", which is wet, snowed or freezing";
     }
     if (network > plain) {
-        return fmt::format("the furthest among the {} facets of targets",
-                           targets.summary().facets);
+        return fmt::format("one of the {} facets of targets", targets.summary().facets);
     }
     if (worst == nullptr) return "";
-    const std::size_t facet = furthest_of(*worst);
-    return fmt::format("the furthest is facet {} of {}", facet,
-                       solve.input.materials[solve.input.facets.material[facet]].kind());
+    return facet_name(solve, furthest_of(*worst));
 }
-
-}  // namespace
 
 std::string what_is_left(const SolveState& solve, const PointFacets& points,
                          const NetworkFacets& targets, const SolveReport& report) {
     const SolveOptions& options = solve.options;
-    std::string told = fmt::format("pass {}", report.passes);
+    std::string line = fmt::format("pass {}", report.passes);
     if (options.periodic) {
-        told += fmt::format(": {:.1e} K from a repeated span ({:.0e} will do)",
+        line += fmt::format(": residual of the repeated day {:.1e} K (limit {:.0e})",
                             report.periodic_residual, options.tolerance);
     }
-    told += fmt::format(", neighbours worth {:.1e} K ({:.0e})", report.estimated_error,
+    line += fmt::format(", estimated error {:.1e} K (limit {:.0e})", report.estimated_error,
                         options.settled);
-    if (!options.periodic) return told;
-    return fmt::format("{}, {}", told, furthest_facets(solve, points, targets));
+    if (!options.periodic) return line;
+    return fmt::format("{}, largest at {}", line, furthest_facets(solve, points, targets));
 }
 
 }  // namespace diurna

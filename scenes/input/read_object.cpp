@@ -257,7 +257,9 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
             {model.empty() ? 0.5 : 100.0, "0.5; of a model as its detail says"}, {0.01, 100.0})};
     object.ground_edge = section.number_or(
         "ground_edge_m",
-        "of the ground's triangles round it, as far as a sun 27 degrees high casts its shadow",
+        "of the ground's triangles round it, as far as a sun 27 degrees high casts its shadow; off "
+        "the ground also where its shadow falls in the months of the span, there a fifth of its "
+        "breadth at least",
         {0.0, "a twelfth of that, 0.15 at least"}, {0.05, 100.0});
     object.airspeed = section.number_or(
         "airspeed_m_s",

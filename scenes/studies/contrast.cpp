@@ -137,7 +137,7 @@ Distance distance_of(const View& view, const Place& place, double sea_level_heig
     return {range, count > 0.0 ? sea_level_height + sum / count : none};
 }
 
-ContrastRow row_of(const Frame& frame, const std::string& band, const Place& place) {
+ContrastRow contrast_row(const Frame& frame, const std::string& band, const Place& place) {
     const std::vector<float>& kelvin = frame["apparent_temperature." + band].pixel;
     const PlaneView plane{kelvin, frame.width, frame.height};
     ContrastRow row{.when = {}, .band = band};
@@ -286,7 +286,7 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
                 rows.size(),
                 [&](std::size_t i) {
                     ContrastRow row =
-                        row_of(shot.frame, input.bands[i % bands], shot.place[i / bands]);
+                        contrast_row(shot.frame, input.bands[i % bands], shot.place[i / bands]);
                     row.target = i / bands;
                     row.observer = o;
                     row.when = frames[k];
@@ -331,7 +331,8 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
                 const auto k = std::find(frames.begin(), frames.end(), row.when) - frames.begin();
                 Pictures fewer(stages, observer, {row.band}, std::max(1, samples / 2), field);
                 const Pictures::Shot shot = fewer.take(static_cast<std::size_t>(k), input);
-                worst.error = std::abs(row_of(shot.frame, row.band, shot.place[t]).rss - row.rss);
+                worst.error =
+                    std::abs(contrast_row(shot.frame, row.band, shot.place[t]).rss - row.rss);
                 worst.at_range = at_ranges(prepared, input, row);
             }
             report.worst.push_back(std::move(worst));

@@ -317,6 +317,7 @@ conductance_W_m2K = 20.0
     double left = 0.0, below = 0.0;
     const std::size_t row = (heat.instant.size() - 1) * heat.facets;
     for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (facets.centroid[f].head<2>().norm() > 30.0f) continue;  // as in the open
         const double area = double(facets.area[f]);
         left -= area * double(heat.of(HeatTerm::conducted)[row + f]);
         const bool floor = f >= on.prepared.world.ground_facets && facets.normal[f].z() < -0.9f;

@@ -111,7 +111,7 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
     const std::vector<std::string> texts = section.texts_or(
         "frames",
         "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
-        "or windows of every seconds_per_day, \"05:00-09:00 every 10 min\" (s, min, h), on the "
+        "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the "
         "clock of start",
         {});
     if (section.has("frames") && texts.empty() && !section.amiss()) {

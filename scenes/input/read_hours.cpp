@@ -69,7 +69,7 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
                 fmt::format("found '{}', expected hours and a share as "
                             "05:30-06:10 0.3",
                             text.substr(0, 60)),
-                "hours of a seconds_of_day to 24:00, a share from 0 to 1, 1 unless told");
+                "hours of a day to 24:00, a share from 0 to 1, 1 unless told");
         }
     }
     for (std::size_t i = 0; i < hours.size() && hours.size() == texts.size(); ++i) {
@@ -86,7 +86,7 @@ std::vector<ClockHours::Window> read_hours(const Section& section) {
     const std::vector<std::string> texts = section.texts_or(
         "hours",
         "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
-        "0.3\", of every seconds_of_day on the clock of time.start, or of one: \"2026-07-15 "
+        "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
         "05:30-06:10\"; a temperature is held then, and is the air's else",
         {std::vector<std::string>{}, "always"});
     if (section.has("hours") && texts.empty()) {

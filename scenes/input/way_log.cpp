@@ -69,7 +69,7 @@ void Reader::check_columns() const {
         if (!has(one) || !has(other)) continue;
         throw InputError(
             table.path.string(),
-            fmt::format("has log_columns '{}' and '{}', expected one of the two", one, other));
+            fmt::format("has columns '{}' and '{}', expected one of the two", one, other));
     }
     for (const auto& [part, of] : together) {
         if (!has(part) || has(of)) continue;

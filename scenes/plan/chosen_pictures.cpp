@@ -53,7 +53,7 @@ FrameRange frames_named(const std::string& text) {
         return {.from = parse_instant(first, option), .to = parse_instant(last, option)};
     } catch (const InputError&) {
         throw InputError(
-            option, fmt::format("found 'frames={}', expected hours of the day_span as 05:00..09:00 "
+            option, fmt::format("found 'frames={}', expected hours of the day as 05:00..09:00 "
                                 "or instants as 2026-07-15T06:00:00-04:00",
                                 text.substr(0, 60)));
     }

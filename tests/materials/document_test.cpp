@@ -26,7 +26,8 @@ std::vector<Mistake> mistakes_in(const std::string& text, const Read& read) {
 
 }  // namespace
 
-TEST_CASE("a misspelt key is named with its place and the nearest key", "[materials][document]") {
+TEST_CASE("a misspelt key is named with its place and the nearest key",
+          "[materials][document][own_keys]") {
     const auto found = mistakes_in("[air]\nwidn_speed_m_s = 3.0\n", [](const Section& root) {
         root.section("air", "the air").number_or("wind_speed_m_s", "of the wind", 1.0);
     });
@@ -35,7 +36,8 @@ TEST_CASE("a misspelt key is named with its place and the nearest key", "[materi
           "hill.toml:2:1: air.widn_speed_m_s: unknown key (did you mean 'wind_speed_m_s'?)");
 }
 
-TEST_CASE("all mistakes of a file are reported at once, in its order", "[materials][document]") {
+TEST_CASE("all mistakes of a file are reported at once, in its order",
+          "[materials][document][own_keys]") {
     const auto found =
         mistakes_in("[a]\nlow = -1\nname = 3\nlist = [1, 2]\n[b]\nwhen = 2026-07-15T00:00:00\n",
                     [](const Section& root) {
@@ -56,7 +58,7 @@ TEST_CASE("all mistakes of a file are reported at once, in its order", "[materia
     CHECK(found[4].where == "hill.toml:6:8: b.when");
 }
 
-TEST_CASE("a decimal comma, nan and inf are refused", "[materials][document]") {
+TEST_CASE("a decimal comma, nan and inf are refused", "[materials][document][own_keys]") {
     CHECK(mistakes_in("x = 0,3\n", [](const Section&) {}).at(0).where.rfind("hill.toml:1:", 0) ==
           0);
     for (const std::string value : {"nan", "inf", "-inf", "\"3\"", "true", "[1]"}) {
@@ -68,7 +70,7 @@ TEST_CASE("a decimal comma, nan and inf are refused", "[materials][document]") {
     }
 }
 
-TEST_CASE("a setting takes the place of what the file says", "[materials][document]") {
+TEST_CASE("a setting takes the place of what the file says", "[materials][document][own_keys]") {
     Document document = Document::from_text("[time]\nstep_s = 600\n", "hill.toml");
     document.set("time.step_s=300");
     document.set("scene.name=ridge");
@@ -82,7 +84,8 @@ TEST_CASE("a setting takes the place of what the file says", "[materials][docume
     CHECK_THROWS_AS(document.set("time.step_s.x=1"), InputError);
 }
 
-TEST_CASE("a setting finds one of several tables by name or number", "[materials][document]") {
+TEST_CASE("a setting finds one of several tables by name or number",
+          "[materials][document][own_keys]") {
     Document document = Document::from_text(
         "[[eye]]\nname = \"east\"\nwidth = 1\n[[eye]]\nname = \"west\"\n"
         "[list]\nvalues = [7, [8, \"x\"]]\n",
@@ -104,7 +107,7 @@ TEST_CASE("a setting finds one of several tables by name or number", "[materials
     CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye[1].height"));
 }
 
-TEST_CASE("a document tells what was asked of it, and how", "[materials][document]") {
+TEST_CASE("a document tells what was asked of it, and how", "[materials][document][own_keys]") {
     const Document document = Document::from_text(
         "[[rule]]\nkind = \"steep\"\nheight_m = 3.0\n[parts]\nwheel = \"rubber\"\n", "hill.toml");
     const Section rule = document.root().sections("rule", "what holds where").at(0);
@@ -130,7 +133,7 @@ TEST_CASE("a document tells what was asked of it, and how", "[materials][documen
     CHECK(found.at("parts.NAME").says == "of this part");
 }
 
-TEST_CASE("malformed TOML never aborts", "[materials][document][stress]") {
+TEST_CASE("malformed TOML never aborts", "[materials][document][own_keys][stress]") {
     for (const std::string text :
          {"[", "[[", "a = ", "= 3", "a = \"", "a = [1, 2", "[a]\n[a]\n", "a.b = 1\na = 2\n", "\x01",
           "a = 1e999", "a = 99999999999999999999", "a = 2026-13-45T00:00:00Z", "\xff\xfe"}) {
@@ -142,7 +145,7 @@ TEST_CASE("malformed TOML never aborts", "[materials][document][stress]") {
     }
 }
 
-TEST_CASE("a mistake is one line and steers no terminal", "[materials][document]") {
+TEST_CASE("a mistake is one line and steers no terminal", "[materials][document][own_keys]") {
     CHECK(Mistake{"w.csv:1:2", "found '\x1b[2J\n\x7f', expected a number", ""}.line() ==
           "w.csv:1:2: found '?[2J?\?', expected a number");
     CHECK(Mistake{"µ", "\xc2\x9b and \xe2\x80\xae, \xe2\x82\xac", ""}.line() ==

@@ -52,7 +52,7 @@ const std::string plain_body =
 }  // namespace
 
 TEST_CASE("what is like another and says nothing else is that, in scene and column",
-          "[materials][like]") {
+          "[materials][like][own_keys]") {
     for (const std::string& name : library().names()) {
         CAPTURE(name);
         const Material& given = library()[library().find(name)];
@@ -64,7 +64,7 @@ TEST_CASE("what is like another and says nothing else is that, in scene and colu
 
 // Dunkle 1965 (Modest, Radiative Heat Transfer, 3.80 and figure 3.18): a smooth dielectric of n =
 // 1.5 emits 0.96 upright and 0.908 over the hemisphere.
-TEST_CASE("a law of angle of the user's own is handed on", "[materials][like]") {
+TEST_CASE("a law of angle of the user's own is handed on", "[materials][like][own_keys]") {
     MaterialLibrary base = library();
     Material coat = read(
         "albedo = 0.3\nreflectance = \"spectra/asphalt.csv\"\n"
@@ -97,7 +97,7 @@ TEST_CASE("a law of angle of the user's own is handed on", "[materials][like]") 
 // of sea water and of lakes differs from water's by less than 0.01 (Segelstein 1981; Friedman
 // 1969).
 TEST_CASE("sea and lake are as bright and as black over the hemisphere as water",
-          "[materials][like]") {
+          "[materials][like][own_keys]") {
     const ThermalSurface& water = library()[library().find("water")].thermal;
     for (const char* name : {"sea_water", "lake_water"}) {
         const ThermalSurface& own = library()[library().find(name)].thermal;
@@ -109,7 +109,8 @@ TEST_CASE("sea and lake are as bright and as black over the hemisphere as water"
 }
 
 // A net of cover c: c ρ sent back, 1 − c + c τ let through; its heat is that of its strips.
-TEST_CASE("a net's strips stay what they are whatever they cover", "[materials][like][net]") {
+TEST_CASE("a net's strips stay what they are whatever they cover",
+          "[materials][like][own_keys][net]") {
     const Material& net = library()[library().find("camouflage_net")];
     REQUIRE(net.cover == 0.65);
     const Material thinner = read("like = \"camouflage_net\"\ncover = 0.5\n");
@@ -134,7 +135,7 @@ TEST_CASE("a net's strips stay what they are whatever they cover", "[materials][
 // 300 K 0.02 % (Planck's fractions: 0.0000 to 750 µm K).
 // The ends are those of the tables' first and last rows (materials/spectra/*_refraction.csv).
 TEST_CASE("a band past the ends of the library's own n and k is told",
-          "[materials][like][spectrum]") {
+          "[materials][like][own_keys][spectrum]") {
     const std::vector<Band> bands{flat_band("8-12", 8.0, 12.0), flat_band("far", 20.0, 30.0),
                                   flat_band("uv", 0.25, 0.4)};
     const auto told = [&](const std::string& name) {
@@ -160,7 +161,7 @@ TEST_CASE("a band past the ends of the library's own n and k is told",
 }
 
 TEST_CASE("a spectrum that ends short of heat is told, one in nanometres refused",
-          "[materials][like][spectrum]") {
+          "[materials][like][own_keys][spectrum]") {
     const ScratchFolder folder("short");
     write_text(folder.path / "asd.csv", "wavelength_um,value\n0.35,0.2\n2.5,0.3\n");
     write_text(folder.path / "nm.csv", "wavelength_um,value\n350,0.2\n2500,0.3\n");

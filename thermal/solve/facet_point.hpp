@@ -22,7 +22,29 @@ struct FacetPoint {
     int passes = 0;
     PointFacet::Count count{};
     double water_closure = 0.0;  // [kg m⁻²] of the last run
+    bool store_held = false;     // what lies at the start is no longer that of the end
+    double store_growth = 0.0;   // [mm] by which what lies has changed over the last run
 };
+
+/// What lies on a facet at the start of the next pass of a periodic span: what the pass before has
+/// left. Where hoar or snow grows or melts on from day to day no repeated day exists for it, and
+/// what `most_store_days` days have left is held as the start; temperatures then have a period.
+///
+/// stood    what lay at the start of the last pass
+/// left     what lay at its end; becomes the next start
+/// returns  whether the store at the start is settled
+inline bool next_store(FacetPoint& p, const Standing& stood, Standing& left) {
+    constexpr int most_store_days = 8;
+    constexpr double settled = 1e-3;  // [mm]
+    p.store_growth = apart(left, stood);
+    if (p.store_held) {
+        left = stood;
+        return true;
+    }
+    if (p.store_growth <= settled) return true;
+    p.store_held = p.passes >= most_store_days;
+    return false;
+}
 
 /// The facet that is a point's back; none: the facet itself.
 inline std::size_t back_of_point(const SolveState& solve, const FacetPoint& point) {

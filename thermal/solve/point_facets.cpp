@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <span>
 #include <tuple>
@@ -285,8 +286,7 @@ void PointFacets::march_span(const Level& level, const FacetForcing& forcing, Po
 }
 
 void PointFacets::run(const Level& level, FacetPoint& p) const {
-    constexpr int most_passes = 8;          // at a time: neighbours change in between
-    constexpr double settled_water = 1e-3;  // [mm]
+    constexpr int most_passes = 8;  // at a time: neighbours change in between
     const Block& block = solve_.block[p.block];
     const MaterialColumn& column = level.kind[block.material].column;
     const std::size_t instants = solve_.instant.size();
@@ -345,10 +345,8 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
         p.move = newton ? facet.close_period(start, map) : p.residual;
         astray = !astray && p.residual > 0.5 * before && !facet.column.linear();
         before = p.residual;
-        if (p.residual <= solve_.options.tolerance && p.move <= 0.01 &&
-            apart(facet.standing, stood) <= settled_water) {
-            break;
-        }
+        const bool store_settled = next_store(p, stood, facet.standing);
+        if (p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled) break;
     }
     p.start.u = facet.u;
     p.start.standing = facet.standing;
@@ -424,6 +422,14 @@ void PointFacets::put(SolveState& solve) const {
     }
 }
 
+void PointFacets::worst_to_stderr() const {
+    std::vector<const FacetPoint*> v; for (auto& p : point_) v.push_back(&p);
+    std::sort(v.begin(), v.end(), [](auto a, auto b){return a->residual > b->residual;});
+    std::size_t over=0, over2=0; for (auto p : v) { over += p->residual > 1e-4; over2 += p->move > 0.01; }
+    std::fprintf(stderr, "   over 1e-4: %zu, move>0.01: %zu;", over, over2);
+    for (std::size_t i = 0; i < v.size() && i < 6; ++i) std::fprintf(stderr, " f%zu %s res %.2e mv %.2e water %.4f n %d;", v[i]->facet, solve_.input.materials[solve_.input.facets.material[v[i]->facet]].kind().c_str(), v[i]->residual, v[i]->move, v[i]->end.standing.water, v[i]->passes);
+    std::fprintf(stderr, "\n");
+}
 PointFacets::Summary PointFacets::summary() const {
     Summary s = left_out_;
     s.fresh = fresh_;

@@ -67,6 +67,7 @@ class PointFacets {
         double most_dew_unfollowed = 0.0, dew_left_out = 0.0, worst_water_closure = 0.0;
     };
     Summary summary() const;
+    void worst_to_stderr() const;
 
  private:
     void take_in(const Level& level);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <optional>
 
@@ -253,7 +255,6 @@ class GroupRun {
     }
     /// The next start in place of the end; whether the two are as good as one.
     bool close_period(std::size_t l) {
-        constexpr double settled_water = 1e-3;  // [mm]
         Lane& lane = lane_[l];
         FacetPoint& p = *lane.point;
         const auto n = static_cast<Eigen::Index>(nodes());
@@ -270,8 +271,13 @@ class GroupRun {
         for (Eigen::Index i = 0; i < n; ++i) batch_.u[std::size_t(i) * W + l] = next[i];
         p.residual = lane.search.residual;
         p.move = lane.search.move;
-        return p.residual <= solve_.options.tolerance && p.move <= 0.01 &&
-               apart(batch_.standing[l], lane.stood) <= settled_water;
+        if (const char* d = std::getenv("DBGF"); d && std::size_t(std::atoi(d)) == p.facet) {
+            Eigen::Index w; (end - lane.start).cwiseAbs().maxCoeff(&w);
+            std::fprintf(stderr, "  f%zu sub %d node %ld depth %.3f u %.5f->%.5f next %.5f T %.4f melts %d res %.2e move %.2e plain %d stood %.5f -> %.5f apart %.2e n %zu slow %ld limited %d\n", p.facet, lane.passes, long(w), column_.column.depth(std::size_t(w)), lane.start[w], end[w], next[w],
+              column_.column.temperature(std::size_t(w), end[w]), int(column_.column.melts(std::size_t(w))), p.residual, p.move, int(lane.search.plain), lane.stood.frost, batch_.standing[l].frost, apart(batch_.standing[l], lane.stood), nodes(), long(columns), lane.limited);
+        }
+        const bool store_settled = next_store(p, lane.stood, batch_.standing[l]);
+        return p.residual <= solve_.options.tolerance && p.move <= 0.01 && store_settled;
     }
 
     const SolveState& solve_;

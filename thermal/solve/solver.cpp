@@ -4,6 +4,8 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <utility>
 #include <variant>
@@ -227,6 +229,16 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
         // What the neighbours send by now tells how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
         nearing.add(report, options);
+        if (std::getenv("DBG")) {
+            double res = 0, mv = 0, nudge=0; std::size_t wf = 0; int rest = 0;
+            for (const Block& b : solve.block) {
+                if (b.residual > res) { res = b.residual; wf = b.facet.front(); }
+                mv = std::max(mv, b.largest_move); nudge = std::max(nudge, b.nudge); rest += b.rests;
+            }
+            const auto sg = points.summary(); points.worst_to_stderr();
+            std::fprintf(stderr, "pass %d block res %.2e (f%zu %s) move %.2e nudge %.2e rests %d/%zu | points %zu res %.2e move %.2e fresh %d | light %.3f | exch %.2e est %.2e\n",
+                report.passes, res, wf, solve.input.materials[solve.input.facets.material[wf]].kind().c_str(), mv, nudge, rest, solve.block.size(), points.size(), sg.residual, sg.largest_move, int(sg.fresh), report.light_change, report.exchange_change, report.estimated_error);
+        }
         if (options.tell && !report.converged) {
             options.tell(what_is_left(solve, points, targets, report));
         }

@@ -182,11 +182,11 @@ std::string told(const StartError& error) {
             than = fmt::format("a start from the weather of {} days before", error.days);
             break;
         case StartError::Against::repeated_day:
-            than = "a start from its first seconds_of_day repeated";
+            than = "a start from its first day repeated";
             break;
         case StartError::Against::a_day_less:
             than = fmt::format(
-                "a start from a seconds_of_day less, all that is known being {} seconds_of_day{}",
+                "a start from a day less, all that is known being {} day{}",
                 error.days + 1, error.days == 0 ? "" : "s");
             break;
     }

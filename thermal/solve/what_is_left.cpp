@@ -35,16 +35,16 @@ std::string furthest_facets(const SolveState& solve, const PointFacets& points,
     const double plain = worst == nullptr ? 0.0 : worst->residual;
     if (single > std::max(plain, network)) {
         return fmt::format(
-            "the furthest_facets among the {} facets of water, snow or freezing ground",
+            "the furthest among the {} facets of water, snow or freezing ground",
             points.size());
     }
     if (network > plain) {
-        return fmt::format("the furthest_facets among the {} facets of targets",
+        return fmt::format("the furthest among the {} facets of targets",
                            targets.summary().facets);
     }
     if (worst == nullptr) return "";
     const std::size_t facet = furthest_of(*worst);
-    return fmt::format("the furthest_facets is facet {} of {}", facet,
+    return fmt::format("the furthest is facet {} of {}", facet,
                        solve.input.materials[solve.input.facets.material[facet]].kind());
 }
 

@@ -30,8 +30,7 @@ struct LineOfContrast {
 /// light through and adds its own and the sunlight that it scatters; what is left is the difference
 /// of apparent temperatures there. Aspect and background stay.
 ///
-/// At the picture's own range it is the picture's. Against cameras that stand there 0.5 % in 3-5
-/// and 1.6 % in 8-12 um to 5 km (tests/scenes/contrast_test.cpp).
+/// At the picture's own range it is the picture's (tests/scenes/contrast_test.cpp).
 class ContrastOnLine {
  public:
     ContrastOnLine(const Atmosphere& air, const Band& band, const LineOfContrast& line,

@@ -34,10 +34,10 @@ class SunCourses {
 /// lattice whose borders fit point by point, outside the squares of fine ground below the objects.
 ///
 /// The edges are a fifth of the object's breadth (the second largest of its three sizes), half of
-/// the penumbra's width, or those of the ground below it, whichever is the longest, so that a
-/// shadow's area is right within a few per cent; longer where that would be more than some 10 000
-/// triangles. A sun so far off that the penumbra is three breadths wide casts no shadow to speak
-/// of. None for what stands lower than one edge of the ground round it.
+/// the penumbra's width, or those of the ground below it, whichever is the longest, longer where
+/// that would be more than some 10 000 triangles. A sun so far off that the penumbra is three
+/// breadths wide casts no shadow to speak of. None for what stands lower than one edge of the
+/// ground round it.
 ///
 /// - base: middle of its plan and lowest point, of each place or copy: east, north, up [m]
 std::vector<GroundPatch> shadow_tracks(const ObjectInput& object,

@@ -6,6 +6,7 @@
 
 #include "scenes/input/read_copies.hpp"
 #include "scenes/input/read_target.hpp"
+#include "terrain/objects/facing.hpp"
 #include "terrain/objects/models/models.hpp"
 #include "terrain/objects/models/net.hpp"
 #include "terrain/objects/welded_faces.hpp"
@@ -156,7 +157,8 @@ fs::path part_file(const Section& section, const ObjectInput& object, const std:
     return beside;
 }
 
-/// Takes out of an object's mesh what lies there twice or has no area, and tells.
+/// Takes out of an object's mesh what lies there twice or has no area, and turns closed pieces
+/// outward; notes it.
 void weld(const Section& section, ObjectInput& object) {
     if (object.mesh->triangle.empty()) return;
     const std::size_t triangles = object.mesh->triangle.size();
@@ -189,6 +191,8 @@ void weld(const Section& section, ObjectInput& object) {
         object.notes.push_back(
             fmt::format("{} of {} triangles without area are left out", found.flat, triangles));
     }
+    const std::string facing = facing_note(turn_outward(*object.mesh, object.material));
+    if (!facing.empty()) object.notes.push_back(facing);
 }
 
 }  // namespace

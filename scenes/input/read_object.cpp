@@ -161,6 +161,7 @@ fs::path part_file(const Section& section, const ObjectInput& object, const std:
 /// outward; notes it.
 void weld(const Section& section, ObjectInput& object) {
     if (object.mesh->triangle.empty()) return;
+    object.notes.insert(object.notes.end(), object.mesh->notes.begin(), object.mesh->notes.end());
     const std::size_t triangles = object.mesh->triangle.size();
     const WeldedFaces found = weld_faces(*object.mesh, object.material);
     if (object.mesh->triangle.empty()) {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -9,7 +10,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "terrain/objects/mesh_gate.hpp"
+#include "terrain/objects/mesh_builder.hpp"
+#include "terrain/objects/mesh_readers.hpp"
 #include "terrain/objects/mesh_words.hpp"
 
 namespace diurna {
@@ -23,7 +25,7 @@ struct Property {
     Type type{};  // of a list its elements'
     bool list = false;
     Type count{};          // of a list
-    bool place = false;    // x, y or z of a vertex
+    int axis = -1;         // 0 to 2: x, y or z of a vertex
     bool corners = false;  // the corners of a face
 };
 
@@ -72,8 +74,11 @@ Property read_property(const MeshLines& lines, const std::string& element) {
                       .list = list};
     if (list) property.count = type_named(lines, words[2]);
     const std::string& name = property.name;
-    property.place = element == "vertex" && !list && (name == "x" || name == "y" || name == "z");
-    property.corners = list && (name == "vertex_indices" || name == "vertex_index");
+    if (element == "vertex" && !list && name.size() == 1 && name[0] >= 'x' && name[0] <= 'z') {
+        property.axis = name[0] - 'x';
+    }
+    property.corners =
+        element == "face" && list && (name == "vertex_indices" || name == "vertex_index");
     return property;
 }
 
@@ -106,6 +111,11 @@ Head read_head(MeshLines& lines, std::size_t bytes) {
                                  fmt::format("claims {} of {}, but the file has {} bytes", rows,
                                              words[1], bytes));
             }
+            for (const Element& other : head.element) {
+                if (other.name != words[1]) continue;
+                throw InputError(lines.where(), fmt::format("element {} stands above, too",
+                                                            words[1].substr(0, 40)));
+            }
             head.element.push_back({std::string(words[1]), std::size_t(rows), {}});
             if (words[1] == "vertex") head.vertices = rows;
         } else if (words[0] == "property" && !head.element.empty()) {
@@ -129,7 +139,7 @@ void check_head(const std::string& name, const Head& head) {
         }
         return count;
     };
-    if (with("vertex", [](const Property& p) { return p.place; }) != 3) {
+    if (with("vertex", [](const Property& p) { return p.axis >= 0; }) != 3) {
         throw InputError(name, "its vertices have not x, y and z once each");
     }
     if (with("face", [](const Property& p) { return p.corners; }) != 1) {
@@ -148,16 +158,35 @@ void check_count(const std::string& where, double count, const Property& propert
 
 void check_value(const std::string& where, double value, const Property& property,
                  const Head& head) {
-    if (property.place && !(std::abs(value) <= most_coordinate)) {
+    if (property.axis >= 0 && !(std::abs(value) <= most_coordinate)) {
         throw InputError(where, fmt::format("found {} = {:g}", property.name, value));
     }
-    if (property.corners && !(value >= 0.0 && value < double(head.vertices))) {
+    const bool whole = value == std::floor(value);
+    if (property.corners && !(whole && value >= 0.0 && value < double(head.vertices))) {
         throw InputError(
             where, fmt::format("found corner {:g}, expected 0 to {}", value, head.vertices - 1));
     }
 }
 
-void check_text_row(MeshLines& lines, const Element& element, const Head& head) {
+/// What the rows say: places, and corners of faces one after the other.
+struct Rows {
+    std::vector<Eigen::Vector3d> place;
+    std::vector<std::uint32_t> corner;
+    std::vector<std::size_t> end;  // (face) in `corner`
+
+    void begin(const Element& element) {
+        if (element.name == "vertex") place.emplace_back(Eigen::Vector3d::Zero());
+    }
+    void take(const Property& property, double value) {
+        if (property.axis >= 0) place.back()[property.axis] = value;
+        if (property.corners) corner.push_back(static_cast<std::uint32_t>(value));
+    }
+    void finish(const Element& element) {
+        if (element.name == "face") end.push_back(corner.size());
+    }
+};
+
+void read_text_row(MeshLines& lines, const Element& element, const Head& head, Rows& rows) {
     do {
         if (!lines.next()) {
             throw InputError(lines.where(),
@@ -175,7 +204,13 @@ void check_text_row(MeshLines& lines, const Element& element, const Head& head) 
     for (const Property& property : element.property) {
         double count = 1.0;
         if (property.list) check_count(lines.where(), count = next(), property);
-        for (double i = 0.0; i < count; ++i) check_value(lines.where(), next(), property, head);
+        for (double i = 0.0; i < count; ++i) {
+            const double value = next();
+            if (property.axis >= 0 || property.corners) {
+                check_value(lines.where(), value, property, head);
+            }
+            rows.take(property, value);
+        }
     }
     if (at != words.size()) {
         throw InputError(lines.where(),
@@ -238,38 +273,71 @@ class Bytes {
     bool big_;
 };
 
-void check_binary_row(Bytes& bytes, const std::string& where, const Element& element,
-                      const Head& head) {
+void read_binary_row(Bytes& bytes, const std::string& where, const Element& element,
+                     const Head& head, Rows& rows) {
     for (const Property& property : element.property) {
         double count = 1.0;
         if (property.list) check_count(where, count = bytes.next(property.count), property);
-        if (!property.place && !property.corners) {
+        if (property.axis < 0 && !property.corners) {
             bytes.skip(std::size_t(count) * bytes_of(property.type));
             continue;
         }
         for (double i = 0.0; i < count; ++i) {
-            check_value(where, bytes.next(property.type), property, head);
+            const double value = bytes.next(property.type);
+            check_value(where, value, property, head);
+            rows.take(property, value);
         }
     }
 }
 
+/// Whether places are of 32 bits, or of fewer.
+bool has_float_places(const Head& head) {
+    for (const Element& element : head.element) {
+        for (const Property& property : element.property) {
+            if (property.axis >= 0 && property.type == Type::float32 && !head.text) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
-void check_ply(const std::string& name, std::string_view text) {
+MeshFile read_ply(const std::string& name, std::string_view text) {
     MeshLines lines(name, text);
     const Head head = read_head(lines, text.size());
     check_head(name, head);
     Bytes bytes(name, lines.rest(), head.big);
+    Rows rows;
     for (const Element& element : head.element) {
         if (element.property.empty()) continue;
         for (std::size_t row = 0; row < element.rows; ++row) {
+            rows.begin(element);
             if (head.text) {
-                check_text_row(lines, element, head);
+                read_text_row(lines, element, head, rows);
             } else {
-                check_binary_row(bytes, name, element, head);
+                read_binary_row(bytes, name, element, head, rows);
             }
+            rows.finish(element);
         }
     }
+    MeshBuilder mesh(name);
+    const std::uint16_t part = mesh.part("", "");
+    std::vector<std::uint32_t> corner;
+    std::size_t at = 0;
+    for (std::size_t face = 0; face < rows.end.size(); ++face) {
+        corner.clear();
+        for (; at < rows.end[face]; ++at)
+            corner.push_back(mesh.vertex(rows.place[rows.corner[at]]));
+        mesh.polygon(corner, part, fmt::format("face {}", face));
+    }
+    if (has_float_places(head)) {
+        double largest = 0.0;
+        for (const Eigen::Vector3d& place : rows.place) {
+            largest = std::max(largest, place.cwiseAbs().maxCoeff());
+        }
+        mesh.stored_as_float(largest);
+    }
+    return mesh.finish();
 }
 
 }  // namespace diurna

@@ -279,16 +279,16 @@ void doubt_sizes(const Prepared& prepared, const std::vector<Body>& bodies,
 
 /// What the files of meshes may have wrong; of copies once.
 void doubt_meshes(const Scene& scene, std::vector<Mistake>& doubts) {
-    std::set<const MeshFile*> told;
+    std::set<const MeshFile*> seen;
     for (const ObjectInput& object : scene.terrain.objects) {
-        if (!told.insert(object.mesh.get()).second) continue;
+        if (!seen.insert(object.mesh.get()).second) continue;
         const std::string where =
             fmt::format("{}: object.{}", scene.file.string(),
                         object.copy_of.empty() ? object.name : object.copy_of);
         for (const std::string& warning : object.mesh->warnings) {
             doubts.push_back({where,
                               fmt::format("{}: {}", object.file.filename().string(), warning),
-                              "mend the mesh, if it was not meant so"});
+                              "repair the mesh if that is not intended"});
         }
     }
 }

@@ -110,7 +110,7 @@ GltfAccessors::GltfAccessors(const Gltf& gltf, GltfBuffers& buffers)
                                component_of(gltf, one, where).bytes,
                      count = gltf.size(Gltf::member(one, "count"), 0.0, where),
                      from = gltf.size(Gltf::member(one, "byteOffset"), 0.0, where);
-        if (count < 1.0) throw gltf.fault(where, "has no elements");
+        if (count < 1.0) throw gltf.fault(where, "has no elements, expected vertices or indices");
         if (view.is_null()) {
             if (count * element > most_without_data) {
                 throw gltf.fault(where, fmt::format("claims {:.0f} elements of no data", count));

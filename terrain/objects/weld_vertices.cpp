@@ -19,8 +19,9 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 
 // Shares of the mesh's diagonal.
-constexpr double everywhere = 1e-5, nearly = 1e-2;
-constexpr std::array along_rims{1e-4, 1e-3};
+constexpr double everywhere = 1e-6, nearly = 1e-2;
+constexpr std::array along_rims{1e-5, 1e-4, 1e-3};
+constexpr double of_sheets = 1e-4;  // the most that is joined where nothing is closed by it
 
 double diagonal(const MeshFile& mesh) {
     Eigen::AlignedBox3d box;
@@ -265,7 +266,7 @@ WeldedVertices weld_vertices(MeshFile& mesh) {
     for (const double share : along_rims) {
         if (is_joined(pieces)) return welded;
         const Trial trial =
-            try_rims(mesh, pieces, shortest_edges(mesh), share * size, share == along_rims[0]);
+            try_rims(mesh, pieces, shortest_edges(mesh), share * size, share <= of_sheets);
         if (trial.farthest == 0.0) continue;
         welded.closed += trial.closed;
         join(mesh, trial.into, welded);

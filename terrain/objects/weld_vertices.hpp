@@ -20,9 +20,9 @@ struct WeldedVertices {
     double hole_share = 0.0;    // of the others: the largest share of a piece's area in holes
 };
 
-/// Makes one vertex of those that lie within 1e-5 of the mesh's diagonal; then, along open edges
-/// alone, of those within 1e-4 if that closes a piece or continues a sheet, and within 1e-3 if it
-/// closes a piece. Never of two that are further apart than a quarter of the shortest edge at
+/// Makes one vertex of those that lie within 1e-6 of the mesh's diagonal; then, along open edges
+/// alone, of those within 1e-5 or 1e-4 if that closes a piece or continues a sheet, and within 1e-3
+/// if it closes a piece. Never of two that are further apart than a quarter of the shortest edge at
 /// either. Where a piece stays open: finds whether the same within 1e-2 would close it, or whether
 /// its holes are small.
 WeldedVertices weld_vertices(MeshFile& mesh);

@@ -115,8 +115,9 @@ TEST_CASE("thin bodies and sheets side by side stay as they are", "[terrain][wel
     CHECK(foil.triangle.size() == 12);
     CHECK(volume(foil) == Approx(2e-6));
 
+    const double height = GENERATE(1e-4, 1e-3);
     auto both = sheet(4, 0.0);
-    for (const auto& triangle : sheet(4, 1e-4)) both.push_back(triangle);
+    for (const auto& triangle : sheet(4, height)) both.push_back(triangle);
     MeshFile two = loose(both, 0.0);
     weld_vertices(two);
     const MeshPieces pieces = pieces_of(two);

@@ -18,7 +18,7 @@ namespace {
 
 /// Vertices, texture places and normals: what the three numbers of a corner count.
 using Counts = std::array<long long, 3>;
-constexpr std::array kinds{"vertices", "texture places", "normals"};
+constexpr std::array counted{"vertices", "texture places", "normals"};
 constexpr long long most_index = 0xffffffff;
 constexpr const char* no_group = "defaultobject";  // of faces above any line g or o
 
@@ -36,7 +36,7 @@ std::uint32_t read_index(const MeshLines& lines, std::string_view word, std::siz
     if (index == 0 || -index > have[kind]) {
         throw InputError(lines.where(), fmt::format("found index {}, expected 1 to the number of "
                                                     "{}, or -1 to -{}",
-                                                    index, kinds[kind], have[kind]));
+                                                    index, counted[kind], have[kind]));
     }
     if (index > asked.most[kind]) {
         if (index > most_index)
@@ -138,10 +138,11 @@ MeshFile read_obj(const std::string& name, std::string_view text) {
             mesh.note("free-form curves and surfaces of its mesh are skipped");
         }
     }
-    for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    for (std::size_t kind = 0; kind < counted.size(); ++kind) {
         if (asked.most[kind] <= have[kind]) continue;
-        throw InputError(asked.where[kind], fmt::format("found index {}, but the file has {} {}",
-                                                        asked.most[kind], have[kind], kinds[kind]));
+        throw InputError(asked.where[kind],
+                         fmt::format("found index {}, but the file has {} {}", asked.most[kind],
+                                     have[kind], counted[kind]));
     }
     std::vector<std::uint32_t> corner;
     std::size_t at = 0;

@@ -190,25 +190,25 @@ Trial try_rims(const MeshFile& mesh, const MeshPieces& open, std::vector<double>
 }
 
 /// Open edges that hang together end to end: the rim of a hole.
-struct Hole {
+struct RimHole {
     Eigen::Vector3d area = Eigen::Vector3d::Zero();  // vector, as the patch's first triangle faces
     std::size_t edges = 0;
 };
 
 /// (piece) its holes.
-std::map<std::uint32_t, std::vector<Hole>> holes_of(const MeshFile& mesh,
-                                                    const MeshPieces& pieces) {
+std::map<std::uint32_t, std::vector<RimHole>> holes_of(const MeshFile& mesh,
+                                                       const MeshPieces& pieces) {
     const MeshPatches patches = mesh_patches(mesh.triangle.size(), pieces.joints);
     std::map<std::uint32_t, std::vector<std::size_t>> at_vertex;
     for (std::size_t r = 0; r < pieces.rims.size(); ++r) {
         at_vertex[pieces.rims[r].low].push_back(r);
         at_vertex[pieces.rims[r].high].push_back(r);
     }
-    std::map<std::uint32_t, std::vector<Hole>> holes;
+    std::map<std::uint32_t, std::vector<RimHole>> holes;
     std::vector<std::uint8_t> seen(pieces.rims.size(), 0);
     for (std::size_t r = 0; r < pieces.rims.size(); ++r) {
         if (seen[r]) continue;
-        Hole hole;
+        RimHole hole;
         std::vector<std::size_t> next{r};
         seen[r] = 1;
         const Eigen::Vector3d& origin = mesh.vertex[pieces.rims[r].low];
@@ -241,7 +241,7 @@ void find_small_holes(const MeshFile& mesh, const MeshPieces& pieces, WeldedVert
         const auto& [volume, area] = bulk[piece];
         double open = 0.0;
         std::size_t most_edges = 0;
-        for (const Hole& hole : holes) {
+        for (const RimHole& hole : holes) {
             open += hole.area.norm();
             most_edges = std::max(most_edges, hole.edges);
         }

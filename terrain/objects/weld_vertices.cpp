@@ -6,11 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
-#include <set>
 
 #include "terrain/objects/mesh_pieces.hpp"
 #include "terrain/objects/near_vertices.hpp"
+#include "terrain/objects/small_holes.hpp"
 
 namespace diurna {
 
@@ -78,35 +77,6 @@ void join(MeshFile& mesh, std::span<const std::uint32_t> into, WeldedVertices& w
     mesh.part_of.resize(kept);
 }
 
-/// Of each piece: what it encloses, as its patches face, and its area.
-struct Bulk {
-    double volume = 0.0, area = 0.0;
-    /// A solid that two sheets within `apart` of each other are not.
-    bool thicker_than(double apart) const { return volume > apart * area; }
-};
-
-std::vector<Bulk> bulks(std::span<const Eigen::Vector3d> vertex, std::span<const Corners> triangle,
-                        const MeshPieces& pieces) {
-    const MeshPatches patches = mesh_patches(triangle.size(), pieces.joints);
-    constexpr auto none = std::uint32_t(-1);
-    std::vector<std::uint32_t> first(pieces.size(), none);
-    std::vector<double> volume(patches.sound.size(), 0.0);
-    std::vector<std::uint32_t> piece(patches.sound.size(), 0);
-    std::vector<Bulk> bulk(pieces.size());
-    for (std::uint32_t t = 0; t < triangle.size(); ++t) {
-        std::uint32_t& origin = first[pieces.of[t]];
-        if (origin == none) origin = triangle[t][0];
-        const Eigen::Vector3d a = vertex[triangle[t][0]] - vertex[origin],
-                              b = vertex[triangle[t][1]] - vertex[origin],
-                              c = vertex[triangle[t][2]] - vertex[origin];
-        volume[patches.of[t]] += (patches.turned[t] ? -1.0 : 1.0) * a.dot(b.cross(c)) / 6.0;
-        piece[patches.of[t]] = pieces.of[t];
-        bulk[pieces.of[t]].area += 0.5 * (b - a).cross(c - a).norm();
-    }
-    for (std::size_t p = 0; p < volume.size(); ++p) bulk[piece[p]].volume += std::abs(volume[p]);
-    return bulk;
-}
-
 /// From an edge to the third corner of a triangle, at right angles to the edge, unit.
 Eigen::Vector3d across(std::span<const Eigen::Vector3d> vertex, const Corners& triangle,
                        const EdgeSide& edge) {
@@ -165,7 +135,7 @@ Trial try_rims(const MeshFile& mesh, const MeshPieces& open, std::vector<double>
     for (const EdgeSide& side : open.rims) {
         fresh[pieces.of[side.triangle]] = was_open[pieces.of[side.triangle]] = 1;
     }
-    const std::vector<Bulk> bulk = bulks(mesh.vertex, joined, pieces);
+    const std::vector<PieceBulk> bulk = piece_bulks(mesh.vertex, joined, pieces);
     std::vector<std::uint8_t> had_rims(joined.size(), 0);
     for (const EdgeSide& side : open.rims) had_rims[side.triangle] = 1;
     const std::vector<std::uint8_t> smooth = is_smooth(mesh.vertex, joined, pieces, had_rims);
@@ -187,70 +157,6 @@ Trial try_rims(const MeshFile& mesh, const MeshPieces& open, std::vector<double>
             std::max(trial.farthest, (mesh.vertex[v] - mesh.vertex[trial.into[v]]).norm());
     }
     return trial;
-}
-
-/// Open edges that hang together end to end: the rim of a hole.
-struct RimHole {
-    Eigen::Vector3d area = Eigen::Vector3d::Zero();  // vector, as the patch's first triangle faces
-    std::size_t edges = 0;
-};
-
-/// (piece) its holes.
-std::map<std::uint32_t, std::vector<RimHole>> holes_of(const MeshFile& mesh,
-                                                       const MeshPieces& pieces) {
-    const MeshPatches patches = mesh_patches(mesh.triangle.size(), pieces.joints);
-    std::map<std::uint32_t, std::vector<std::size_t>> at_vertex;
-    for (std::size_t r = 0; r < pieces.rims.size(); ++r) {
-        at_vertex[pieces.rims[r].low].push_back(r);
-        at_vertex[pieces.rims[r].high].push_back(r);
-    }
-    std::map<std::uint32_t, std::vector<RimHole>> holes;
-    std::vector<std::uint8_t> seen(pieces.rims.size(), 0);
-    for (std::size_t r = 0; r < pieces.rims.size(); ++r) {
-        if (seen[r]) continue;
-        RimHole hole;
-        std::vector<std::size_t> next{r};
-        seen[r] = 1;
-        const Eigen::Vector3d& origin = mesh.vertex[pieces.rims[r].low];
-        while (!next.empty()) {
-            const EdgeSide& rim = pieces.rims[next.back()];
-            next.pop_back();
-            ++hole.edges;
-            const double sign = rim.turned == (patches.turned[rim.triangle] != 0) ? 0.5 : -0.5;
-            hole.area +=
-                sign * (mesh.vertex[rim.low] - origin).cross(mesh.vertex[rim.high] - origin);
-            for (const std::uint32_t v : {rim.low, rim.high}) {
-                for (const std::size_t other : at_vertex[v]) {
-                    if (seen[other]) continue;
-                    seen[other] = 1;
-                    next.push_back(other);
-                }
-            }
-        }
-        holes[pieces.of[pieces.rims[r].triangle]].push_back(hole);
-    }
-    return holes;
-}
-
-/// Pieces with holes so small that they were hardly meant: one or two triangles that are missing,
-/// or a fiftieth of the area.
-void find_small_holes(const MeshFile& mesh, const MeshPieces& pieces, WeldedVertices& welded) {
-    constexpr double few_triangles = 0.1, any = 0.02, bulky = 0.005;
-    const std::vector<Bulk> bulk = bulks(mesh.vertex, mesh.triangle, pieces);
-    for (const auto& [piece, holes] : holes_of(mesh, pieces)) {
-        const auto& [volume, area] = bulk[piece];
-        double open = 0.0;
-        std::size_t most_edges = 0;
-        for (const RimHole& hole : holes) {
-            open += hole.area.norm();
-            most_edges = std::max(most_edges, hole.edges);
-        }
-        const double share = open / area;
-        if (share > (most_edges <= 4 ? few_triangles : any)) continue;
-        if (volume < bulky * std::pow(area, 1.5)) continue;
-        ++welded.nearly_closed;
-        welded.hole_share = std::max(welded.hole_share, share);
-    }
 }
 
 /// Whether each edge has two triangles or more, without rows beside it.
@@ -277,7 +183,11 @@ WeldedVertices weld_vertices(MeshFile& mesh) {
     welded.nearly_closed = trial.closed;  // not joined
     welded.gap = trial.closed > 0 ? trial.farthest : 0.0;
     welded.gap_edges = trial.edges;
-    if (trial.closed == 0) find_small_holes(mesh, pieces, welded);
+    if (trial.closed == 0) {
+        const SmallHoles holes = small_holes(mesh.vertex, mesh.triangle, pieces);
+        welded.nearly_closed = holes.pieces;
+        welded.hole_share = holes.share;
+    }
     return welded;
 }
 

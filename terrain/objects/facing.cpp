@@ -9,7 +9,7 @@
 #include <map>
 #include <optional>
 
-#include "terrain/objects/column_grid.hpp"
+#include "terrain/objects/line_grid.hpp"
 #include "terrain/objects/mesh_pieces.hpp"
 
 namespace diurna {
@@ -108,14 +108,14 @@ void nest(const MeshFile& mesh, std::vector<Solid>& solids) {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return std::abs(solids[a].volume) > std::abs(solids[b].volume);
     });
-    std::vector<std::optional<ColumnGrid>> columns(solids.size());
+    std::vector<std::optional<LineGrid>> columns(solids.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         Solid& inner = solids[order[i]];
         const std::vector<Eigen::Vector3d> samples = samples_of(mesh, inner);
         for (std::size_t k = i; k-- > 0 && inner.within == no_solid;) {
             const Solid& outer = solids[order[k]];
             if (!outer.box.contains(inner.box)) continue;
-            std::optional<ColumnGrid>& grid = columns[order[k]];
+            std::optional<LineGrid>& grid = columns[order[k]];
             if (!grid) {
                 grid.emplace(mesh.vertex, mesh.triangle, outer.triangle, general_directions()[0]);
             }
@@ -134,7 +134,7 @@ void nest(const MeshFile& mesh, std::vector<Solid>& solids) {
 /// Of patches that share walls with others: more than 0 where lines from the side that the first
 /// triangle faces reach the outside, less where those from the other do, 0 where none can say.
 double seen_from_outside(const MeshFile& mesh, const MeshPatches& patches, const Solid& patch,
-                         std::span<const ColumnGrid> columns) {
+                         std::span<const LineGrid> columns) {
     constexpr std::size_t most = 32;
     double vote = 0.0;
     const std::size_t count = std::min(most, patch.triangle.size());
@@ -173,7 +173,7 @@ Facing turn_outward(MeshFile& mesh, std::span<const std::string> material) {
     for (std::uint32_t t = 0; t < pieces.of.size() && !shared.empty(); ++t) {
         if (const auto at = shared.find(pieces.of[t]); at != shared.end()) at->second.push_back(t);
     }
-    std::map<std::uint32_t, std::vector<ColumnGrid>> columns;
+    std::map<std::uint32_t, std::vector<LineGrid>> columns;
     for (const auto& [piece, triangles] : shared) {
         for (const Eigen::Vector3d& direction : general_directions()) {
             columns[piece].emplace_back(mesh.vertex, mesh.triangle, triangles, direction);

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/file_mesh.hpp"
 
 namespace diurna {
 

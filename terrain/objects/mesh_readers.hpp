@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "materials/base/confines.hpp"
-#include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/file_mesh.hpp"
 
 namespace diurna {
 

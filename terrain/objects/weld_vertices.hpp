@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/file_mesh.hpp"
 
 namespace diurna {
 

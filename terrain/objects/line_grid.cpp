@@ -1,4 +1,4 @@
-#include "terrain/objects/column_grid.hpp"
+#include "terrain/objects/line_grid.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,9 +15,9 @@ double doubled_area(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Ei
 
 }  // namespace
 
-ColumnGrid::ColumnGrid(std::span<const Eigen::Vector3d> vertex,
-                       std::span<const std::array<std::uint32_t, 3>> triangle,
-                       std::span<const std::uint32_t> which, const Eigen::Vector3d& direction)
+LineGrid::LineGrid(std::span<const Eigen::Vector3d> vertex,
+                   std::span<const std::array<std::uint32_t, 3>> triangle,
+                   std::span<const std::uint32_t> which, const Eigen::Vector3d& direction)
     : turn_(Eigen::Quaterniond::FromTwoVectors(direction, Eigen::Vector3d::UnitZ())
                 .toRotationMatrix()),
       origin_(which.empty() ? Eigen::Vector3d::Zero() : vertex[triangle[which[0]][0]]) {
@@ -64,12 +64,12 @@ ColumnGrid::ColumnGrid(std::span<const Eigen::Vector3d> vertex,
     }
 }
 
-std::size_t ColumnGrid::cell(double across, int axis) const {
+std::size_t LineGrid::cell(double across, int axis) const {
     const double at = step_[axis] > 0.0 ? (across - low_[axis]) / step_[axis] : 0.0;
     return std::size_t(std::clamp(at, 0.0, double(side_ - 1)));
 }
 
-ColumnGrid::Crossed ColumnGrid::crossed(const Eigen::Vector3d& point, std::uint32_t skipped) const {
+LineGrid::Crossed LineGrid::crossed(const Eigen::Vector3d& point, std::uint32_t skipped) const {
     Crossed count;
     const Eigen::Vector3d at = turn_ * (point - origin_);
     const Eigen::Vector2d plan = at.head<2>();

@@ -9,13 +9,13 @@
 namespace diurna {
 
 /// Triangles in the columns of a square grid, for counting what a line in one direction crosses.
-class ColumnGrid {
+class LineGrid {
  public:
     /// - which: those of `triangle` that count
     /// - direction: of the line, unit; a general one, so that no line runs along an edge
-    ColumnGrid(std::span<const Eigen::Vector3d> vertex,
-               std::span<const std::array<std::uint32_t, 3>> triangle,
-               std::span<const std::uint32_t> which, const Eigen::Vector3d& direction);
+    LineGrid(std::span<const Eigen::Vector3d> vertex,
+             std::span<const std::array<std::uint32_t, 3>> triangle,
+             std::span<const std::uint32_t> which, const Eigen::Vector3d& direction);
 
     struct Crossed {
         int ahead = 0, behind = 0;

@@ -9,14 +9,14 @@ namespace diurna {
 
 namespace {
 
-using Plan = Eigen::Vector2d;
+using InPlane = Eigen::Vector2d;
 
-double cross(const Plan& a, const Plan& b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const InPlane& a, const InPlane& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// A polygon in its plane, counterclockwise, of which ears are clipped one by one.
 class Ears {
  public:
-    Ears(std::vector<Plan> at, double extent) : at_(std::move(at)), flat_(1e-10 * extent) {
+    Ears(std::vector<InPlane> at, double extent) : at_(std::move(at)), flat_(1e-10 * extent) {
         const auto n = std::uint32_t(at_.size());
         for (std::uint32_t i = 0; i < n; ++i) {
             next_.push_back((i + 1) % n);
@@ -65,13 +65,13 @@ class Ears {
         const std::uint32_t a = before_[i], b = next_[i];
         const double longest = reach(i), area = turn(i);
         if (!(area > flat_ * longest)) return 0.0;
-        const Plan ab = at_[b] - at_[a];
+        const InPlane ab = at_[b] - at_[a];
         for (const std::uint32_t j : left_) {
             if (j == i || j == a || j == b) continue;
             if (same(j, i)) {
                 // A bridge that goes on from here into the ear.
                 for (const std::uint32_t q : {before_[j], next_[j]}) {
-                    const Plan way = at_[q] - at_[i];
+                    const InPlane way = at_[q] - at_[i];
                     if (cross(at_[b] - at_[i], way) > flat_ * way.norm() &&
                         cross(way, at_[a] - at_[i]) > flat_ * way.norm()) {
                         return 0.0;
@@ -80,7 +80,7 @@ class Ears {
                 continue;
             }
             if (same(j, a) || same(j, b)) continue;
-            const Plan& p = at_[j];
+            const InPlane& p = at_[j];
             const bool outside =
                 cross(at_[i] - at_[a], p - at_[a]) < -flat_ * (at_[i] - at_[a]).norm() ||
                 cross(at_[b] - at_[i], p - at_[i]) < -flat_ * (at_[b] - at_[i]).norm() ||
@@ -113,7 +113,7 @@ class Ears {
         quality_[b] = ear_quality(b);
     }
 
-    std::vector<Plan> at_;
+    std::vector<InPlane> at_;
     double flat_;  // a length
     std::vector<std::uint32_t> next_, before_, left_;
     std::vector<double> quality_;
@@ -187,7 +187,7 @@ CutPolygon cut_polygon(std::span<const Eigen::Vector3d> corner) {
             cut = *four;
         } else {
             const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-            std::vector<Plan> plan;
+            std::vector<InPlane> plan;
             for (const Eigen::Vector3d& at : place) {
                 plan.emplace_back(u.dot(at - place[0]), v.dot(at - place[0]));
             }

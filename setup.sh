@@ -11,7 +11,7 @@ packages=(
     cmake ninja-build g++ ccache pkg-config git clang-format
     # geometry, places, elevation, rays
     libcgal-dev libopenmesh-dev libembree-dev libeigen3-dev libgeographiclib-dev libgdal-dev
-    libproj-dev proj-data liberfa-dev libtbb-dev libassimp-dev
+    libproj-dev proj-data liberfa-dev libtbb-dev
     # files, messages, pictures
     libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libfmt-dev libnetcdf-dev libhdf5-dev libboost-dev
     libfftw3-dev libopenexr-dev libpng-dev libtiff-dev libssl-dev libcereal-dev

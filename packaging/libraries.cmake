@@ -15,7 +15,6 @@ find_package(PNG REQUIRED)
 find_package(TIFF REQUIRED)
 find_package(TBB REQUIRED)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(assimp REQUIRED IMPORTED_TARGET assimp)
 pkg_check_modules(erfa REQUIRED IMPORTED_TARGET erfa)
 pkg_check_modules(openexr REQUIRED IMPORTED_TARGET OpenEXR)  # its CMake files ask for more
 pkg_check_modules(netcdf REQUIRED IMPORTED_TARGET netcdf)
@@ -42,7 +41,7 @@ string(REGEX MATCHALL "[0-9]+" cereal_VERSION "${cereal_VERSION}")
 list(JOIN cereal_VERSION "." cereal_VERSION)
 
 # Name and version of each, in this order in manifests, `diurna doctor` and the bill of materials.
-string(CONCAT DIURNA_LIBRARIES "Assimp ${assimp_VERSION}, Boost ${Boost_VERSION}, CGAL ${CGAL_VERSION}, "
+string(CONCAT DIURNA_LIBRARIES "Boost ${Boost_VERSION}, CGAL ${CGAL_VERSION}, "
     "cereal ${cereal_VERSION}, CLI11 ${CLI11_VERSION}, Eigen ${Eigen3_VERSION}, Embree ${embree_VERSION}, ERFA ${erfa_VERSION}, "
     "FFTW ${fftw_VERSION}, fmt ${fmt_VERSION}, GDAL ${GDAL_VERSION}, "
     "GeographicLib ${GeographicLib_VERSION}, GMP ${gmp_VERSION}, HDF5 ${hdf5_VERSION}, "

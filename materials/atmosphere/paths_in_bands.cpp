@@ -8,6 +8,7 @@
 #include "materials/atmosphere/sun_field.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "materials/radiation/planck.hpp"
 
 namespace diurna {
 
@@ -59,6 +60,13 @@ std::vector<PathInBand> paths_in_bands(const AirPath& a, const BandModel& model,
         PathInBand& result = results.emplace_back();
         result.transmittance = band_mean_nodes(band, path.transmittance);
         result.thermal = band_sum_nodes(band, path.radiance);
+        double left = 0.0, all = 0.0;
+        for (std::size_t i = 0; i < band.node_um.size(); ++i) {
+            const double slope = band.weight[i] * planck_derivative(band.node_um[i], contrast_body);
+            left += slope * path.transmittance[i];
+            all += slope;
+        }
+        result.contrast = all > 0.0 ? left / all : result.transmittance;
         result.scattered = 0.0;
         if (!a.sun_zenith_deg) continue;
         const SunField field(model,

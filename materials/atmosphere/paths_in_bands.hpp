@@ -25,10 +25,15 @@ struct AirPath {
 /// Its line. Throws InputError unless it has one end, and one that it reaches.
 SightLine line_of(const AirPath& path, const BandModel& model);
 
+inline constexpr double contrast_body = 300.0;  // [K]
+
 /// What a path has in a band.
 struct PathInBand {
     double transmittance;       // mean over wavelength
     double thermal, scattered;  // [W m⁻² sr⁻¹]; of sunlight 0 where no sun is named
+    /// Mean weighted by Planck's slope at 300 K: what is left of the radiance of a small difference
+    /// of temperature.
+    double contrast = 0.0;
 };
 
 /// (band), whose breakpoints are bin_edges_um()

@@ -8,7 +8,7 @@ namespace diurna {
 /// The program and its version, "diurna 0.1.0".
 std::string made_by();
 
-/// The libraries it is built of with their versions, "Assimp 5.2.5, Boost 1.74.0, ...".
+/// The libraries it is built of with their versions, "Boost 1.74.0, CGAL 5.5.1, ...".
 std::string made_with();
 
 }  // namespace diurna

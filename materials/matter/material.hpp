@@ -55,8 +55,8 @@ struct FixedTemperature {
 struct FixedFlux {
     double flux;
 };  // [W m⁻²] upward, into the column
-/// A value through the day by local mean solar time: (hour, value), hours ascending, 0 to 24.
-/// Straight between its entries and around midnight; empty: none.
+/// A value through the day by the clock of the span's start: (hour, value), hours ascending, 0
+/// to 24. Straight between its entries and around midnight; empty: none.
 using Schedule = std::vector<std::array<double, 2>>;
 /// A heated room: its air and the film to it.
 struct Interior {

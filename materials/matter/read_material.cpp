@@ -16,7 +16,7 @@ namespace diurna {
 
 namespace {
 
-/// [[hour, value], ...] with ascending hours of local mean solar time; none where it is absent.
+/// [[hour, value], ...] with ascending hours of the clock; none where it is absent.
 Schedule read_schedule(const Section& section, const char* key, const char* says, const char* value,
                        Range range) {
     Schedule schedule;
@@ -49,7 +49,7 @@ Bottom read_bottom(const Section& section) {
             .film = section.number("film_W_m2K", "between the last layer and the room's air",
                                    {0.0, 1e4})};
         room.schedule = read_schedule(section, "schedule",
-                                      "[[hour, K], ...] of local mean solar time, in place of "
+                                      "[[hour, K], ...] on the clock of time.start, in place of "
                                       "air_temperature_K: straight between, around midnight",
                                       "temperature_K", {150.0, 1500.0});
         return room;
@@ -233,7 +233,7 @@ void read_surface(const Section& section, ThermalSurface& thermal) {
     if (section.has("internal_schedule")) {
         thermal.internal_schedule =
             read_schedule(section, "internal_schedule",
-                          "[[hour, W/m2], ...] of local mean solar time, in place of "
+                          "[[hour, W/m2], ...] on the clock of time.start, in place of "
                           "internal_heat_W_m2: straight between, around midnight",
                           "heat_W_m2", {-1e5, 1e6});
     }

@@ -39,6 +39,7 @@ class PathInBand(NamedTuple):
     transmittance: float  # mean over wavelength
     thermal_W_m2_sr: float
     scattered_W_m2_sr: float  # of sunlight; 0 where no sun is named
+    contrast_transmittance: float  # mean weighted by Planck's slope at 300 K: of a small difference of temperature
 
 
 def path(bands, profile="US76", aerosol="none", visibility_km=23.0, co2_ppm=None, ground_km=0.0, rain_mm_h=0.0, **way):

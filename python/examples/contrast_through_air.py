@@ -1,4 +1,8 @@
-"""What is left of a difference of one kelvin at 300 K behind 1 to 10 km of summer air, in two bands."""
+"""What is left of a difference of one kelvin at 300 K behind 1 to 10 km of summer air, in two bands.
+
+Air lets through most where a band's transmittance is high, so light of a body counts by its own spectrum: the mean
+over wavelength tells more of a difference to be left than there is.
+"""
 
 import diurna
 
@@ -6,7 +10,8 @@ for band in ("3-5", "8-12"):
     step = diurna.band_radiance(band, 300.5) - diurna.band_radiance(band, 299.5)
     for range_km in (1, 2, 5, 10):
         air = diurna.path(band, "MLS", "rural", 23.0, zenith_deg=90, range_km=range_km)[band]
-        seen = air.transmittance * diurna.band_radiance(band, 300.0) + air.thermal_W_m2_sr
-        warmer = diurna.apparent_temperature(band, seen + air.transmittance * step)
+        through = air.contrast_transmittance
+        seen = through * diurna.band_radiance(band, 300.0) + air.thermal_W_m2_sr
+        warmer = diurna.apparent_temperature(band, seen + through * step)
         left = warmer - diurna.apparent_temperature(band, seen)
-        print(f"{band} um, {range_km:2} km: transmittance {air.transmittance:.3f}, apparent difference {left:.3f} K")
+        print(f"{band} um, {range_km:2} km: transmittance {through:.3f}, apparent difference {left:.3f} K")

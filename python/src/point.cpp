@@ -66,7 +66,7 @@ py::list path(const std::vector<std::string>& names, const std::string& profile,
     }
     py::list rows;
     for (const PathInBand& one : found)
-        rows.append(py::make_tuple(one.transmittance, one.thermal, one.scattered));
+        rows.append(py::make_tuple(one.transmittance, one.thermal, one.scattered, one.contrast));
     return rows;
 }
 

@@ -1,6 +1,6 @@
 """A scene whose figures stand on paper: thin black plates in a vacuum which nothing shines on, so that sigma T^4 = q.
 
-One has 200 to 400 W/m2 from 6 to 12 h of local mean solar time and back to 200 at 18 h, in a plain with 300 W/m2 all day,
+One has 200 to 400 W/m2 from 6 to 12 h of the scene's clock and back to 200 at 18 h, in a plain with 300 W/m2 all day,
 seen from 60 m above: they cross at 9 and 15 h. (tests/support/heated_plate.hpp has the same for C++.)
 """
 
@@ -13,7 +13,6 @@ samples = pathlib.Path(diurna.data_folder()).parent / "scenes"
 
 SIGMA = 5.670374419e-8  # CODATA 2018
 LONGITUDE = -84.203333
-LATE_S = -4 * 3600 - LONGITUDE * 240  # [s] the scene's clock, UTC - 4 h, after local mean solar time
 
 
 def kelvin(heat):

@@ -25,8 +25,9 @@ double between(const std::array<double, n>& x, const std::array<double, n>& y, d
 
 double contrast_threshold(double cycles_per_mrad, double luminance, double size_deg) {
     const double u = cycles_per_mrad * mrad_per_degree;
-    const double field = size_deg * (1.0 + u / 3.0);
-    const double a = 540.0 * std::pow(1.0 + 0.7 / luminance, -0.2) / (1.0 + 12.0 / (field * field));
+    const double finer = 1.0 + u / 3.0;
+    const double a =
+        540.0 * std::pow(1.0 + 0.7 / luminance, -0.2) / (1.0 + 12.0 / (size_deg * finer * finer));
     const double bu = 0.3 * std::pow(1.0 + 100.0 / luminance, 0.15) * u;
     // e^(bu) may be beyond a double's range: e^(−bu) √(1 + 0.06 e^(bu)) without it.
     const double down = std::exp(-0.5 * bu);

@@ -6,9 +6,12 @@ namespace diurna {
 
 /// Contrast of a sine wave that is seen half the time, (Lmax − Lmin)/(Lmax + Lmin):
 /// 1/(a u e^(−b u) √(1 + 0.06 e^(b u))), u in cycles per degree,
-/// a = 540 (1 + 0.7/L)^−0.2 / (1 + 12/(w² (1 + u/3)²)), b = 0.3 (1 + 100/L)^0.15 (Barten, Proc.
-/// SPIE 1077, 1989, with w² the angular area of what is looked at; the naked eye of NVThermIP, in
-/// cycles/mrad and foot-lamberts there). Above 1 nothing is seen.
+/// a = 540 (1 + 0.7/L)^−0.2 / (1 + 12/(w (1 + u/3)²)), b = 0.3 (1 + 100/L)^0.15 (Barten,
+/// "Evaluation of subjective image quality with the square-root integral method", J. Opt. Soc. Am.
+/// A 7, 2024, 1990; the naked eye of NVThermIP, Vollmerhausen & Jacobs, AMSEL-NV-TR-230, 2004). The
+/// originals were not at hand: that w, in degrees, is not squared is as two public implementations
+/// of the formula have it, and as a small field counts in Barten's formula of 2003, (1 +
+/// 144/w²)^−½. Above 1 nothing is seen.
 ///
 /// - size_deg: w, square root of the display's angular area
 double contrast_threshold(double cycles_per_mrad, double luminance, double size_deg);

@@ -17,7 +17,6 @@ struct Origin {
 /// Licences as the packages' copyright files state them.
 const std::map<std::string, Origin>& origins() {
     static const std::map<std::string, Origin> all{
-        {"Assimp", {"libassimp-dev", "BSD-3-Clause"}},
         {"Boost", {"libboost-dev", "BSL-1.0"}},
         {"CGAL", {"libcgal-dev", "GPL-3.0-or-later"}},
         {"cereal", {"libcereal-dev", "BSD-3-Clause"}},

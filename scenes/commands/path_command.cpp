@@ -21,6 +21,7 @@
 #include "materials/base/units.hpp"
 #include "materials/modtran/run.hpp"
 #include "materials/modtran/tape7.hpp"
+#include "materials/radiation/planck.hpp"
 #include "materials/radiation/spectrum.hpp"
 
 namespace diurna {
@@ -92,8 +93,14 @@ std::vector<PathInBand> by_modtran(const ModtranRunner& runner, const ModtranDec
                 fmt::format("MODTRAN gave {:g} to {:g} um, the band needs {:g} to {:g}",
                             path.wavelength_um.front(), path.wavelength_um.back(), from, to));
         }
+        std::vector<double> slope, left;
+        for (std::size_t i = 0; i < path.wavelength_um.size(); ++i) {
+            slope.push_back(planck_derivative(path.wavelength_um[i], contrast_body));
+            left.push_back(slope.back() * path.transmittance[i]);
+        }
+        const double mean = sum(path.transmittance) / (to - from), all = sum(slope);
         results.push_back(
-            {sum(path.transmittance) / (to - from), sum(path.thermal), sum(path.scattered)});
+            {mean, sum(path.thermal), sum(path.scattered), all > 0.0 ? sum(left) / all : mean});
     }
     return results;
 }
@@ -135,12 +142,13 @@ void path_verb(const PathArguments& arguments) {
         results = by_modtran(*runner, deck_of(arguments, model, line, bands), bands);
     }
     std::string out = "band_um,transmittance,thermal_path_radiance_W_m2_sr";
-    out += arguments.path.sun_zenith_deg ? ",scattered_sun_W_m2_sr\n" : "\n";
+    out += arguments.path.sun_zenith_deg ? ",scattered_sun_W_m2_sr" : "";
+    out += ",contrast_transmittance\n";
     for (std::size_t b = 0; b < bands.size(); ++b) {
         out += fmt::format("{:g}-{:g},{:.6f},{:.6g}", bands[b].from_um(), bands[b].to_um(),
                            results[b].transmittance, results[b].thermal);
         if (arguments.path.sun_zenith_deg) out += fmt::format(",{:.6g}", results[b].scattered);
-        out += '\n';
+        out += fmt::format(",{:.6f}\n", results[b].contrast);
     }
     if (!arguments.csv.empty()) write_spectrum(arguments.csv, model, line);
     fmt::print("{}", out);

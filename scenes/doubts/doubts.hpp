@@ -25,6 +25,10 @@ std::vector<Mistake> object_doubts(const Prepared& prepared);
 /// Observers that see the sky alone, or nothing but what stands right before their lens.
 std::vector<Mistake> view_doubts(const Prepared& prepared);
 
+/// Materials with schedules, where their clock (that of time.start) is not local mean solar time,
+/// which earlier versions took.
+std::vector<Mistake> clock_doubts(const Prepared& prepared);
+
 /// "scene.toml: object.truck: stands inside ... (move ...)", each once.
 std::vector<std::string> as_lines(const std::vector<Mistake>& doubts);
 

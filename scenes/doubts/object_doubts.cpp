@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "materials/matter/passed_light.hpp"
@@ -276,6 +277,22 @@ void doubt_sizes(const Prepared& prepared, const std::vector<Body>& bodies,
     }
 }
 
+/// What the files of meshes may have wrong; of copies once.
+void doubt_meshes(const Scene& scene, std::vector<Mistake>& doubts) {
+    std::set<const MeshFile*> seen;
+    for (const ObjectInput& object : scene.terrain.objects) {
+        if (!seen.insert(object.mesh.get()).second) continue;
+        const std::string where =
+            fmt::format("{}: object.{}", scene.file.string(),
+                        object.copy_of.empty() ? object.name : object.copy_of);
+        for (const std::string& warning : object.mesh->warnings) {
+            doubts.push_back({where,
+                              fmt::format("{}: {}", object.file.filename().string(), warning),
+                              "repair the mesh if that is not intended"});
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Mistake> object_doubts(const Prepared& prepared) {
@@ -284,6 +301,7 @@ std::vector<Mistake> object_doubts(const Prepared& prepared) {
     doubt_sizes(prepared, bodies, doubts);
     doubt_pairs(prepared, bodies, doubts);
     doubt_stands(prepared, bodies, doubts);
+    doubt_meshes(prepared.scene, doubts);
     return doubts;
 }
 

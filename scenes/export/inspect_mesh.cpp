@@ -7,14 +7,31 @@
 #include "materials/base/confines.hpp"
 #include "materials/base/error.hpp"
 #include "scenes/export/inspect.hpp"
+#include "terrain/objects/facing.hpp"
 #include "terrain/objects/mesh_file.hpp"
+#include "terrain/objects/mesh_pieces.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// What the library that reads meshes calls a material that the file does not name.
-constexpr const char* unnamed = "DefaultMaterial";
+/// How many pieces hang together, of which so many are closed, and what was repaired or may be
+/// wrong.
+void add_pieces(MeshFile mesh, Found& found) {
+    std::vector<std::string> material;
+    for (const MeshFile::Part& part : mesh.part) material.push_back(part.material);
+    const MeshPieces pieces = mesh_pieces(mesh.vertex, mesh.triangle);
+    const Facing facing = turn_outward(mesh, material);
+    found.fact.push_back({"pieces", {static_cast<long long>(pieces.size())}});
+    found.fact.push_back({"closed_pieces", {static_cast<long long>(facing.closed)}});
+    if (const std::string note = facing_note(facing); !note.empty()) mesh.notes.push_back(note);
+    if (!mesh.notes.empty()) {
+        found.fact.push_back({"notes", {mesh.notes.begin(), mesh.notes.end()}});
+    }
+    if (!mesh.warnings.empty()) {
+        found.fact.push_back({"warnings", {mesh.warnings.begin(), mesh.warnings.end()}});
+    }
+}
 
 }  // namespace
 
@@ -35,7 +52,7 @@ Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& opti
         const MeshFile::Part& part = mesh.part[mesh.part_of[t]];
         Part& of = parts[part.node];
         ++of.facets;
-        if (part.material.empty() || part.material == unnamed) continue;
+        if (part.material.empty()) continue;
         of.materials.insert(part.material);
         materials.insert(part.material);
     }
@@ -53,6 +70,7 @@ Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& opti
                   {"high", {high.x(), high.y(), high.z()}},
                   {"size", {high.x() - low.x(), high.y() - low.y(), high.z() - low.z()}},
                   {"materials", {materials.begin(), materials.end()}}};
+    add_pieces(mesh, found);
     FoundTable table{"groups", {"group", "facets", "materials"}, {}};
     for (const auto& [name, part] : parts) {
         table.row.push_back({name, part.facets, fmt::format("{}", fmt::join(part.materials, " "))});

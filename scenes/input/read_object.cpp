@@ -6,6 +6,7 @@
 
 #include "scenes/input/read_copies.hpp"
 #include "scenes/input/read_target.hpp"
+#include "terrain/objects/facing.hpp"
 #include "terrain/objects/models/models.hpp"
 #include "terrain/objects/models/net.hpp"
 #include "terrain/objects/welded_faces.hpp"
@@ -156,9 +157,11 @@ fs::path part_file(const Section& section, const ObjectInput& object, const std:
     return beside;
 }
 
-/// Takes out of an object's mesh what lies there twice or has no area, and tells.
+/// Takes out of an object's mesh what lies there twice or has no area, and turns closed pieces
+/// outward; notes it.
 void weld(const Section& section, ObjectInput& object) {
     if (object.mesh->triangle.empty()) return;
+    object.notes.insert(object.notes.end(), object.mesh->notes.begin(), object.mesh->notes.end());
     const std::size_t triangles = object.mesh->triangle.size();
     const WeldedFaces found = weld_faces(*object.mesh, object.material);
     if (object.mesh->triangle.empty()) {
@@ -189,6 +192,8 @@ void weld(const Section& section, ObjectInput& object) {
         object.notes.push_back(
             fmt::format("{} of {} triangles without area are left out", found.flat, triangles));
     }
+    const std::string facing = facing_note(turn_outward(*object.mesh, object.material));
+    if (!facing.empty()) object.notes.push_back(facing);
 }
 
 }  // namespace
@@ -257,7 +262,9 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
             {model.empty() ? 0.5 : 100.0, "0.5; of a model as its detail says"}, {0.01, 100.0})};
     object.ground_edge = section.number_or(
         "ground_edge_m",
-        "of the ground's triangles round it, as far as a sun 27 degrees high casts its shadow",
+        "of the ground's triangles round it, as far as a sun 27 degrees high casts its shadow; off "
+        "the ground also where its shadow falls in the months of the span, there a fifth of its "
+        "breadth at least",
         {0.0, "a twelfth of that, 0.15 at least"}, {0.05, 100.0});
     object.airspeed = section.number_or(
         "airspeed_m_s",

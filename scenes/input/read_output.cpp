@@ -6,7 +6,8 @@ OutputInput read_output(const Section& section) {
     return {.fluxes = section.flag_or("fluxes",
                                       "every term of the heat balance in temperatures.nc, of each "
                                       "facet at each kept instant; eight times its size, and one "
-                                      "more pass over the span",
+                                      "more pass over the span. What lies in a contact exchanges "
+                                      "nothing there: its rows are those of the open share",
                                       false),
             .state = section.flag_or("state",
                                      "state.nc, the heat in every facet at the span's end, for "

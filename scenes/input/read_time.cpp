@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -25,18 +24,6 @@ std::optional<Instant> instant_of(const Section& section, const std::string& key
         section.mistake(key, error.mistakes().front().problem);
         return std::nullopt;
     }
-}
-
-/// [s] that local clocks are ahead of UTC, by the end of an instant's text: Z or ±hh:mm.
-double offset_of(const std::string& instant) {
-    int hours = 0, minutes = 0;
-    if (instant.size() < 6) return 0.0;
-    const std::string end = instant.substr(instant.size() - 6);
-    if ((end[0] != '+' && end[0] != '-') ||
-        std::sscanf(end.c_str() + 1, "%2d:%2d", &hours, &minutes) != 2) {
-        return 0.0;
-    }
-    return (end[0] == '-' ? -1.0 : 1.0) * (3600.0 * hours + 60.0 * minutes);
 }
 
 void read_spin_up(const Section& section, TimeInput& time) {
@@ -74,7 +61,7 @@ TimeInput read_time(const Section& section, const std::optional<Site>& site) {
     const std::string said = section.moment("start", "of the span, with its offset from UTC");
     const auto start = instant_of(section, "start", said);
     if (start) time.start = *start;
-    time.utc_offset = offset_of(said);
+    time.utc_offset = utc_offset_of(said);
     const double hours = section.number_or("duration_h", "of the span, minutes to a year", 24.0,
                                            {1.0 / 60.0, longest_hours});
     time.duration = 3600.0 * hours;

@@ -124,7 +124,7 @@ std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepare
         "out "
         "what is emitted, released is heat of the surface itself, to below what lies under it "
         "takes "
-        "and stores.</p>\n";
+        "and stores. Faces in a contact exchange nothing there; heat through it is no term.</p>\n";
     for (std::size_t g = 0; g < groups.size(); ++g) {
         out += terms_chart(groups[g].name, means[g], axis, x);
     }

@@ -146,10 +146,11 @@ SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& op
     std::vector<SpanStage> solved;
     for (const SpanStage& stage : stages) {
         part.push_back(std::make_unique<SolvedPart>(stage.input, who));
-        solved.push_back(
-            {stage.from, part.back()->input(), [&stage, &who](const std::vector<Instant>& when) {
-                 return solved_part(stage.exposure(when), who);
-             }});
+        solved.push_back({stage.from, part.back()->input(),
+                          [&stage, &who](const std::vector<Instant>& when) {
+                              return solved_part(stage.exposure(when), who);
+                          },
+                          stage.early});
     }
     SpanResult result = solve_span(solved, options);
     spread(who, result);
@@ -194,7 +195,8 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
         StageHeat* const own =
             heat.emplace_back(std::make_unique<StageHeat>(stages.at(i), span.end)).get();
         parts.push_back({i == 0 ? span.start : scene.movement.stage[i], own->input(),
-                         [own](const std::vector<Instant>& when) { return own->exposure(when); }});
+                         [own](const std::vector<Instant>& when) { return own->exposure(when); },
+                         i > 0 && scene.movement.early[i]});
     }
     const StageHeat& first = *heat.front();
     std::optional<NeededFacets> needed;

@@ -72,6 +72,7 @@ StageHeat::StageHeat(const SceneStage& stage, Instant end)
              .materials = prepared_.scene.materials,
              .weather = prepared_.weather,
              .site = prepared_.world.site,
+             .utc_offset = prepared_.scene.time.utc_offset,
              .elevation = prepared_.weather.height,
              .by_height = &by_height_,
              .height = facet_heights(prepared_.world),

@@ -8,6 +8,11 @@
 
 namespace diurna {
 
+SightLine line_to_target(double target_height, double elevation_deg, double range) {
+    const double rise = range * std::sin(radians(elevation_deg));
+    return chord((target_height + rise) / 1000.0, target_height / 1000.0, range / 1000.0);
+}
+
 AirOnLine::AirOnLine(const Atmosphere& air, const Band& band, double target_height,
                      double elevation_deg, double farthest) {
     constexpr double black_body = 300.0;  // [K]
@@ -21,10 +26,8 @@ AirOnLine::AirOnLine(const Atmosphere& air, const Band& band, double target_heig
     logs_.push_back(0.0);
     for (int k = 1; k <= knots; ++k) {
         const double r = std::pow(k * root_step_, 3.0);
-        const double rise = r * std::sin(radians(elevation_deg));
-        const SightLine line =
-            chord((target_height + rise) / 1000.0, target_height / 1000.0, r / 1000.0);
-        const PathSpectrum path = path_at_nodes(air, line, band.node_um);
+        const PathSpectrum path =
+            path_at_nodes(air, line_to_target(target_height, elevation_deg, r), band.node_um);
         double sum = 0.0;
         for (std::size_t i = 0; i < weight.size(); ++i) sum += weight[i] * path.transmittance[i];
         logs_.push_back(std::log(std::max(1e-300, sum / all)));

@@ -7,6 +7,13 @@
 
 namespace diurna {
 
+/// From an eye to a target, as a line through the air.
+///
+/// - target_height: [m] above the sea
+/// - elevation_deg: of the eye above the target's level
+/// - range: [m]
+SightLine line_to_target(double target_height, double elevation_deg, double range);
+
 /// The air's transmittance in a band along a line through a target, over range: the mean weighted
 /// by Planck's slope at 300 K.
 class AirOnLine {

@@ -14,7 +14,8 @@
 #include "materials/base/units.hpp"
 #include "render/detection/busy_background.hpp"
 #include "scenes/run/picture.hpp"
-#include "scenes/studies/air_on_line.hpp"
+#include "scenes/run/sun_on_surfaces.hpp"
+#include "scenes/studies/contrast_on_line.hpp"
 #include "scenes/studies/seen_regions.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/heights.hpp"
@@ -118,16 +119,22 @@ Means means_of(const std::vector<float>& value, const Place& place) {
     return means;
 }
 
-double nearest(const View& view, const Place& place) {
-    double range = none;
+/// Where its filled pixels' surfaces are: the least range, and their mean height over the sea.
+struct Distance {
+    double range = none, height = none;
+};
+Distance distance_of(const View& view, const Place& place, double sea_level_height) {
+    double range = none, sum = 0.0, count = 0.0;
     for (std::size_t p = 0; p < place.in.size(); ++p) {
         if (place.filled[p] == 0) continue;
         for (std::uint32_t s = view.row[p]; s < view.row[p + 1]; ++s) {
             const double own = double{view.range_of(view.sighting[s])};
             if (!(own >= range)) range = own;
+            sum += double{view.height_of(view.sighting[s])};
+            count += 1.0;
         }
     }
-    return range;
+    return {range, count > 0.0 ? sea_level_height + sum / count : none};
 }
 
 ContrastRow contrast_row(const Frame& frame, const std::string& band, const Place& place) {
@@ -138,6 +145,7 @@ ContrastRow contrast_row(const Frame& frame, const std::string& band, const Plac
     row.pixels = means.covered;
     row.difference = means.difference;
     row.spread = means.spread;
+    row.background = means.background;
     // (T50) of docs/theory.md
     row.rss = std::hypot(means.difference, means.spread);
     const int side = 2 * std::max(place.width, place.height);
@@ -181,7 +189,7 @@ class Pictures {
     struct Shot {
         Frame frame;
         std::vector<std::vector<float>> cover;  // (target)(pixel)
-        std::vector<double> range;              // (target) [m]
+        std::vector<Distance> distance;         // (target)
         std::vector<Place> place;
     };
 
@@ -203,7 +211,7 @@ class Pictures {
         }
         Shot shot{.frame = picture_at(stage.prepared, *series_, stage.views, field_, when).frame,
                   .cover = {},
-                  .range = {},
+                  .distance = {},
                   .place = {}};
         std::vector<std::uint8_t> any(view_.pixels(), 0);
         for (const RegionInput& target : asked.targets) {
@@ -213,7 +221,8 @@ class Pictures {
         for (std::vector<float>& cover : shot.cover) {
             shot.place.push_back(
                 place_of(std::move(cover), any, shot.frame.width, shot.frame.height, asked.ring));
-            shot.range.push_back(nearest(view_, shot.place.back()));
+            shot.distance.push_back(
+                distance_of(view_, shot.place.back(), stage.prepared.world.sea_level_height));
         }
         return shot;
     }
@@ -228,7 +237,7 @@ class Pictures {
     View view_;  // of it, what is seen first
 };
 
-/// Through as much air as there is from each range on the line from the target to its observer.
+/// Through the air that there is from each range on the line from the target to its observer.
 std::vector<double> at_ranges(const Prepared& prepared, const ContrastInput& input,
                               const ContrastRow& row) {
     const std::size_t o = input.observers[row.observer];
@@ -239,16 +248,20 @@ std::vector<double> at_ranges(const Prepared& prepared, const ContrastInput& inp
     const Atmosphere air =
         atmosphere_at(prepared.scene, prepared.world, prepared.weather, row.when);
     const Band band = named_band(prepared.scene.bands, row.band, bin_edges_um());
-    const double eye_height = height_above_sea(prepared.world, eye.position);
-    const double ground = prepared.world.sea_level_height;
-    const double rise = std::clamp((eye_height - ground) / row.range, -1.0, 1.0);
-    double farthest = row.range;
-    for (const double range : input.ranges) farthest = std::max(farthest, range);
-    const AirOnLine on_line(air, band, ground, degrees(std::asin(rise)), farthest);
+    const double rise = (height_above_sea(prepared.world, eye.position) - row.height) / row.range;
+    const SunPosition sun = sun_over(prepared, row.when);
+    const LineOfContrast line{
+        .target_height = row.height,
+        .elevation_deg = degrees(std::asin(std::clamp(rise, -1.0, 1.0))),
+        .sun = {.zenith_deg = 90.0 - sun.elevation_deg, .distance_au = sun.distance_au},
+        .azimuth_from_sun_deg = eye.azimuth_deg - sun.azimuth_deg};
+    const SeenContrast seen{.range = row.range,
+                            .target = row.background + row.difference,
+                            .background = row.background,
+                            .spread = row.spread};
+    const ContrastOnLine contrast(air, band, line, seen);
     std::vector<double> found;
-    for (const double range : input.ranges) {
-        found.push_back(row.rss * on_line(range) / on_line(row.range));
-    }
+    for (const double range : input.ranges) found.push_back(contrast(range));
     return found;
 }
 
@@ -277,7 +290,8 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
                     row.target = i / bands;
                     row.observer = o;
                     row.when = frames[k];
-                    row.range = shot.range[i / bands];
+                    row.range = shot.distance[i / bands].range;
+                    row.height = shot.distance[i / bands].height;
                     rows[i] = std::move(row);
                 },
                 1);

@@ -18,9 +18,11 @@ struct ContrastRow {
     std::string band;
     double range = 0.0;   // [m] to its nearest pixel's surface
     double pixels = 0.0;  // that it covers, edges by their share
+    double height = 0.0;  // [m] above the sea of what its pixels show, mean
     // Of apparent temperature [K]:
     double difference = 0.0;                         // mean less the background's
     double spread = 0.0;                             // standard deviation over pixels that it fills
+    double background = 0.0;                         // the background's mean
     double rss = 0.0;                                // √(difference² + spread²)
     double clutter = 0.0;                            // (render/detection/busy_background.hpp)
     double signal_to_clutter = 0.0;                  // |difference| / clutter

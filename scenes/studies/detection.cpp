@@ -11,7 +11,9 @@
 #include "render/detection/ranges.hpp"
 #include "render/detection/resolvable.hpp"
 #include "render/detection/task_metric.hpp"
+#include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/studies/air_on_line.hpp"
+#include "scenes/studies/contrast_on_line.hpp"
 #include "scenes/world/air.hpp"
 #include "scenes/world/heights.hpp"
 #include "terrain/place/local_time.hpp"
@@ -62,6 +64,8 @@ SeenTarget seen_target(const StudiedTarget& target, const Observer& pose, const 
     seen.least_width = figures.least_width * side;
     seen.difference = figures.difference;
     seen.contrast = figures.rss();
+    seen.background = figures.background;
+    seen.spread = figures.spread;
     return seen;
 }
 
@@ -106,9 +110,21 @@ std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionIn
         const AirOnLine on_line(air, band, height, curve.target.elevation_deg,
                                 std::max(input.range[1], curve.target.range));
         curve.target.transmittance = on_line(curve.target.range);
-        const auto contrast = [&](double range) {
-            return curve.target.contrast * on_line(range) / curve.target.transmittance;
-        };
+        const SunPosition sun = sun_over(prepared, when);
+        const SeenContrast seen{.range = curve.target.range,
+                                .target = curve.target.background + curve.target.difference,
+                                .background = curve.target.background,
+                                .spread = curve.target.spread};
+        const Eigen::Vector3d to_target = target.box.middle - sequence.at(frame).position;
+        const ContrastOnLine line(
+            air, band,
+            {.target_height = height,
+             .elevation_deg = curve.target.elevation_deg,
+             .sun = {.zenith_deg = 90.0 - sun.elevation_deg, .distance_au = sun.distance_au},
+             .azimuth_from_sun_deg =
+                 degrees(std::atan2(to_target.x(), to_target.y())) - sun.azimuth_deg},
+            seen);
+        const ContrastOverRange contrast(line, seen, std::max(input.range[1], seen.range));
         const double root = std::sqrt(curve.target.area);
         const double across = input.across ? curve.target.least_width : root;
         const auto cycles = [&](double range) {

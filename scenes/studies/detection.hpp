@@ -18,6 +18,8 @@ struct SeenTarget {
     double area = 0.0;           // [m²] seen of it, projected
     double least_width = 0.0;    // [m] of the upright box around it in the picture
     double difference = 0.0;     // [K] of apparent temperature: mean less the background's
+    double background = 0.0;     // [K] that mean
+    double spread = 0.0;         // [K] standard deviation over the target
     double contrast = 0.0;       // [K] root sum square of that and of its spread
     double transmittance = 0.0;  // of the air to it, weighted by Planck's slope at 300 K
 };
@@ -33,9 +35,9 @@ struct DetectionCurve {
     std::array<std::vector<double>, 3> johnson_range, metric_range;
 };
 
-/// The contrast is that of the picture taken to other ranges on the same line: times the air's
-/// transmittance there over that here (air at the temperature of the background: Ratches and others
-/// 1975). Aspect and background stay. Throws InputError for a target of which nothing is seen.
+/// The contrast is that of the picture taken to other ranges on the same line
+/// (scenes/studies/contrast_on_line.hpp). Aspect and background stay. Throws InputError for a
+/// target of which nothing is seen.
 std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionInput& input,
                                          const TemperatureField& field, Progress& progress);
 

@@ -15,7 +15,9 @@
 #include "scenes/world/heights.hpp"
 #include "scenes/world/jets.hpp"
 #include "scenes/world/land.hpp"
+#include "scenes/world/movers.hpp"
 #include "scenes/world/objects.hpp"
+#include "scenes/world/shadow_tracks.hpp"
 #include "terrain/place/trajectory.hpp"
 #include "terrain/raster/dem_places.hpp"
 
@@ -76,6 +78,28 @@ std::vector<Eigen::Vector2d> shadow_places(const ObjectInput& input, const Scene
     return places;
 }
 
+/// Where an object, or each of some copies of it, is while it rests: middle of its plan and lowest
+/// point. East, north, up [m]
+std::vector<Eigen::Vector3d> resting_places(std::span<const ObjectInput> alike, const Scene& scene,
+                                            const Dem& dem, const World& world) {
+    std::vector<Eigen::Vector3d> places;
+    for (const ObjectInput& object : alike) {
+        const Eigen::Vector2d& at = object.place;
+        if (object.trajectory.empty()) {
+            if (!ground_if_any(dem, world.site, at)) continue;
+            places.push_back(stand_point(world, dem, at, object.stands, object.where));
+            continue;
+        }
+        const TrajectoryInput& way = *find_trajectory(scene.trajectories, object.trajectory);
+        const ObjectCourse course(object, scene, dem, world);
+        for (const Rest& rest : rests(way.way, way.metres())) {
+            const double when = std::isfinite(rest.from) ? rest.from : rest.until;
+            places.push_back(course.at(later(way.start, when)).translation());
+        }
+    }
+    return places;
+}
+
 /// Of an object beyond the raster: only one whose height is not that above the ground may be there.
 void refuse_beyond(const ObjectInput& object, const Eigen::Vector2d& place, const Scene& scene) {
     const TrajectoryInput* way = find_trajectory(scene.trajectories, object.trajectory);
@@ -88,7 +112,9 @@ void refuse_beyond(const ObjectInput& object, const Eigen::Vector2d& place, cons
 }
 
 /// Round objects, for their shadows. Throws InputError for one outside the raster.
-std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Site& site) {
+std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const World& world) {
+    const Site& site = world.site;
+    const SunCourses sun(site, scene.time);
     const std::span<const ObjectInput> objects = scene.terrain.objects;
     std::vector<GroundPatch> all;
     for (std::size_t k = 0; k < objects.size();) {
@@ -121,6 +147,13 @@ std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Si
                 if (lies_on(dem, raster_places(dem, site, patch.ring))) {
                     patches.push_back(std::move(patch));
                 }
+            }
+        }
+        const auto alike = objects.subspan(k, end - k);
+        for (GroundPatch& patch :
+             shadow_tracks(object, resting_places(alike, scene, dem, world), sun, dem, site)) {
+            if (lies_on(dem, raster_places(dem, site, patch.ring))) {
+                patches.push_back(std::move(patch));
             }
         }
         std::move(patches.begin(), patches.end(), std::back_inserter(all));
@@ -158,7 +191,7 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
                   .lattice = false},
                  "", Cuts::nothing);
     }
-    for (const GroundPatch& patch : patches_of(scene, dem, site)) {
+    for (const GroundPatch& patch : patches_of(scene, dem, world)) {
         cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
     }
     for (const ObjectInput& input : scene.terrain.objects) {

@@ -41,6 +41,17 @@ Instant nearest_step(Instant when, std::span<const Instant> steps) {
     return seconds_between(*before, when) < seconds_between(when, *after) ? *before : *after;
 }
 
+/// The step from which on the heat balance has a move done. One at the span's start that comes to
+/// its middle later: the next, as what went before the span is with all where they start; a balance
+/// of means has no such past, and one that goes on from a state has its own.
+Instant step_of(const Move& move, const Scene& scene, std::span<const Instant> steps) {
+    const Instant middle = move.middle(), nearest = nearest_step(middle, steps);
+    const SpanStart begin = scene.time.spin_up;
+    const bool has_past = begin != SpanStart::steady && begin != SpanStart::state;
+    const bool starts = nearest == steps.front() && middle > nearest && steps.size() > 2;
+    return has_past && starts ? steps[1] : nearest;
+}
+
 void move_object(FacetSet& facets, ObjectId id, const Eigen::Isometry3d& by) {
     std::vector<bool> done(facets.vertex.size(), false);
     for (std::size_t f = 0; f < facets.size(); ++f) {
@@ -110,7 +121,8 @@ void put_at_begin(Scene& scene, const Dem& dem, const World& world) {
 
 std::size_t Movement::stage_of(Instant when) const {
     const auto after = std::upper_bound(stage.begin() + 1, stage.end(), when);
-    return static_cast<std::size_t>(after - stage.begin()) - 1;
+    const auto k = static_cast<std::size_t>(after - stage.begin()) - 1;
+    return k > 0 && early[k] && when == stage[k] ? k - 1 : k;
 }
 
 namespace {
@@ -151,7 +163,7 @@ Movement movement(const Scene& scene, const Dem& dem, const World& world,
         course.emplace_back(object, scene, dem, world);
         for (const Move& move : moves_of(way_of(object, scene), m, scene)) {
             moves.push_back(move);
-            movement.stage.push_back(nearest_step(move.middle(), steps));
+            movement.stage.push_back(step_of(move, scene, steps));
             movement.longest_move =
                 std::max(movement.longest_move, seconds_between(move.from, move.to));
         }
@@ -162,12 +174,17 @@ Movement movement(const Scene& scene, const Dem& dem, const World& world,
     if (movement.stage.back() == scene.time.end() && movement.stage.size() > 1) {
         movement.stage.pop_back();
     }
+    for (const Instant begin : movement.stage) {
+        movement.early.push_back(std::any_of(moves.begin(), moves.end(), [&](const Move& move) {
+            return step_of(move, scene, steps) == begin && move.middle() > begin;
+        }));
+    }
     // In a stage an object rests where the last move before has led, or where the first begins.
     for (const Instant begin : movement.stage) {
         std::vector<Instant> rest(world.movers.size(), scene.time.start);
         std::vector<bool> found(world.movers.size(), false);
         for (const Move& move : moves) {
-            if (nearest_step(move.middle(), steps) <= begin) {
+            if (step_of(move, scene, steps) <= begin) {
                 rest[move.mover] = move.to;
                 found[move.mover] = true;
             } else if (!found[move.mover]) {

@@ -41,6 +41,8 @@ MoverPoses gone_on(const MoverPoses& poses, const std::vector<Motion>& motions, 
 /// nearest step.
 struct Movement {
     std::vector<Instant> stage;  // begins of stages in which all rest; the first is the span's
+    std::vector<bool> early{};   // (stage) a move comes to its middle after the begin: then all is
+                                 // still as in the stage before at the begin itself
     std::vector<MoverPoses> at_stage{};         // (stage)
     std::vector<Instant> frame{};               // ascending: of pictures
     std::vector<MoverPoses> at_frame{};         // (frame)

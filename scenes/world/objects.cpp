@@ -74,6 +74,12 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
 
 double object_height(const ObjectInput& object) { return size_of(object).z(); }
 
+double object_breadth(const ObjectInput& object) {
+    Eigen::Vector3d size = size_of(object);
+    std::sort(size.data(), size.data() + 3);
+    return size.y();
+}
+
 double shadow_reach(const ObjectInput& object) {
     const Eigen::Vector3d size = size_of(object);
     return 0.5 * size.head<2>().norm() + 2.0 * size.z();

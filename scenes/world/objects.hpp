@@ -24,6 +24,9 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
 /// From its lowest to its highest point [m].
 double object_height(const ObjectInput& object);
 
+/// The second largest of its three sizes [m]: about the breadth of its shadow.
+double object_breadth(const ObjectInput& object);
+
 /// How far a sun 27 degrees high casts its shadow from its middle [m].
 double shadow_reach(const ObjectInput& object);
 

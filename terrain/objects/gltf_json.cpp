@@ -36,13 +36,9 @@ Gltf::Gltf(const std::string& name, std::string_view json) : name_(name) {
     const nlohmann::json& version = member(member(all_, "asset"), "version");
     const std::string told =
         version.is_string() ? version.get<std::string>() : version.dump().substr(0, 40);
-    if (told.starts_with("2")) return;
-    // Of version 1, whose nodes have names.
-    if (told.starts_with("1") && member(all_, "nodes").is_object()) {
-        first_ = true;
-        return;
-    }
-    throw InputError(name, fmt::format("is of glTF version '{}', expected 2", told));
+    if (told.starts_with("2.") || told == "2") return;
+    throw InputError(name, fmt::format("is of glTF version '{}', expected 2", told),
+                     "export it as glTF 2");
 }
 
 }  // namespace diurna

@@ -12,14 +12,12 @@
 
 namespace diurna {
 
-/// What is read of a glTF: its arrays, and the bytes that each buffer has.
+/// What a glTF says of itself.
 class Gltf {
  public:
-    /// Throws InputError for what is no JSON of a glTF, or nested too deep to be read. `name` is to
-    /// outlive it.
+    /// Throws InputError for what is no JSON of a glTF 2, or nested too deep to be read. `name` is
+    /// to outlive it.
     Gltf(const std::string& name, std::string_view json);
-    /// Of version 1, whose nodes have names.
-    bool first_version() const { return first_; }
 
     /// An array of objects; empty where it is not there.
     const nlohmann::json& list(const char* key) const {
@@ -65,10 +63,6 @@ class Gltf {
  private:
     const std::string& name_;
     nlohmann::json all_;
-    bool first_ = false;
 };
-
-/// Throws InputError where nodes are no trees: one that is below itself, a child twice, too deep.
-void check_gltf_nodes(const Gltf& gltf);
 
 }  // namespace diurna

@@ -8,7 +8,7 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "terrain/objects/mesh_gate.hpp"
+#include "terrain/objects/mesh_readers.hpp"
 
 namespace diurna {
 

@@ -17,6 +17,7 @@ class MeshLines {
     const std::vector<std::string_view>& words() const { return words_; }
     /// "mesh.obj:41"
     std::string where() const { return name_ + ":" + std::to_string(line_); }
+    std::size_t line() const { return line_; }
     std::string_view rest() const { return rest_; }
 
     /// The number that a word is; throws InputError if it is none or no coordinate can be it.

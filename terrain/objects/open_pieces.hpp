@@ -7,10 +7,8 @@
 
 namespace diurna {
 
-/// Which triangles belong to a piece that encloses nothing: a sheet, an open box, a tube. A piece
-/// is what hangs together by edges, vertices at the same place counting as one; it is closed if
-/// each of its edges has two triangles, or others of its open edges run along it end to end (a row
-/// of small triangles beside one long edge).
+/// Which triangles belong to a piece that encloses nothing: a sheet, an open box, a tube. Pieces
+/// are those of mesh_pieces(), vertices at the same place counting as one.
 ///
 /// returns  (triangle) 1 in open pieces
 std::vector<std::uint8_t> open_pieces(const ObjectMesh& mesh);

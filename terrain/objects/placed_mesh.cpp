@@ -9,7 +9,6 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
-#include "terrain/objects/mesh_check.hpp"
 
 namespace diurna {
 
@@ -123,18 +122,6 @@ void check_pieces(const std::vector<Eigen::Vector3d>& vertex, const MeshFile& me
                      "a larger largest_edge_m, or another unit or scale");
 }
 
-double enclosed_volume(const ObjectMesh& mesh) {
-    double volume = 0.0;
-    const Eigen::Vector3d origin = mesh.vertex.front().cast<double>();
-    for (const auto& [a, b, c] : mesh.triangle) {
-        const auto at = [&](std::uint32_t v) -> Eigen::Vector3d {
-            return mesh.vertex[v].cast<double>() - origin;
-        };
-        volume += at(a).dot(at(b).cross(at(c))) / 6.0;
-    }
-    return volume;
-}
-
 }  // namespace
 
 MeshFrame::MeshFrame(const MeshFile& mesh, const Placing& placing)
@@ -177,9 +164,6 @@ ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
     for (const Piece& piece : pieces) {
         placed.triangle.push_back(piece.corner);
         placed.material.push_back(material[mesh.part_of[piece.whole]]);
-    }
-    if (enclosed_volume(placed) < 0.0 && check_mesh(placed.vertex, placed.triangle).closed()) {
-        for (auto& corner : placed.triangle) std::swap(corner[1], corner[2]);
     }
     return placed;
 }

@@ -35,8 +35,7 @@ class MeshFrame {
 };
 
 /// The mesh turned, scaled and put down, its long edges halved until none is longer than
-/// `largest_edge`: neighbours share the new vertices, so that no crack opens. A closed mesh that is
-/// inside out is turned outside.
+/// `largest_edge`: neighbours share the new vertices, so that no crack opens.
 ///
 /// material  (part of the file)
 ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,

@@ -89,6 +89,18 @@ Instant parse_instant(const std::string& text, const std::string& where) {
            minutes(offset_min);
 }
 
+double utc_offset_of(const std::string& text) {
+    if (text.size() < 6) return 0.0;
+    Reader read(std::string_view(text).substr(text.size() - 6));
+    const bool east = read.character('+');
+    int hour = 0, minute = 0;
+    if ((!east && !read.character('-')) || !read.digits(2, hour) || !read.character(':') ||
+        !read.digits(2, minute)) {
+        return 0.0;
+    }
+    return (east ? 1.0 : -1.0) * (3600.0 * hour + 60.0 * minute);
+}
+
 std::string format_instant(Instant instant, bool compact) {
     const auto midnight = floor<days>(instant);
     const year_month_day date(midnight);

@@ -12,7 +12,9 @@
 #include "materials/base/files.hpp"
 #include "materials/radiation/planck.hpp"
 #include "scenes/input/scene_file.hpp"
+#include "scenes/studies/air_on_line.hpp"
 #include "scenes/studies/contrast_files.hpp"
+#include "scenes/studies/contrast_on_line.hpp"
 #include "tests/support/black_plain.hpp"
 
 using namespace diurna;
@@ -167,6 +169,45 @@ bands = ["8-12"]
     const double pixel = 2.0 * std::tan(30.0 * 3.14159265358979 / 180.0) * 59.5 / 96.0;
     CHECK(report.row[0].pixels == Approx(8.0 * 6.0 / (pixel * pixel)).epsilon(0.01));
     CHECK(report.row[0].range == Approx(59.5).epsilon(0.02));
+}
+
+TEST_CASE("contrast at another range is that of the same bodies behind the air there",
+          "[scenes][contrast][by_reciprocity]") {
+    // Apparent temperatures of black bodies of 310 and 294 K, summed wavelength by wavelength
+    // behind 100 m of air, lead to those behind 500 m to 5 km.
+    const BandModel air{.profile = afgl_profile("MLS"), .aerosol = "rural"};
+    const double target = 310.0, behind = 294.0, spread = 0.5;
+    for (const char* const name : {"3-5", "8-12"}) {
+        const Band band = parse_band(name, bin_edges_um());
+        const auto seen = [&](double range, double kelvin) {
+            const PathSpectrum path =
+                path_at_nodes(air, line_to_target(35.0, 0.0, range), band.node_um);
+            double sum = 0.0;
+            for (std::size_t i = 0; i < band.node_um.size(); ++i) {
+                sum += band.weight[i] *
+                       (path.transmittance[i] * planck(band.node_um[i], kelvin) + path.radiance[i]);
+            }
+            return brightness_temperature(band, sum);
+        };
+        const SeenContrast near{
+            .range = 100.0,
+            .target = seen(100.0, target),
+            .background = seen(100.0, behind),
+            .spread = seen(100.0, target + 0.5 * spread) - seen(100.0, target - 0.5 * spread)};
+        const ContrastOnLine at(air, band, {.target_height = 35.0}, near);
+        const ContrastOverRange over(at, near, 8000.0);
+        const double rss = std::hypot(near.target - near.background, near.spread);
+        CHECK(at(100.0) == Approx(rss).epsilon(1e-9));
+        CHECK(over(100.0) == Approx(rss).epsilon(1e-9));
+        for (const double range : {500.0, 2000.0, 5000.0}) {
+            CAPTURE(name, range);
+            const double expected =
+                std::hypot(seen(range, target) - seen(range, behind),
+                           seen(range, target + 0.5 * spread) - seen(range, target - 0.5 * spread));
+            CHECK(at(range) == Approx(expected).epsilon(1e-4));
+            CHECK(over(range) == Approx(expected).epsilon(2e-3));
+        }
+    }
 }
 
 TEST_CASE("contrast tables are checked where they stand", "[scenes][contrast]") {

@@ -145,6 +145,18 @@ TEST_CASE("cameras that look at nothing and places in degrees are doubted", "[sc
                "look like latitude and longitude"));
 }
 
+TEST_CASE("a schedule whose clock is not the sun's raises a warning", "[scenes][doubts]") {
+    // At 84.2 W the mean sun is 5 h 37 min behind UTC, 1 h 37 min behind UTC-4.
+    const std::string warm =
+        "[material.warm]\nlike = \"concrete\"\ninternal_schedule = [[8, 0], [9, 50]]\n"
+        "[[ground]]\nname = \"pad\"\nmaterial = \"warm\"\n"
+        "rectangle_m = [300.0, 900.0, 20.0, 20.0, 0.0]\n";
+    const auto lines = doubts_of(small_scene() + warm);
+    CHECK(lines.size() == 1);
+    CHECK(told(lines, "material.warm.internal_schedule", "1 h 37 min behind that clock"));
+    CHECK(doubts_of(small_scene()).empty());
+}
+
 TEST_CASE("check tells of doubts, and strictly refuses them", "[scenes][doubts]") {
     const fs::path scene = folder().path / "scene.toml", told_file = folder().path / "told.txt";
     write_text(scene, small_scene() + box("truck", "place_m = [53.0, -88.4]"));

@@ -128,6 +128,10 @@ TEST_CASE("what drives off leaves its scar and its shadow comes along", "[scenes
     // Before the move all is as where it stands, and where it will stand as in the open.
     CHECK(mean(goes, left, nine) == Approx(mean(west, left, nine)).margin(0.3));
     CHECK(mean(goes, arrived, nine) == Approx(mean(west, arrived, nine)).margin(0.3));
+    // As it departs too: nothing shades the place yet where it will stand, nor warms it.
+    const char* const ten = "2026-07-15T14:00:00Z";
+    CHECK(mean(goes, left, ten) == Approx(mean(west, left, ten)).margin(0.3));
+    CHECK(mean(goes, arrived, ten) == Approx(mean(west, arrived, ten)).margin(0.3));
     // Half an hour behind it the place is colder than open ground by a part of what it was below
     // the crate. A half-space that a step of flux warms has come nearer by 2 q sqrt(t / pi) / e:
     // the open asphalt has risen so since the sun met it, some five hours; of that, sqrt(0.5 / 5)
@@ -181,7 +185,7 @@ TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]
         CHECK(std::remainder(eye.at(i).azimuth_deg - azimuth, 360.0) == Approx(0.0).margin(0.02));
         const MoverPoses& poses = prepared.movement.poses_at(eye.frame[i]);
         CHECK(poses.at(0).translation().x() == Approx(east[i]).margin(1e-6));
-        CHECK(prepared.movement.is_under_way(eye.frame[i]) == (i >= 1 && i <= 3));
+        CHECK(prepared.movement.is_under_way(eye.frame[i]) == (i >= 2 && i <= 3));
         // Its front looks along the way, before it sets out too.
         CHECK(poses.at(0).linear()(0, 1) == Approx(1.0).margin(1e-3));
         const World there = moved(prepared.world, poses);
@@ -195,10 +199,23 @@ TEST_CASE("a picture finds an object where its way has led it", "[scenes][mover]
         CHECK(box.center().x() == Approx(east[i]).margin(1e-3));
         CHECK(box.sizes().z() == Approx(2.0).margin(1e-3));
     }
-    // (At ten it sets out, and the heat balance has moved it already.)
-    // The middle of the move, half past a minute after ten, on the nearest step of twenty minutes.
+    // At ten, as it sets out, the heat balance still has it where it was. The middle of the move,
+    // half past a minute after ten, on the nearest step of twenty minutes.
     REQUIRE(prepared.movement.stage.size() == 2);
     CHECK(format_instant(prepared.movement.stage[1]) == "2026-07-15T14:00:00Z");
+}
+
+TEST_CASE("what departs at the span's start has a past where it stood", "[scenes][mover]") {
+    const ScratchFolder folder("mover_start");
+    write_text(folder.path / "crate.obj", crate_mesh);
+    const std::string leaves = with(from_west_to_east, "36000.0, 36060.0", "1.0, 61.0");
+    write_text(folder.path / "scene.toml", scene_with(leaves));
+    const Movement movement = prepare(read_scene(folder.path / "scene.toml")).movement;
+    REQUIRE(movement.stage.size() == 2);
+    CHECK(format_instant(movement.stage[1]) == "2026-07-15T04:20:00Z");
+    CHECK(movement.at_stage[0].at(0).translation().x() == Approx(-50.0));
+    CHECK(movement.at_stage[1].at(0).translation().x() == Approx(10.0));
+    CHECK(movement.stage_of(movement.stage[1]) == 1);  // there it has arrived
 }
 
 TEST_CASE("a day cut through a move goes on as it would have", "[scenes][mover]") {

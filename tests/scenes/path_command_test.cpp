@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <sstream>
 #include <string>
 
 #include "materials/base/files.hpp"
@@ -57,6 +58,34 @@ TEST_CASE("path prints scattered sun when the sun's place is given", "[scenes][p
     CHECK(cell(run(sky + " --sun-zenith-deg 130").text, 3) == 0.0);
 }
 
+TEST_CASE("path prints what is left of a small difference of temperature", "[scenes][path]") {
+    // A kelvin more of a black body at 300 K behind the same air, bin by bin: in the spectrum's own
+    // transmittances, weighted by Planck's slope.
+    const ScratchFolder folder("path-contrast");
+    const std::filesystem::path csv = folder.path / "spectrum.csv";
+    const Output out =
+        run("--profile MLS --aerosol rural --zenith-deg 90 --range-km 5 --band 8:12 "
+            "--csv " +
+            csv.string());
+    REQUIRE(out.code == 0);
+    std::istringstream lines(diurna::read_text(csv));
+    std::string line;
+    std::getline(lines, line);
+    double left = 0.0, all = 0.0;
+    while (std::getline(lines, line)) {
+        double from = 0.0, to = 0.0, tau = 0.0;
+        REQUIRE(std::sscanf(line.c_str(), "%lf,%lf,%lf", &from, &to, &tau) == 3);
+        from = std::max(from, 8.0);
+        to = std::min(to, 12.0);
+        if (!(to > from)) continue;
+        const double slope = (to - from) * diurna::planck_derivative(0.5 * (from + to), 300.0);
+        left += slope * tau;
+        all += slope;
+    }
+    CHECK(cell(out.text, 3) == Approx(left / all).epsilon(1e-3));
+    CHECK(cell(out.text, 3) < 0.97 * cell(out.text, 1));  // the mean tells too much
+}
+
 TEST_CASE("path takes rain and a radiosonde's file", "[scenes][path]") {
     const std::string level = "--zenith-deg 90 --range-km 1 --band 8:12";
     CHECK(cell(run(level + " --rain-mm-h 25").text, 1) < 0.1 * cell(run(level).text, 1));
@@ -82,13 +111,15 @@ TEST_CASE("MODTRAN named on the command line stands in for the embedded model",
     const Output out = run(path + " --modtran " + stub.string());
     CAPTURE(out.text);
     REQUIRE(out.code == 0);
-    CHECK(out.text.starts_with("band_um,transmittance,thermal_path_radiance_W_m2_sr\n8-12,"));
+    CHECK(out.text.starts_with(
+        "band_um,transmittance,thermal_path_radiance_W_m2_sr,contrast_transmittance\n8-12,"));
     // The stub's air: 0.1 per km at 300 K. It prints radiance to five digits every 5 cm-1.
     const double tau = std::exp(-0.5);
     CHECK(cell(out.text, 1) == Approx(tau).epsilon(1e-6));
     const diurna::Band band = diurna::flat_band("", 8.0, 12.0);
     CHECK(cell(out.text, 2) ==
           Approx((1.0 - tau) * diurna::band_radiance(band, 300.0)).epsilon(1e-4));
+    CHECK(cell(out.text, 3) == Approx(tau).epsilon(1e-6));  // grey air: by whatever weight
     CHECK(run(path).text != out.text);
 
     const Output missing = run(path + " --modtran /no/such/modtran");

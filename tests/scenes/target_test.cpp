@@ -68,7 +68,8 @@ struct Solved {
 };
 
 Solved solved(const over_plain::Given& given, const std::string& tables, double hours = 24.0,
-              double largest_edge = 2.0, const std::string& of_time = "") {
+              double largest_edge = 2.0, const std::string& of_time = "",
+              const std::string& more = "") {
     const ScratchFolder folder("target");
     over_plain::write_scene(folder.path, given);
     std::string text = read_text(folder.path / "scene.toml");
@@ -84,7 +85,7 @@ Solved solved(const over_plain::Given& given, const std::string& tables, double 
     const std::string start = "start = 2026-03-20T00:00:00Z\n";
     text.insert(text.find(start) + start.size(),
                 fmt::format("duration_h = {}\n{}", hours, of_time));
-    write_text(folder.path / "scene.toml", text);
+    write_text(folder.path / "scene.toml", text + more);
     Prepared prepared = prepare(read_scene(folder.path / "scene.toml"));
     Progress silent(ProgressStyle::silent);
     SpanResult result = solve_scene(Stages(prepared), silent);
@@ -279,6 +280,54 @@ conductance_W_m2K = 20.0
     CHECK(covered + partly > 4);
     CHECK(worst < 0.05);  // shares by points: 0.1 % of 50 K
     CHECK(on.result.report.worst_energy_closure < 1e-8);
+    CHECK(on.result.report.converged);
+}
+
+TEST_CASE("what a heater gives a box on the ground leaves through faces in the open",
+          "[scenes][target][fluxes]") {
+    // Millimetre plates in steady air and sky store nothing: the rows of all facets times their
+    // areas sum to the heater's 2 kW, and covered faces have none.
+    const over_plain::Given given{
+        .mesh = box(4, 0.5), .height = 0.01, .longwave = 350.0, .black = 0.9, .ground_edge = 1.0};
+    const Solved on = solved(given, R"([[object.part]]
+name = "*"
+inside = "room"
+[[object.part]]
+name = "floor"
+inside = "room"
+[[object.enclosure]]
+name = "room"
+volume_m3 = 8.0
+air_changes_per_h = 0
+[[object.lump]]
+name = "heater"
+heat_capacity_J_K = 1000.0
+heat_W = 2000.0
+[[object.link]]
+between = ["heater", "room"]
+conductance_W_K = 50.0
+[[object.contact]]
+between = ["floor", "ground"]
+conductance_W_m2K = 20.0
+)",
+                             24.0, 2.0, "spin_up = \"steady\"\n", "[output]\nfluxes = true\n");
+    const FacetSet& facets = on.prepared.world.facets;
+    const HeatFluxField& heat = on.result.heat;
+    REQUIRE(!heat.empty());
+    double left = 0.0, below = 0.0;
+    const std::size_t row = (heat.instant.size() - 1) * heat.facets;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        if (facets.centroid[f].head<2>().norm() > 30.0f) continue;  // as in the open
+        const double area = double(facets.area[f]);
+        left -= area * double(heat.of(HeatTerm::conducted)[row + f]);
+        const bool floor = f >= on.prepared.world.ground_facets && facets.normal[f].z() < -0.9f;
+        if (!floor) continue;
+        for (std::size_t k = 0; k < heat_terms; ++k) {
+            below = std::max(below, std::abs(double(heat.watts[k][row + f])));
+        }
+    }
+    CHECK(left == Approx(2000.0).epsilon(0.002));
+    CHECK(below < 1e-3);
     CHECK(on.result.report.converged);
 }
 

@@ -7,7 +7,7 @@
 #include "tests/support/black_plain.hpp"
 
 /// Thin black plates in a vacuum which nothing shines on, so that emissivity sigma T^4 = q: one
-/// with 200 to 400 W/m2 from 6 to 12 h of local mean solar time and back to 200 at 18 h, in a plain
+/// with 200 to 400 W/m2 from 6 to 12 h of the scene's clock and back to 200 at 18 h, in a plain
 /// with 300 W/m2 all day, seen from 60 m above. As a scene in a folder of its own.
 inline void lay_heated_plate(const ScratchFolder& folder, const std::string& more) {
     std::string weather =

@@ -15,6 +15,12 @@ TEST_CASE("an instant with an offset is the same moment as in UTC", "[terrain][i
     CHECK(parse_instant("2000-03-01T00:00:00Z").time_since_epoch() == std::chrono::days(11017));
 }
 
+TEST_CASE("an instant's text says how far its clock is ahead of UTC", "[terrain][instant]") {
+    CHECK(utc_offset_of("2003-10-17T12:30:30-07:00") == -25200.0);
+    CHECK(utc_offset_of("2003-10-18T01:15+05:45") == 20700.0);
+    CHECK(utc_offset_of("2003-10-17T19:30:30Z") == 0.0);
+}
+
 TEST_CASE("decimals of a second are kept to the millisecond", "[terrain][instant]") {
     CHECK(format_instant(parse_instant("2003-10-17T19:30:30.25Z")) == "2003-10-17T19:30:30.250Z");
     CHECK(format_instant(parse_instant("2003-10-17T19:30:30.9996Z")) == "2003-10-17T19:30:31Z");

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "materials/base/error.hpp"
+#include "terrain/objects/facing.hpp"
 #include "terrain/objects/mesh_check.hpp"
 #include "tests/support/shared_data.hpp"
 #include "tests/support/small_scene.hpp"
@@ -77,7 +78,8 @@ TEST_CASE("a file's parts keep their names", "[mesh_file]") {
 
 TEST_CASE("a placed mesh stands where and how it should", "[mesh_file]") {
     for (const bool inside_out : {false, true}) {
-        const MeshFile mesh = read(wedge(inside_out));
+        MeshFile mesh = read(wedge(inside_out));
+        turn_outward(mesh, std::vector<std::string>{"tin", "steel"});
         const ObjectMesh placed = placed_mesh(
             mesh,
             {.base = {100.0, 50.0, 7.0}, .heading_deg = 90.0, .metres = 0.5, .largest_edge = 0.2},

@@ -192,7 +192,8 @@ TEST_CASE("a thin wall follows its room's and its heater's schedule",
           "[thermal][column_tool][interior]") {
     // No mass to speak of: h_out (T − T_a) = (T_room − T) / (1/8 + 0.05/0.1) + q.
     PointJob job = facet_over({{0.05, 0.1, 10.0, 100.0}}, FixedFlux{0.0}, 12.0, 0.0);
-    job.site.longitude_deg = 30.0;  // local mean solar time is two hours ahead
+    job.site.longitude_deg = 90.0;  // the sun's clock is another
+    job.utc_offset = 7200.0;        // that of schedules is two hours ahead of UTC
     job.step = 1800.0;
     job.surface.bottom =
         Interior{.air_temperature = 300.0, .film = 8.0, .schedule = {{6.0, 288.0}, {10.0, 296.0}}};

@@ -55,7 +55,6 @@ const std::set<std::string> without_terrain = {
 
 // Start of an include -> the sources it may stand in.
 const std::map<std::string, std::set<std::string>> homes = {
-    {"assimp/", {"terrain/objects/mesh_file.cpp"}},
     {"CGAL/", {"terrain/ground/triangulate.cpp", "terrain/ground/ground_mesh.cpp"}},
     {"OpenMesh/", {"terrain/objects/mesh_check.cpp"}},
     {"embree", {"terrain/visibility/embree_scene.hpp"}},

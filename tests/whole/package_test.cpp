@@ -133,8 +133,7 @@ TEST_CASE("bash completes verbs, options and their words", "[package]") {
 TEST_CASE("the bill of materials names every library that is linked", "[package]") {
     const std::string bill = ran("'" DIURNA_BINARY "' pages --bill").out;
     // Parts of the file names that the loader knows, and the bill's names for them.
-    const std::pair<const char*, const char*> linked[] = {{"libassimp", "Assimp"},
-                                                          {"libembree", "Embree"},
+    const std::pair<const char*, const char*> linked[] = {{"libembree", "Embree"},
                                                           {"liberfa", "ERFA"},
                                                           {"libfftw", "FFTW"},
                                                           {"libfmt", "fmt"},

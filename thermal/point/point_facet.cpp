@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "materials/base/units.hpp"
+#include "thermal/point/schedule_clock.hpp"
 #include "thermal/surface/standing_water.hpp"
 #include "thermal/surface/surface_flux.hpp"
 
@@ -15,23 +16,6 @@ namespace {
 Bottom bottom_of(const ThermalSurface& surface) {
     // Behind a plate stands air; the grid then ends free.
     return surface.back ? Bottom{FixedFlux{0.0}} : surface.bottom;
-}
-
-/// A value that repeats daily by local mean solar time, straight between its entries.
-double scheduled(const Schedule& s, double otherwise, double longitude_deg, Instant when) {
-    if (s.empty()) return otherwise;
-    const double seconds = std::chrono::duration<double>(when.time_since_epoch()).count();
-    double hour = std::fmod(seconds / 3600.0 + longitude_deg / 15.0, 24.0);
-    if (hour < 0.0) hour += 24.0;
-    if (hour < s.front()[0]) hour += 24.0;
-    for (std::size_t i = 0; i < s.size(); ++i) {
-        const bool last = i + 1 == s.size();
-        const double from = s[i][0], to = last ? s.front()[0] + 24.0 : s[i + 1][0];
-        if (hour > to) continue;
-        const double next = last ? s.front()[1] : s[i + 1][1];
-        return to > from ? std::lerp(s[i][1], next, (hour - from) / (to - from)) : next;
-    }
-    return s.front()[1];
 }
 
 }  // namespace
@@ -91,7 +75,7 @@ SurfaceConditions PointFacet::conditions(Instant when, const Standing& lying,
     c.own_view = forcing.own_view;
     c.emissivity = surface.emissivity;
     c.internal =
-        scheduled(surface.internal_schedule, surface.internal_heat, setup_.longitude_deg, when);
+        scheduled(surface.internal_schedule, surface.internal_heat, setup_.utc_offset, when);
     c.rain_mm_h = std::max(0.0, forcing.rain_mm_h);
     c.stores = capacity_.any();
     c.snow_conductance = cover.conductance;
@@ -129,7 +113,7 @@ PointFacet::Ends PointFacet::ends(const std::array<SurfaceConditions, 2>& c,
         } else if (room && !room->schedule.empty()) {
             ends.back[k] = [film = room->film,
                             air = scheduled(room->schedule, room->air_temperature,
-                                            setup_.longitude_deg, when[k])](double t) {
+                                            setup_.utc_offset, when[k])](double t) {
                 return BoundaryFlux{film * (air - t), -film};
             };
         }

@@ -29,11 +29,11 @@ struct PointForcing {
 struct PointSetup {
     const ThermalSurface& surface;
     const LouisForm& louis;
-    double up_cosine = 1.0;      // of its normal
-    FilmPart part{};             // to the wind
-    double wind_height = 10.0;   // [m]
-    double longitude_deg = 0.0;  // for schedules, which follow local mean solar time
-    double reference = 290.0;    // [K] a temperature near those to come
+    double up_cosine = 1.0;     // of its normal
+    FilmPart part{};            // to the wind
+    double wind_height = 10.0;  // [m]
+    double utc_offset = 0.0;    // [s] that the clock of schedules is ahead of UTC
+    double reference = 290.0;   // [K] a temperature near those to come
     GridOptions grid{};
     double longest_step = 600.0;      // [s]
     double tolerance = 0.002;         // [K] per step, from step doubling

@@ -36,6 +36,7 @@ struct PointJob {
     Weather weather;
     ClearSky clear_sky;
     Instant start{}, end{};
+    double utc_offset = 0.0;  // [s] that the clock of schedules is ahead of UTC, as start has it
     SpinUp spin_up = SpinUp::first_day;
     double step = 1800.0;                       // output cadence [s]
     double longest_step = 600.0;                // of the integration [s]

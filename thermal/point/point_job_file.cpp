@@ -15,6 +15,7 @@
 #include "materials/matter/read_material.hpp"
 #include "materials/matter/spectrum_notes.hpp"
 #include "thermal/point/calibration_section.hpp"
+#include "thermal/point/schedule_clock.hpp"
 #include "thermal/weather/sky_section.hpp"
 #include "thermal/weather_file/weather_section.hpp"
 
@@ -122,6 +123,7 @@ void read_time(const Section& time, PointJob& job) {
                                    job.tolerance, {1e-7, 1.0});
     job.initial_profile = read_profile(time);
     job.start = parse_instant(start, time.where("start"));
+    job.utc_offset = utc_offset_of(start);
     job.end = parse_instant(end, time.where("end"));
     if (job.end <= job.start) {
         time.mistake("end", "does not come after start");
@@ -165,6 +167,9 @@ PointJob read_column_job(const Document& document) {
         forget_albedo(measured_over, read.name, job.weather);
     }
     for (const std::string& note : spectrum_notes(read, {})) add_note(note, job.weather);
+    const std::string schedule = schedule_key(job.surface);
+    const std::string clock = schedule_clock_note(job.site, job.utc_offset);
+    if (!schedule.empty() && !clock.empty()) add_note(schedule + ": " + clock, job.weather);
     if (job.surface.flight && rains(job.weather)) {
         add_note("in flight: it gathers no rain or snow", job.weather);
     }

@@ -143,7 +143,7 @@ PointResult run_column(const PointJob& job) {
                            .up_cosine = from.up_cosine(),
                            .part = part_in_wind(job),
                            .wind_height = job.weather.wind_height,
-                           .longitude_deg = job.site.longitude_deg,
+                           .utc_offset = job.utc_offset,
                            .reference = job.weather.at(job.start).air.temperature,
                            .grid = point_grid(job.surface),
                            .longest_step = job.longest_step,

@@ -392,7 +392,9 @@ void NetworkSurroundings::record(std::size_t i, const std::vector<double>& outer
                 }
             }
             balance.conducted = -balance.sum();
-            solve_.record->put(now, group.facet[l], balance);
+            // Where a contact covers it, it meets neither light nor air.
+            const double open = group.inner ? 1.0 : object_.network.facet[group.face[l]].open;
+            solve_.record->put(now, group.facet[l], balance.times(open));
         }
     }
 }

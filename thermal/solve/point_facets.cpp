@@ -298,7 +298,7 @@ void PointFacets::run(const Level& level, FacetPoint& p) const {
                       .up_cosine = solve_.input.facets.normal[p.facet].z(),
                       .part = solve_.part_of(p.facet),
                       .wind_height = solve_.series.weather().wind_height,
-                      .longitude_deg = solve_.input.site.longitude_deg,
+                      .utc_offset = solve_.input.utc_offset,
                       .reference = column.reference,
                       .grid = grid_of_point(column.surface, solve_.options.grid),
                       .longest_step = solve_.step / solve_.options.refinement,

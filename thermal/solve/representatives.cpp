@@ -123,6 +123,7 @@ SolvedPart::SolvedPart(const SolveInput& whole, const Representatives& r)
                    .materials = whole.materials,
                    .weather = whole.weather,
                    .site = whole.site,
+                   .utc_offset = whole.utc_offset,
                    .elevation = whole.elevation,
                    .by_height = whole.by_height,
                    .height = chosen(whole.height, r),

@@ -78,7 +78,8 @@ struct SolveInput {
     const MaterialLibrary& materials;
     const Weather& weather;
     Site site;
-    double elevation = 0.0;  // [m] above the sea, of the weather
+    double utc_offset = 0.0;  // [s] that the clock of materials' schedules is ahead of UTC
+    double elevation = 0.0;   // [m] above the sea, of the weather
     /// From there (its `station` is `elevation`) to the facets; null: all have the weather's air.
     const AirByHeight* by_height = nullptr;
     std::vector<float> height{};   // (facet) [m] above the sea; empty: all at the weather's

@@ -37,6 +37,11 @@ struct Walk {
         }
         return *stage;
     }
+    /// Whether a stage begins at an instant which still shows the one before.
+    bool shows_before(Instant when) const {
+        const SpanStage& stage = stage_at(when);
+        return &stage != &stages.front() && stage.from == when && stage.early;
+    }
     /// The first change after an instant, or `end`.
     Instant next_change(Instant when, Instant end) const {
         for (const SpanStage& next : stages.subspan(1)) {
@@ -88,13 +93,17 @@ void add_report(const SolveReport& one, SolveReport& all) {
     all.seconds += one.seconds;
 }
 
-/// Keeps the wanted instants of a solve's steps: of [start, end), and the end if it is the last.
+/// Keeps the wanted instants of a solve's steps: of [start, end), and the end if it is the last. An
+/// instant at which a stage begins early is the end of the steps before.
 void keep(const TemperatureField& steps, bool last, Walk& walk) {
     const std::vector<Instant>& wanted = walk.options.wanted;
     TemperatureField& kept = walk.result.temperature;
     const auto begin = std::lower_bound(wanted.begin(), wanted.end(), steps.instant.front());
     for (auto when = begin; when != wanted.end(); ++when) {
-        if (*when > steps.instant.back() || (*when == steps.instant.back() && !last)) break;
+        if (*when > steps.instant.back()) break;
+        const bool starts = *when == steps.instant.front(), ends = *when == steps.instant.back();
+        if (starts && *when > walk.options.start && walk.shows_before(*when)) continue;
+        if (ends && !last && !walk.shows_before(*when)) break;
         const std::vector<float> row = steps.interpolate(*when);
         kept.instant.push_back(*when);
         kept.facets = steps.facets;
@@ -143,13 +152,13 @@ std::vector<std::size_t> steps_around(std::span<const Instant> wanted,
 /// member that is not named here is no silent loss: the list has to match.
 SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weather* own_weather,
                     const HeatState* from, const TemperatureField* guess) {
-    const auto& [facets, views, span_sun, materials, weather, site, elevation, by_height, height,
-                 part, network, open_above, clear_sky, measured_share, sunlight_views, span_from,
-                 span_guess] = span;
-    return {facets,  views,      sun,       materials,      own_weather ? *own_weather : weather,
-            site,    elevation,  by_height, height,         part,
-            network, open_above, clear_sky, measured_share, sunlight_views,
-            from,    guess};
+    const auto& [facets, views, span_sun, materials, weather, site, clock, elevation, by_height,
+                 height, part, network, open_above, clear_sky, measured_share, sunlight_views,
+                 span_from, span_guess] = span;
+    return {facets,         views,   sun,        materials, own_weather ? *own_weather : weather,
+            site,           clock,   elevation,  by_height, height,
+            part,           network, open_above, clear_sky, measured_share,
+            sunlight_views, from,    guess};
 }
 
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.

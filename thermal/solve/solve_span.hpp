@@ -44,6 +44,7 @@ struct SpanStage {
     Instant from;
     const SolveInput& input;
     ExposureOf exposure;
+    bool early = false;  // at `from` itself all is still as in the stage before
 };
 
 struct SpanResult {

@@ -55,6 +55,7 @@ TemperatureField through(const SolveInput& scene, const Weather& weather, const 
                        .materials = scene.materials,
                        .weather = weather,
                        .site = scene.site,
+                       .utc_offset = scene.utc_offset,
                        .elevation = scene.elevation,
                        .clear_sky = scene.clear_sky,
                        .measured_share = scene.measured_share},

@@ -8,6 +8,16 @@ double HeatBalance::sum() const {
     return absorbed_solar + longwave_in + longwave_out + sensible + latent + internal + conducted;
 }
 
+HeatBalance HeatBalance::times(double share) const {
+    return {.absorbed_solar = share * absorbed_solar,
+            .longwave_in = share * longwave_in,
+            .longwave_out = share * longwave_out,
+            .sensible = share * sensible,
+            .latent = share * latent,
+            .internal = share * internal,
+            .conducted = share * conducted};
+}
+
 HeatBalance heat_balance(const AirFilm& air, const NaturalFilm& natural, double emissivity,
                          const ArrivingHeat& arriving, double temperature) {
     // (T1) of docs/theory.md

@@ -16,6 +16,8 @@ struct HeatBalance {
 
     /// Zero for a massless surface; what the surface's own half cell stores otherwise.
     double sum() const;
+    /// Of a face that is open in part, spread over all of its area: every term times the share.
+    HeatBalance times(double share) const;
 };
 
 /// What reaches a surface, whatever its temperature [W m⁻²].

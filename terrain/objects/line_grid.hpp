@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace diurna {
+
+/// Triangles in the columns of a square grid, for counting what a line in one direction crosses.
+class LineGrid {
+ public:
+    /// - which: those of `triangle` that count
+    /// - direction: of the line, unit; a general one, so that no line runs along an edge
+    LineGrid(std::span<const Eigen::Vector3d> vertex,
+             std::span<const std::array<std::uint32_t, 3>> triangle,
+             std::span<const std::uint32_t> which, const Eigen::Vector3d& direction);
+
+    struct Crossed {
+        int ahead = 0, behind = 0;
+    };
+    /// Triangles that the line through a point crosses, but for `skipped`.
+    Crossed crossed(const Eigen::Vector3d& point, std::uint32_t skipped = std::uint32_t(-1)) const;
+
+ private:
+    struct Flat {
+        std::array<Eigen::Vector3d, 3> corner;  // across, across, along the line
+        std::uint32_t triangle;
+    };
+    std::size_t cell(double across, int axis) const;
+
+    Eigen::Matrix3d turn_;  // to (across, across, along)
+    Eigen::Vector3d origin_;
+    Eigen::Vector2d low_, step_;
+    std::size_t side_ = 1;                // cells along each axis
+    std::vector<std::uint32_t> first_;    // (cell + 1)
+    std::vector<std::uint32_t> in_cell_;  // numbers of flat_
+    std::vector<Flat> flat_;
+};
+
+}  // namespace diurna

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "terrain/objects/mesh_words.hpp"
+
+namespace diurna {
+
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct PlyProperty {
+    std::string name;
+    PlyType type{};  // of a list its elements'
+    bool list = false;
+    PlyType count{};       // of a list
+    int axis = -1;         // 0 to 2: x, y or z of a vertex
+    bool corners = false;  // the corners of a face
+};
+
+struct PlyElement {
+    std::string name;
+    std::size_t rows = 0;
+    std::vector<PlyProperty> property;
+};
+
+/// What the head of a PLY file says of what follows it.
+struct PlyHead {
+    std::vector<PlyElement> element;
+    bool text = false, big = false;  // big: the greatest byte first
+    long long vertices = 0;
+};
+
+/// Reads on to the line end_header. Throws InputError for what is no head of PLY, for vertices
+/// without x, y and z, for faces without one list of corners.
+///
+/// - bytes: of the whole file, which hold fewer rows than that
+PlyHead read_ply_head(const std::string& name, MeshLines& lines, std::size_t bytes);
+
+/// Bytes of a number.
+std::size_t bytes_of(PlyType type);
+
+}  // namespace diurna

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "render/view/pixel_rays.hpp"
 #include "scenes/doubts/doubts.hpp"
+#include "scenes/plan/target_sight.hpp"
 
 namespace diurna {
 
@@ -48,6 +50,44 @@ Seen seen_by(const Observer& observer, const RayScene& scene) {
     return seen;
 }
 
+/// The object that an observer is to see and that stands; "": none.
+std::string target_of(const Prepared& prepared, const ObserverInput& input) {
+    const std::string target = input.around ? input.around->object : input.look_at_object;
+    for (const Mover& mover : prepared.world.movers) {
+        if (prepared.scene.terrain.objects[mover.object].name == target) return "";
+    }
+    return target;
+}
+
+/// Of an observer whose target is hidden from all of its places that were tried.
+void doubt_target(const Prepared& prepared, std::size_t o, std::vector<Mistake>& doubts) {
+    const ObserverInput& input = prepared.scene.observers[o];
+    const std::string target = target_of(prepared, input);
+    const std::vector<Observer>& pose = prepared.sequences[o].pose;
+    if (target.empty() || pose.empty()) return;
+    TargetSight best;
+    double most = -1.0;
+    for (std::size_t p = 0; p < pose.size(); p += (pose.size() + poses - 1) / poses) {
+        const TargetSight sight = target_sight(prepared.world, prepared.rays, pose[p], target);
+        if (sight.share() <= most) continue;
+        most = sight.share();
+        best = sight;
+    }
+    if (most >= hidden_below) return;
+    const std::string problem =
+        best.seen == 0
+            ? fmt::format("does not see \"{}\": \"{}\" hides it", target, best.hidden_by)
+            : fmt::format(
+                  "sees {:.0f} % of the surfaces of \"{}\" that face it: \"{}\" hides the "
+                  "others",
+                  std::ceil(100.0 * most), target, best.hidden_by);
+    doubts.push_back(
+        {fmt::format("{}: observer.{}", prepared.scene.file.string(), input.name), problem,
+         input.around ? "around: another aspect_deg, a greater elevation_deg or a smaller range_m; "
+                        "if_hidden = \"draw_again\" draws another aspect"
+                      : "move place_m, or raise height_above_ground_m"});
+}
+
 }  // namespace
 
 std::vector<Mistake> view_doubts(const Prepared& prepared) {
@@ -71,6 +111,7 @@ std::vector<Mistake> view_doubts(const Prepared& prepared) {
             }
         }
         if (looked == 0) continue;
+        doubt_target(prepared, o, doubts);
         const std::string where =
             fmt::format("{}: observer.{}", prepared.scene.file.string(), first->name);
         if (sky == looked) {

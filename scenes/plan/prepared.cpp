@@ -143,7 +143,10 @@ Prepared prepare(Scene scene) {
                          "the balance of a day's mean has no place for them; \"periodic\" has");
     }
     std::vector<Sequence> pictures = sequences(scene, dem, world, rays, movement_of_objects);
-    for (const Sequence& sequence : pictures) check_table(scene, world, sequence.pose);
+    for (const Sequence& sequence : pictures) {
+        check_table(scene, world, sequence.pose);
+        if (!sequence.note.empty()) world.notes.push_back(sequence.note);
+    }
     std::vector<Plume> plumes;
     for (const PlumeInput& plume : scene.plumes) {
         const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);

@@ -27,8 +27,8 @@ std::vector<Mistake> object_doubts(const Prepared& prepared);
 std::vector<Mistake> stand_doubts(const Prepared& prepared);
 
 /// Observers that see the sky alone, or nothing but what stands right before their lens, and those
-/// from which what they look at is hidden, or a hundredth of the picture looks down beyond the
-/// raster.
+/// from which what they look at is hidden, or a hundredth of what looks down by a degree or more
+/// looks beyond the raster.
 std::vector<Mistake> view_doubts(const Prepared& prepared);
 
 /// "scene.toml: object.truck: stands inside ... (move ...)", each once.

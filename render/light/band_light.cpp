@@ -25,6 +25,7 @@ std::vector<BandLight> band_lights(std::span<const Band> bands, const RadianceIn
             of.sky = sky_modes(band, of.incident);
             of.optics = node_optics(band, input.materials, lit.material_used);
             of.probe = probes(band, of.channels, input, of.incident[1], extent);
+            of.far_ground = far_ground_light(input, band.node_um, of.sun_field());
             of.basis = scene_basis(band, of.optics, of.incident, lit.bounds[b].surrounded, extent);
         },
         1);

@@ -7,6 +7,7 @@
 
 #include "materials/radiation/band.hpp"
 #include "render/light/band_channels.hpp"
+#include "render/light/far_ground.hpp"
 #include "render/light/incident_light.hpp"
 #include "render/light/lit_facets.hpp"
 #include "render/light/node_optics.hpp"
@@ -26,6 +27,7 @@ struct BandLight {
     std::vector<NodeOptics> optics = {};         // (material)
     std::vector<Probe> probe = {};               // probes()
     SpectralBasis basis = {};
+    LightByOrigin far_ground = {};  // far_ground_light(); empty: there is none
 
     const ScatteredSun* sun_field() const { return scattered ? &*scattered : nullptr; }
 };

@@ -15,6 +15,13 @@
 
 namespace diurna {
 
+/// Level ground beyond the scene's edge, open to the whole sky, up to the horizon.
+struct FarGround {
+    MaterialId material{};
+    double temperature = 288.0;  // [K]
+    double height_km = 0.0;      // above the sea
+};
+
 /// The state of the scene at one instant: all that a picture depends on besides the view.
 struct RadianceInput {
     const FacetSet& facets;
@@ -32,6 +39,11 @@ struct RadianceInput {
     /// sun_distance_au is 1.
     std::optional<MoonLight> moon{};
     double wind_speed = 3.0;  // [m s⁻¹] 12.5 m above water, which it roughens
+    /// None: beyond the edge lies a black plain at ground_height_km, as warm as the air on it.
+    std::optional<FarGround> beyond{};
+
+    /// Height above the sea [km] of what lies beyond the scene's edge.
+    double plain_height_km() const { return beyond ? beyond->height_km : ground_height_km; }
 
     /// Height above the sea [km] of a height above the origin's level surface [m].
     double above_sea_km(double height) const { return ground_height_km + 1e-3 * height; }

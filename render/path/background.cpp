@@ -11,7 +11,7 @@
 namespace diurna {
 
 double horizon_zenith_deg(const RadianceInput& input, double height_km) {
-    const double plain = earth_radius_km + input.ground_height_km;
+    const double plain = earth_radius_km + input.plain_height_km();
     const double eye = earth_radius_km + height_km;
     return eye <= plain ? 90.0 : 180.0 - degrees(std::asin(plain / eye));
 }
@@ -20,28 +20,57 @@ namespace {
 
 /// Range [km] of the nearer crossing of a ray with the sphere of the plain.
 double range_to_plain(const RadianceInput& input, double height_km, double zenith_deg) {
-    const double plain = earth_radius_km + input.ground_height_km;
+    const double plain = earth_radius_km + input.plain_height_km();
     const double eye = earth_radius_km + height_km;
     const double cosine = std::cos(radians(zenith_deg));
     const double square = (plain - eye) * (plain + eye) + eye * eye * cosine * cosine;
     return std::max(0.0, -eye * cosine - std::sqrt(std::max(0.0, square)));
 }
 
+/// Of the plain's sunlight what arrives over a line, per node.
+std::vector<double> sunlight_share(const RadianceInput& input, const SightLine& line,
+                                   std::span<const double> node_um,
+                                   const std::vector<double>& of_surface) {
+    const auto sun = [&](const SightLine& onward) {
+        return solar_at_nodes(input.atmosphere, input.plain_height_km(), input.sun_zenith_deg, 1.0,
+                              node_um, onward);
+    };
+    const std::vector<double> here = sun({});
+    std::vector<double> share = sun(line);
+    for (std::size_t n = 0; n < share.size(); ++n) {
+        share[n] = here[n] > 1e-300 ? share[n] / here[n] : of_surface[n];
+    }
+    return share;
+}
+
 }  // namespace
 
 std::vector<double> background_at(const RadianceInput& input, double height_km, double zenith_deg,
-                                  std::span<const double> node_um, const SightLine& onward) {
+                                  std::span<const double> node_um, const SightLine& onward,
+                                  const LightByOrigin& far) {
     if (zenith_deg <= horizon_zenith_deg(input, height_km)) {
         return sky_at_nodes(input.atmosphere, height_km, zenith_deg, node_um, onward);
     }
     const SightLine to_plain =
-        chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg));
-    PathSpectrum path = path_at_nodes(input.atmosphere, joined(onward, to_plain), node_um);
+        chord(height_km, input.plain_height_km(), range_to_plain(input, height_km, zenith_deg));
+    const SightLine line = joined(onward, to_plain);
+    PathSpectrum path = path_at_nodes(input.atmosphere, line, node_um);
     if (onward.size() > 0) {
         const PathSpectrum before = path_at_nodes(input.atmosphere, onward, node_um);
         for (std::size_t n = 0; n < node_um.size(); ++n) path.radiance[n] -= before.radiance[n];
     }
-    const double temperature = air_temperature_at(input.atmosphere, input.ground_height_km);
+    if (!from(far, Origin::surface).empty()) {
+        const std::vector<double>& sunlight = from(far, Origin::sunlight);
+        std::vector<double> share;
+        if (!sunlight.empty()) share = sunlight_share(input, line, node_um, path.transmittance);
+        for (std::size_t n = 0; n < node_um.size(); ++n) {
+            path.radiance[n] += path.transmittance[n] *
+                                (from(far, Origin::surface)[n] + from(far, Origin::sky_heat)[n]);
+            if (!sunlight.empty()) path.radiance[n] += share[n] * sunlight[n];
+        }
+        return std::move(path.radiance);
+    }
+    const double temperature = air_temperature_at(input.atmosphere, input.plain_height_km());
     for (std::size_t n = 0; n < node_um.size(); ++n) {
         path.radiance[n] += path.transmittance[n] * planck(node_um[n], temperature);
     }
@@ -59,7 +88,7 @@ std::vector<std::vector<double>> scattered_backgrounds_at(
         angle_deg.push_back(scattered.angle_from_sun_deg(zenith_deg, azimuth));
     }
     SunField::ByTurn light = scattered.path_by_turn(
-        chord(height_km, input.ground_height_km, range_to_plain(input, height_km, zenith_deg)),
+        chord(height_km, input.plain_height_km(), range_to_plain(input, height_km, zenith_deg)),
         angle_deg, onward);
     const double cosine = std::cos(radians(zenith_deg));
     for (std::vector<double>& radiance : light.at_angle) {

@@ -57,7 +57,8 @@ BackgroundTable::BackgroundTable(const RadianceInput& input, const BandLight& ba
             [&](std::size_t k) {
                 const double zenith_deg = horizon_.zenith_deg(side, nodes->at(k));
                 of.heat[k] = band_sum_nodes(
-                    band.band, background_at(input, height_km, zenith_deg, band.band.node_um));
+                    band.band, background_at(input, height_km, zenith_deg, band.band.node_um, {},
+                                             band.far_ground));
             },
             1);
     }
@@ -158,7 +159,8 @@ void BackgroundChannels::fill(HorizonScale::Side side, const RadianceInput& inpu
         sunlit_nodes,
         [&](std::size_t z) {
             const double zenith_deg = horizon_.zenith_deg(side, of.nodes.at(z));
-            put(background_at(input, height_km, zenith_deg, band.band.node_um, onward),
+            put(background_at(input, height_km, zenith_deg, band.band.node_um, onward,
+                              band.far_ground),
                 &of.heat[z * padded_]);
             if (!band.scattered) return;
             const auto rows = scattered_backgrounds_at(input, *band.scattered, height_km,

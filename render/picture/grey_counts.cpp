@@ -29,6 +29,16 @@ double even_step(double step) {
 
 }  // namespace
 
+DisplayCounts display_counts(const Frame& frame, const std::string& name, int bits) {
+    if (bits == 8) return {};
+    const GreyScale ends = grey_scale(frame, name, 8), scale = grey_scale(frame, name, bits);
+    const auto count = [&](double value, double most) {
+        return int(std::clamp(std::round((value - scale.zero) / scale.step), 0.0, most));
+    };
+    const int black = count(ends.zero, greatest_count(bits) - 1.0);
+    return {black, std::max(black + 1, count(ends.zero + 255.0 * ends.step, greatest_count(bits)))};
+}
+
 GreyScale grey_scale(const Frame& frame, const std::string& name, int bits) {
     const Plane& plane = frame[name];
     if (bits == 8) {

@@ -22,6 +22,14 @@ struct GreyScale {
 ///   survives
 GreyScale grey_scale(const Frame& frame, const std::string& plane, int bits);
 
+/// The counts that a viewer takes for black and white: of 8 bits all of them, of 16 those of the
+/// ends of the quick-look's colours. In 16 bits of 0.01 K a scene covers a few thousand of 65536
+/// counts, and a viewer that keeps the upper 8 bits shows it in 2 to 10 levels.
+struct DisplayCounts {
+    int black = 0, white = 255;  // white is above black
+};
+DisplayCounts display_counts(const Frame& frame, const std::string& plane, int bits);
+
 /// A plane in counts, row by row from the upper left.
 struct GreyPicture {
     int width = 0, height = 0;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <variant>
 
+#include "render/light/far_ground.hpp"
 #include "render/path/background.hpp"
 #include "render/path/direction_angles.hpp"
 #include "render/rays/lobe.hpp"
@@ -29,7 +30,8 @@ SightLine NodeLobes::line_to(const Hop& hop) const {
 std::vector<double> NodeLobes::background(const Eigen::Vector3d& to, double from_km,
                                           const SightLine& onward) const {
     std::vector<double> light =
-        background_at(input_, from_km, zenith_deg_of(to), band_.node_um, onward);
+        background_at(input_, from_km, zenith_deg_of(to), band_.node_um, onward,
+                      far_ground_light(input_, band_.node_um, scattered_));
     if (scattered_ != nullptr) {
         const double azimuth_deg = azimuth_from_sun_deg(to, input_.to_sun);
         const auto sunlit = scattered_backgrounds_at(input_, *scattered_, from_km,

@@ -22,7 +22,13 @@ std::vector<Mistake> place_doubts(const Prepared& prepared);
 /// Copies are compared where they are made (scenes/world/copied_objects.hpp).
 std::vector<Mistake> object_doubts(const Prepared& prepared);
 
-/// Observers that see the sky alone, or nothing but what stands right before their lens.
+/// Objects whose contact points (scenes/world/stance.hpp) are buried in the ground or float above
+/// it by more than 0.2 m, with both heights, along their trajectories too.
+std::vector<Mistake> stand_doubts(const Prepared& prepared);
+
+/// Observers that see the sky alone, or nothing but what stands right before their lens, and those
+/// from which what they look at is hidden, or a hundredth of what looks down by a degree or more
+/// looks beyond the raster.
 std::vector<Mistake> view_doubts(const Prepared& prepared);
 
 /// Materials with schedules, where their clock (that of time.start) is not local mean solar time,

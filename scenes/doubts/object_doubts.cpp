@@ -235,7 +235,9 @@ void doubt_stands(const Prepared& prepared, const std::vector<Body>& bodies,
                                               stand->highest, height),
                                   "height_above_ground_m = 0 stands it on the ground; airspeed_m_s "
                                   "says that it flies"});
-            } else if (stand->deepest > std::max(0.3, 0.5 * height)) {
+            } else if (stand->deepest > std::max(0.3, 0.5 * height) &&
+                       (object.stands.over != HeightOver::ground || object.stands.metres < 0.0)) {
+                // Of all others stand_doubts() says how deep they are, and how high.
                 doubts.push_back(
                     {where,
                      fmt::format("is sunk {:.1f} m into the ground, of its {:.1f} m of "

@@ -28,7 +28,9 @@ std::string class_of(const Section& section, const Or<std::string>& fallback) {
     if (section.has("class") && (kind.empty() || broken)) {
         section.mistake("class", "expected a name of one line");
     }
-    return kind;
+    const bool labelled = section.flag_or(
+        "labelled", "whether it has labels; false: scenery, which pictures show without one", true);
+    return labelled ? kind : "";
 }
 
 }  // namespace diurna

@@ -32,7 +32,8 @@ struct Reading {
                  const std::string& on) const;
 };
 
-/// The key `class`: what kind of thing an object is in labels (scenes/labels).
+/// The keys `class` and `labelled`: what kind of thing an object is in labels (scenes/labels), ""
+/// of one that has none.
 std::string class_of(const Section& section, const Or<std::string>& fallback);
 
 }  // namespace diurna

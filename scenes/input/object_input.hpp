@@ -23,6 +23,10 @@ struct ObjectInput {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is found on the ground
     HeightInput stands;                               // of its lowest point
+    bool on_slope = false;       // lies on the ground as that slopes; false: plumb or as told
+    bool at_any_height = false;  // however far from the ground it is
+    bool angles_given = false;   // its pitch and roll are those of its placing
+    std::vector<Eigen::Vector3d> contact;  // where it touches the ground, in its own frame [m]
     std::string trajectory;                           // that it goes: its place and height
     double ground_edge = 0.0;                         // [m] of the ground round it; 0: by its size
     double airspeed = 0.0;                            // [m s⁻¹] along its heading; 0: it stands

@@ -24,7 +24,13 @@ Around read_around(const Section& section, const TerrainInput& terrain) {
         .aspect_deg = section.number_or("aspect_deg",
                                         "from where: 0 before its front, 90 on its right-hand side",
                                         0.0, {-360.0, 360.0}),
-        .elevation_deg = section.number_or("elevation_deg", "above its level", 0.0, {-90.0, 90.0})};
+        .elevation_deg = section.number_or("elevation_deg", "above its level", 0.0, {-90.0, 90.0}),
+        .draw_again = section.choice_or(
+            "if_hidden",
+            "where relief or other objects hide nine tenths of it: warn, which `check` does; or "
+            "draw_again, another aspect at the same range, by scene.seed, higher up where none is "
+            "free",
+            false, {{"warn", false}, {"draw_again", true}})};
     for (const ObjectInput& object : terrain.objects) {
         if (object.name != around.object) continue;
         around.heading_deg = object.placing.heading_deg;

@@ -14,6 +14,7 @@ struct Around {
     double range = 0.0;          // [m] to that middle
     double aspect_deg = 0.0;     // 0 before its front, 90 on its right-hand side
     double elevation_deg = 0.0;  // above its level
+    bool draw_again = false;     // another aspect where the object is hidden
     double heading_deg = 0.0;    // of the object
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of the object, east, north [m]
 

@@ -6,9 +6,13 @@ LabelsInput read_labels(const Section& section) {
     LabelsInput labels;
     labels.bits = section.integer_or(
         "bits",
-        "of the grey pictures in images/: 16 of 0.01 K each (radiance below 3 µm: of 1, 2 or 5 "
-        "times a power of ten), or 8 between the ends of the quick-look's colours",
-        16, {8, 16});
+        "of the grey pictures in images/: 8, from percentile 1 to percentile 99 of what the "
+        "picture "
+        "shows of surfaces (the quick-look's ends; what is beyond has count 0 or 255), or 16 of "
+        "0.01 K each (radiance below 3 µm: of 1, 2 or 5 times a power of ten), which viewers and "
+        "readers that keep the upper 8 bits show nearly black; annotations.json has each "
+        "picture's scale",
+        labels.bits, {8, 16});
     if (labels.bits != 8 && labels.bits != 16) section.mistake("bits", "expected 8 or 16");
     labels.format = section.choice_or("format", "of the grey pictures in images/", GreyFormat::png,
                                       {{"png", GreyFormat::png}, {"tiff", GreyFormat::tiff}});

@@ -7,7 +7,7 @@ namespace diurna {
 
 /// What goes with the pictures for programs that learn from them.
 struct LabelsInput {
-    int bits = 16;  // of the plain grey pictures
+    int bits = 8;  // of the plain grey pictures
     GreyFormat format = GreyFormat::png;
     double validation_share = 0.2;  // of the instants
 };

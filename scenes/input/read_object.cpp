@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "scenes/input/read_copies.hpp"
+#include "scenes/input/read_stance.hpp"
 #include "scenes/input/read_target.hpp"
 #include "terrain/objects/facing.hpp"
 #include "terrain/objects/models/models.hpp"
@@ -284,6 +285,7 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
         section.mistake("part", "not on an object with a texture");
     }
     weld(section, object);
+    read_stance(section, stands_upright(model), object);
     const char* height = height_key(section);
     object.where = section.where(section.has(height)          ? height
                                  : !object.trajectory.empty() ? "trajectory"

@@ -57,6 +57,17 @@ double SweepInput::grid() const {
     return count;
 }
 
+std::string word_of(SweepSplit split) {
+    switch (split) {
+        case SweepSplit::variants:
+            return "variants";
+        case SweepSplit::heats:
+            return "heats";
+        default:
+            return "instants";
+    }
+}
+
 SweepInput read_sweep(const Section& section) {
     SweepInput sweep;
     for (const Section& axis : section.sections("axis",
@@ -84,9 +95,12 @@ SweepInput read_sweep(const Section& section) {
         "split",
         "what of all variants is drawn for validation (labels.validation_share, by scene.seed), "
         "its pictures being on one side: instants, variants (which alone are drawn where all "
-        "pictures are of one instant)",
+        "pictures are of one instant), or heats: all variants that share their temperatures, so "
+        "that no day of validation was seen in training from another side",
         SweepSplit::instants,
-        {{"instants", SweepSplit::instants}, {"variants", SweepSplit::variants}});
+        {{"instants", SweepSplit::instants},
+         {"variants", SweepSplit::variants},
+         {"heats", SweepSplit::heats}});
     return sweep;
 }
 

@@ -18,7 +18,10 @@ struct SweepAxis {
 };
 
 /// What of a sweep lies on one side of training and validation.
-enum class SweepSplit { instants, variants };
+enum class SweepSplit { instants, variants, heats };
+
+/// The word of the key sweep.split.
+std::string word_of(SweepSplit split);
 
 /// The section [sweep]: variants of a scene are all combinations of the axes' values, or some of
 /// them that are drawn.

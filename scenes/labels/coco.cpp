@@ -32,10 +32,12 @@ OrderedJson image_json(const LabelledPicture& picture, std::size_t id) {
                          {"split", picture.validation ? "validation" : "train"},
                          {"planes", picture.planes},
                          {"scale",
-                          {{"plane", picture.plane},
+                          {{"bits", picture.bits},
+                           {"plane", picture.plane},
                            {"unit", picture.unit},
                            {"zero", picture.scale.zero},
                            {"step", picture.scale.step},
+                           {"display_counts", {picture.display.black, picture.display.white}},
                            {"pixels_beyond", picture.beyond}}}};
     image.update(attribute_json(picture.attributes));
     return image;
@@ -68,9 +70,22 @@ OrderedJson label_json(const LabelBook& book, const LabelledPicture& picture, co
 
 }  // namespace
 
+std::string grey_picture_words() {
+    return "Value of a pixel = scale.zero + scale.step * count, in scale.unit. 8 bits (labels.bits "
+           "= 8, the default): each picture has its own scale, from percentile 1 to percentile 99 "
+           "of the pixels that see a surface; what is beyond has count 0 or 255 "
+           "(scale.pixels_beyond), and the EXR (planes) has its value. 16 bits (labels.bits = 16): "
+           "0.01 K a count from 0 K in every picture; most viewers show them black, and readers "
+           "that keep the upper 8 bits leave 2 to 10 grey levels: to see them, stretch "
+           "scale.display_counts to black and white.";
+}
+
 std::string coco_json(const LabelBook& book, const std::vector<const LabelledPicture*>& pictures) {
     OrderedJson coco;
-    coco["info"] = {{"description", made_by()}, {"version", "1.0"}, {"libraries", made_with()}};
+    coco["info"] = {{"description", made_by()},
+                    {"version", "1.0"},
+                    {"libraries", made_with()},
+                    {"grey_pictures", grey_picture_words()}};
     coco["licenses"] = OrderedJson::array();
     coco["images"] = OrderedJson::array();
     coco["annotations"] = OrderedJson::array();

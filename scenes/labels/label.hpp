@@ -29,7 +29,9 @@ struct LabelledPicture {
     bool validation = false;
     std::string plane;  // that the grey picture shows, its unit and its scale
     std::string unit;
+    int bits = 8;
     GreyScale scale{};
+    DisplayCounts display{};
     std::size_t beyond = 0;                           // pixels that the scale does not hold
     std::map<std::string, std::string> attributes{};  // of the EXR: camera, sun, air
     std::vector<Label> labels{};                      // by ObjectId

@@ -66,7 +66,9 @@ LabelledPicture labelled(const Prepared& prepared, const Task& task,
     picture.height = frame.height;
     picture.unit = frame[picture.plane].unit;
     const int bits = prepared.scene.labels.bits;
+    picture.bits = bits;
     picture.scale = grey_scale(frame, picture.plane, bits);
+    picture.display = display_counts(frame, picture.plane, bits);
     picture.beyond = pixels_beyond(frame[picture.plane], picture.scale, bits);
     picture.attributes = frame.attributes;
     if (std::find(input.instruments.begin(), input.instruments.end(), band) !=

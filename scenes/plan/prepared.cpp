@@ -51,6 +51,16 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
     return notes;
 }
 
+/// Of grey pictures in which most programs see little.
+std::vector<std::string> notes_on_grey(const Scene& scene) {
+    if (scene.labels.bits != 16 || scene.observers.empty()) return {};
+    return {
+        "grey pictures in images/ have 16 bits, of temperatures 0.01 K a count: viewers show them "
+        "nearly black and readers that keep the upper 8 bits leave 2 to 10 grey levels; "
+        "display_counts in annotations.json are the counts to stretch to black and white, and "
+        "labels.bits = 8 writes pictures that need no stretching"};
+}
+
 /// Heights over the ellipsoid on ground whose own zero nobody has told.
 std::vector<std::string> notes_on_heights(const Scene& scene) {
     std::vector<std::string> notes;
@@ -133,7 +143,10 @@ Prepared prepare(Scene scene) {
                          "the balance of a day's mean has no place for them; \"periodic\" has");
     }
     std::vector<Sequence> pictures = sequences(scene, dem, world, rays, movement_of_objects);
-    for (const Sequence& sequence : pictures) check_table(scene, world, sequence.pose);
+    for (const Sequence& sequence : pictures) {
+        check_table(scene, world, sequence.pose);
+        if (!sequence.note.empty()) world.notes.push_back(sequence.note);
+    }
     std::vector<Plume> plumes;
     for (const PlumeInput& plume : scene.plumes) {
         const std::string where = fmt::format("{}: plume \"{}\"", scene.file.string(), plume.name);
@@ -145,6 +158,7 @@ Prepared prepare(Scene scene) {
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
     for (std::string& note : notes_on_frames(scene)) notes.push_back(std::move(note));
     for (std::string& note : notes_on_heights(scene)) notes.push_back(std::move(note));
+    for (std::string& note : notes_on_grey(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
     if (world.filled_facets > 0) {

@@ -9,6 +9,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "scenes/plan/aspect_place.hpp"
+#include "scenes/plan/drawn_aspect.hpp"
 #include "scenes/plan/eye_check.hpp"
 #include "scenes/world/ground_point.hpp"
 #include "scenes/world/heights.hpp"
@@ -148,9 +149,11 @@ std::vector<Observer> poses_riding(const ObserverInput& input, const Scene& scen
 }
 
 Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& dem,
-                     const World& world) {
+                     const World& world, const RayScene& rays, const EyeCheck& check,
+                     const Movement& movement) {
     const Target target(input, scene, dem, world);
-    Sequence sequence{.frame = input.frames, .pose = {}, .goes = input.goes() || target.goes()};
+    Sequence sequence{
+        .frame = input.frames, .pose = {}, .note = {}, .goes = input.goes() || target.goes()};
     if (!input.on.empty()) {
         sequence.pose = poses_riding(input, scene, dem, world, target);
         if (!sequence.goes) sequence.pose.resize(1);
@@ -163,7 +166,11 @@ Sequence sequence_of(const ObserverInput& input, const Scene& scene, const Dem& 
     }
     Observer observer = camera_of(input);
     if (input.around) {
-        sequence.pose = {placed_around(observer, *input.around, world)};
+        const MoverPoses poses = movement.none() ? MoverPoses{} : movement.at_stage.front();
+        DrawnAspect drawn =
+            drawn_aspect(observer, *input.around, world, rays, check, poses, scene.seed);
+        sequence.pose = {drawn.observer};
+        sequence.note = std::move(drawn.note);
         return sequence;
     }
     observer.position = stand_point(world, dem, input.place, input.stands, input.where);
@@ -202,7 +209,7 @@ std::vector<Sequence> sequences(const Scene& scene, const Dem& dem, const World&
     std::vector<Sequence> all;
     const EyeCheck check(world, rays);
     for (const ObserverInput& input : scene.observers) {
-        all.push_back(sequence_of(input, scene, dem, world));
+        all.push_back(sequence_of(input, scene, dem, world, rays, check, movement));
         check_poses(all.back(), input.where, check, movement);
     }
     return all;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "render/view/observer.hpp"
@@ -17,7 +18,8 @@ struct Sequence {
     std::vector<Instant> frame;  // ascending
     std::vector<Observer> pose;  // (frame); of one that stands the only one
 
-    bool goes = false;  // or turns after what goes: every frame has its own view
+    std::string note{};  // of a place that was drawn; "": none
+    bool goes = false;   // or turns after what goes: every frame has its own view
     const Observer& at(std::size_t frame_index) const { return pose[goes ? frame_index : 0]; }
 };
 

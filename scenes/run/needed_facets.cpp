@@ -22,8 +22,8 @@ constexpr std::size_t most_probes = 128;
 
 /// What ground facets of a kind have in common: material, and steps of 1/8 of the normal's parts,
 /// 100 m of height and 1/10 of the sky.
-using Kind = std::array<int, 5>;
-Kind need_kind(const FacetSet& facets, const FacetViews& views, std::size_t f) {
+using GroundKind = std::array<int, 5>;
+GroundKind need_kind(const FacetSet& facets, const FacetViews& views, std::size_t f) {
     const Eigen::Vector3f& n = facets.normal[f];
     return {static_cast<int>(index(facets.material[f])),
             static_cast<int>(std::lround(8.0f * n.x())),
@@ -200,7 +200,7 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
     needed.weight = weight_of(felt, solved, false);
 
     // One of each kind: that which is felt most.
-    std::map<Kind, std::uint32_t> kinds;
+    std::map<GroundKind, std::uint32_t> kinds;
     std::vector<std::uint32_t> stand_in(facets.size());
     std::vector<std::uint32_t> others;
     for (std::uint32_t f = 0; f < facets.size(); ++f) {

@@ -15,6 +15,7 @@
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/run/covered_surfaces.hpp"
+#include "scenes/run/far_ground.hpp"
 #include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/world/air.hpp"
@@ -93,6 +94,8 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     const std::vector<float> fraction =
         sun_on_surfaces(prepared, sun, prepared.scene.sun_samples,
                         covered ? std::span<const FacetId>() : s.lit.facet);
+    const std::optional<FarGround> border =
+        far_ground(world, covered ? covered->facets : world.surfaces(), temperature, views.sky);
     const RadianceInput now{.facets = covered ? covered->facets : world.surfaces(),
                             .views = views,
                             .materials = covered ? covered->materials : prepared.scene.materials,
@@ -105,7 +108,8 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                             .ground_height_km = world.sea_level_height / 1000.0,
                             .instant = instant,
                             .moon = light.moon,
-                            .wind_speed = wind_at(prepared, instant)};
+                            .wind_speed = wind_at(prepared, instant),
+                            .beyond = seen_beyond(s.view, border, world.sea_level_height / 1000.0)};
     SunOverFacets over{prepared.rays, world.surfaces(), fraction, now.to_sun};
     std::vector<float> before, after;
     if (blurred) {

@@ -14,6 +14,7 @@
 #include "scenes/run/stage_heat.hpp"
 #include "scenes/world/elevation.hpp"
 #include "scenes/world/ground_point.hpp"
+#include "scenes/world/stance.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -221,10 +222,20 @@ void Stepper::put(const std::string& object, const Eigen::Vector2d& place, doubl
     const Eigen::Vector3d ground =
         ground_point(s.dem, s.scene.world.site, place,
                      fmt::format("{}: object \"{}\"", s.scene.scene.file.string(), object));
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() =
-        Eigen::AngleAxisd(-radians(heading_deg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
-    pose.translation() = ground;
+    const Prepared& scene = s.scene;
+    const ObjectInput& input =
+        scene.scene.terrain.objects[scene.world.movers[s.mover(object)].object];
+    Stance stance{.base = ground, .heading_deg = heading_deg};
+    if (input.angles_given) {
+        stance.pitch_deg = input.placing.pitch_deg;
+        stance.roll_deg = input.placing.roll_deg;
+    }
+    stance = on_slope(input, stance, 0.0, s.dem, scene.world.site);
+    Eigen::Isometry3d pose = stance.pose();
+    if (stance.level()) {
+        pose.linear() =
+            Eigen::AngleAxisd(-radians(heading_deg), Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    }
     put(object, pose);
 }
 
@@ -250,6 +261,8 @@ Picture Stepper::picture(const std::string& observer, const Observer& pose) {
     s.solve_ahead();
     const Prepared& here = s.in_place();
     const FacetViews& views = s.stands ? s.stands->views : s.first->views;
+    check_observer(pose, here.world.facets, here.rays, here.world.ground_facets,
+                   here.world.objects);
     const Series series = cast_series(here, input, pose, {&s.now, 1}, views, s.field);
     return picture_at(here, series, views, s.field, s.now);
 }

@@ -49,8 +49,9 @@ class Stepper {
     /// (middle in plan and lowest point; right, front, up) is to be, upright or not. Throws
     /// InputError for another object.
     void put(const std::string& object, const Eigen::Isometry3d& pose);
-    /// The same on the ground at [east, north], upright, its front so many degrees clockwise from
-    /// north. Throws InputError off the raster.
+    /// The same on the ground at [east, north], as it stands there (scenes/world/stance.hpp): on
+    /// the slope or upright, its front so many degrees clockwise from north. Throws InputError off
+    /// the raster.
     void put(const std::string& object, const Eigen::Vector2d& place, double heading_deg);
     /// Where it is.
     Eigen::Isometry3d pose(const std::string& object) const;
@@ -63,6 +64,7 @@ class Stepper {
     /// Throws InputError where none has that name.
     Observer observer(const std::string& name) const;
     /// What it sees now in its bands and cubes. Solves nothing but what temperatures of now need.
+    /// Throws InputError for an eye that is below the ground or inside an object.
     Picture picture(const std::string& observer, const Observer& pose);
 
     /// Steps of the heat balance solved so far, those of the day before the start left out.

@@ -7,6 +7,7 @@
 
 #include "materials/base/files.hpp"
 #include "materials/base/made_by.hpp"
+#include "scenes/labels/coco.hpp"
 #include "scenes/labels/split.hpp"
 #include "scenes/sweep/records.hpp"
 
@@ -20,12 +21,23 @@ using OrderedJson = nlohmann::ordered_json;
 
 /// Of one variant, as label_frames() wrote it.
 struct Part {
-    std::string variant, folder;
+    std::string variant, heat, folder;
     OrderedJson coco;
+
+    /// What its pictures of an instant are drawn by.
+    std::string drawn_by(SweepSplit split, const std::string& instant) const {
+        return split == SweepSplit::heats      ? heat
+               : split == SweepSplit::variants ? variant
+                                               : instant;
+    }
 };
 
 OrderedJson empty_set() {
-    return {{"info", {{"description", made_by()}, {"version", "1.0"}, {"libraries", made_with()}}},
+    return {{"info",
+             {{"description", made_by()},
+              {"version", "1.0"},
+              {"libraries", made_with()},
+              {"grey_pictures", grey_picture_words()}}},
             {"licenses", OrderedJson::array()},
             {"images", OrderedJson::array()},
             {"annotations", OrderedJson::array()},
@@ -44,14 +56,14 @@ std::vector<std::string> classes_of(const std::vector<Part>& parts, bool& alike)
     return {names.begin(), names.end()};
 }
 
-/// Whether the pictures of an instant or a variant, by its name, are for validation.
+/// Whether the pictures of an instant, a variant or a heat, by its name, are for validation.
 std::map<std::string, bool> drawn_split(const Sweep& sweep, const std::vector<Part>& parts,
                                         SweepSplit by) {
     std::set<std::string> names;
     for (const Part& part : parts) {
-        if (by == SweepSplit::variants) names.insert(part.variant);
-        if (by == SweepSplit::variants) continue;
-        for (const OrderedJson& image : part.coco["images"]) names.insert(image["date_captured"]);
+        for (const OrderedJson& image : part.coco["images"]) {
+            names.insert(part.drawn_by(by, image["date_captured"]));
+        }
     }
     const std::vector<bool> chosen =
         validation_instants(names.size(), sweep.base.labels.validation_share, sweep.base.seed);
@@ -80,7 +92,7 @@ struct Sets {
         std::map<int, At> at;
         for (const OrderedJson& image : part.coco["images"]) {
             const std::string instant = image["date_captured"];
-            const bool validation = split.at(by == SweepSplit::variants ? part.variant : instant);
+            const bool validation = split.at(part.drawn_by(by, instant));
             const std::size_t side = validation ? 1 : 0;
             OrderedJson moved = image;
             for (const char* key : {"file_name", "planes"}) {
@@ -115,7 +127,7 @@ MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
     for (const Variant& variant : sweep.variants) {
         const std::string folder = "variants/" + variant.name;
         parts.push_back(
-            {variant.name, folder,
+            {variant.name, variant.heat, folder,
              OrderedJson::parse(read_text(out / folder / "annotations.json", 1u << 30))});
     }
     MergedLabels merged;
@@ -126,6 +138,10 @@ MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
         split = drawn_split(sweep, parts, by);
         merged.notes.emplace_back(
             "labels: all pictures are of one instant, variants are drawn for validation");
+    } else if (by == SweepSplit::heats && split.size() < 2) {
+        merged.notes.emplace_back(
+            "labels: all variants share their temperatures (sweep.split = \"heats\"), so that all "
+            "pictures are on one side of the split");
     }
     bool alike = false;
     const std::vector<std::string> classes = classes_of(parts, alike);

@@ -110,7 +110,7 @@ void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
     json["sweep"] = {{"axes", axes_json(input)},
                      {"combinations", std::uint64_t(input.grid())},
                      {"drawn", bool(input.draw)},
-                     {"split", input.split == SweepSplit::instants ? "instants" : "variants"}};
+                     {"split", word_of(input.split)}};
     json["heats"] = OrderedJson::array();
     std::set<std::string> heats;
     for (const Variant& variant : sweep.variants) heats.insert(variant.heat);

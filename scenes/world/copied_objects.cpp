@@ -16,6 +16,7 @@
 #include "materials/matter/passed_light.hpp"
 #include "scenes/world/heights.hpp"
 #include "scenes/world/overlaps.hpp"
+#include "scenes/world/stance.hpp"
 #include "scenes/world/structures.hpp"
 #include "scenes/world/surroundings.hpp"
 #include "scenes/world/wind.hpp"
@@ -54,12 +55,17 @@ void refuse_textures(const Scene& scene, const ObjectInput& object) {
     }
 }
 
-/// Where an object stands.
-Eigen::Isometry3d pose_of(const ObjectInput& object, const Dem& dem, const World& world) {
+/// Where an object stands, which its placing then says, too.
+Eigen::Isometry3d put_down(ObjectInput& object, const Dem& dem, const World& world) {
     const std::string where = fmt::format("{}: object \"{}\"", object.where, object.name);
+    const Stance stance = stance_of(object, dem, world, where);
+    object.placing.base = stance.base;
+    object.placing.pitch_deg = stance.pitch_deg;
+    object.placing.roll_deg = stance.roll_deg;
+    if (!stance.level()) return stance.pose();
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translate(stand_point(world, dem, object.place, object.stands, where));
-    pose.rotate(Eigen::AngleAxisd(-radians(object.placing.heading_deg), Eigen::Vector3d::UnitZ()));
+    pose.translate(stance.base);
+    pose.rotate(Eigen::AngleAxisd(-radians(stance.heading_deg), Eigen::Vector3d::UnitZ()));
     return pose;
 }
 
@@ -154,10 +160,10 @@ void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
     // First all in their places as copies of the first of their set, to see what is around each.
     std::vector<Copy> all;
     for (CopySet& set : sets) {
-        const ObjectInput* objects = &scene.terrain.objects[set.first];
+        ObjectInput* objects = &scene.terrain.objects[set.first];
         refuse_textures(scene, *objects);
         for (std::size_t c = 0; c < set.count; ++c) {
-            set.pose.push_back(pose_of(objects[c], dem, world));
+            set.pose.push_back(put_down(objects[c], dem, world));
         }
         set.first_facet = facets_of(world);
         set.facets = append_own(world, scene, dem, sheets, set.first);
@@ -184,13 +190,13 @@ void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
     for (const CopySet& set : sets) {
         const ObjectInput* objects = &scene.terrain.objects[set.first];
         const SurroundingsSampler sampler(world, scene, set.first_facet, set.facets,
-                                          objects[0].placing.heading_deg);
+                                          stance_in(objects[0].placing));
         std::vector<Surroundings> found(set.count);
         for_each_index(
             set.count,
             [&](std::size_t c) {
                 found[c] = sampler.at(rays, set.pose[c] * set.pose.front().inverse(),
-                                      objects[c].placing.heading_deg, wind[box + c]);
+                                      stance_in(objects[c].placing), wind[box + c]);
             },
             4);
         box += set.count;

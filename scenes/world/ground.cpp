@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "materials/air/sight_line.hpp"
 #include "materials/base/error.hpp"
@@ -115,6 +116,60 @@ GroundMesh mesh_on_round_earth(World& world, const Scene& scene, const Dem& dem,
     return mesh;
 }
 
+/// A side of a triangle by its ends, as they are kept: facets have another order than triangles.
+using OutlineSide = std::array<float, 6>;
+OutlineSide outline_side(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return {a.x(), a.y(), a.z(), b.x(), b.y(), b.z()};
+}
+
+/// Those of a mesh that lie on the raster's outline.
+std::set<OutlineSide> sides_on_outline(const Dem& dem, const GroundMesh& mesh,
+                                       const std::vector<Eigen::Vector3d>& vertex) {
+    constexpr double beside = 1e-6;  // of a post
+    const auto on = [&](std::uint32_t v, std::size_t edge) {
+        const Eigen::Vector2d& at = mesh.place[v];
+        return edge == 0   ? at.x() <= beside
+               : edge == 1 ? at.y() <= beside
+               : edge == 2 ? at.x() >= dem.columns - 1 - beside
+                           : at.y() >= dem.rows - 1 - beside;
+    };
+    std::set<OutlineSide> sides;
+    for (const auto& corner : mesh.triangle) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
+            bool outline = false;
+            for (std::size_t edge = 0; edge < 4; ++edge) outline |= on(a, edge) && on(b, edge);
+            if (outline)
+                sides.insert(outline_side(vertex[a].cast<float>(), vertex[b].cast<float>()));
+        }
+    }
+    return sides;
+}
+
+/// The facets that have such sides.
+std::vector<BorderFacet> border_facets(const FacetSet& facets,
+                                       const std::set<OutlineSide>& outline) {
+    std::set<std::array<float, 3>> ends;
+    for (const OutlineSide& side : outline) ends.insert({side[0], side[1], side[2]});
+    std::vector<std::uint8_t> is_end(facets.vertex.size());
+    for (std::size_t v = 0; v < is_end.size(); ++v) {
+        const Eigen::Vector3f& at = facets.vertex[v];
+        is_end[v] = ends.contains({at.x(), at.y(), at.z()});
+    }
+    std::vector<BorderFacet> border;
+    for (std::size_t f = 0; f < facets.size(); ++f) {
+        float length = 0.0f;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = facets.corner[f][k], b = facets.corner[f][(k + 1) % 3];
+            if (!is_end[a] && !is_end[b]) continue;
+            const Eigen::Vector3f &from = facets.vertex[a], &to = facets.vertex[b];
+            if (outline.contains(outline_side(from, to))) length += (to - from).norm();
+        }
+        if (length > 0.0f) border.push_back({std::uint32_t(f), length});
+    }
+    return border;
+}
+
 }  // namespace
 
 std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
@@ -152,6 +207,7 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
     }
     append_facets(world.facets, vertex, triangles, materials, objects);
     world.ground_facets = world.facets.size();
+    world.border = border_facets(world.facets, sides_on_outline(dem, mesh, vertex));
 
     std::vector<std::vector<Eigen::Vector3d>> borders;
     for (std::size_t i = 0; i < buildings.size(); ++i) {

@@ -1,10 +1,13 @@
 #include "scenes/world/movers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "scenes/world/heights.hpp"
 #include "terrain/place/trajectory.hpp"
@@ -70,29 +73,54 @@ void move_object(FacetSet& facets, ObjectId id, const Eigen::Isometry3d& by) {
 }  // namespace
 
 ObjectCourse::ObjectCourse(const ObjectInput& object, const Scene& scene, const Dem& dem,
-                           const World& world) {
-    if (!object.trajectory.empty()) {
-        way_.emplace(way_of(object, scene), dem, world);
+                           const World& world)
+    : object_(&object), dem_(&dem), site_(world.site) {
+    if (object.trajectory.empty()) {
+        still_ = stance_of(object, dem, world, object.where).pose();
         return;
     }
-    still_.linear() = attitude(object.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
-    still_.translation() = stand_point(world, dem, object.place, object.stands, object.where);
+    way_.emplace(way_of(object, scene), dem, world);
+    if (!object.angles_given || !way_->has_attitude()) return;
+    throw InputError(object.where,
+                     fmt::format("object \"{}\" has pitch_deg or roll_deg beside the trajectory "
+                                 "\"{}\", whose file gives its attitude",
+                                 object.name, object.trajectory),
+                     "leave out the one or the other");
+}
+
+Stance ObjectCourse::stance(Instant when) const {
+    const PoseOnWay level = way_->level(when);
+    const Eigen::Vector3d ahead = level.attitude.toRotationMatrix().col(1);
+    Stance stance{.base = level.place, .heading_deg = degrees(std::atan2(ahead.x(), ahead.y()))};
+    if (object_->angles_given) {
+        stance.pitch_deg = object_->placing.pitch_deg;
+        stance.roll_deg = object_->placing.roll_deg;
+    } else if (const auto over_ground = way_->height_over_ground(when);
+               over_ground && !way_->has_attitude()) {
+        stance = on_slope(*object_, stance, *over_ground, *dem_, site_);
+    }
+    return stance;
+}
+
+PoseOnWay ObjectCourse::pose(Instant when) const {
+    const Stance turned = stance(when);
+    if (turned.level()) return way_->level(when);
+    return {turned.base, attitude(turned.heading_deg, turned.pitch_deg, turned.roll_deg)};
 }
 
 Eigen::Isometry3d ObjectCourse::at(Instant when) const {
     if (!way_) return still_;
-    const PoseOnWay pose = way_->level(when);
+    const PoseOnWay there = pose(when);
     Eigen::Isometry3d to = Eigen::Isometry3d::Identity();
-    to.linear() = pose.attitude.toRotationMatrix();
-    to.translation() = pose.place;
+    to.linear() = there.attitude.toRotationMatrix();
+    to.translation() = there.place;
     return to;
 }
 
 Motion ObjectCourse::motion(Instant when) const {
     if (!way_) return {};
     constexpr double half = 5e-3;
-    return motion_between(way_->level(later(when, -half)), way_->level(later(when, half)),
-                          2.0 * half);
+    return motion_between(pose(later(when, -half)), pose(later(when, half)), 2.0 * half);
 }
 
 MoverPoses gone_on(const MoverPoses& poses, const std::vector<Motion>& motions, double seconds) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/world/stance.hpp"
 #include "scenes/world/ways.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem.hpp"
@@ -20,14 +21,24 @@ void put_at_begin(Scene& scene, const Dem& dem, const World& world);
 /// Where an object is at every instant, whether it goes or stands.
 class ObjectCourse {
  public:
-    /// - dem, world: to outlive it
+    /// - object, dem, world: to outlive it
+    ///
+    /// Throws InputError where both its keys and its trajectory's file give its attitude.
     ObjectCourse(const ObjectInput& object, const Scene& scene, const Dem& dem, const World& world);
-    /// From its own frame (its middle in plan and lowest point; right, front, up) to the site's.
+    /// From its own frame (its middle in plan and lowest point; right, front, up) to the site's. On
+    /// a trajectory that gives no attitude it lies on the ground as that slopes (stance.hpp).
     Eigen::Isometry3d at(Instant when) const;
+    /// The same as angles, without the pitch and roll that a trajectory's own attitude has.
+    Stance stance(Instant when) const;
     /// Of that frame's origin, and its turn: from 5 ms before to 5 ms after.
     Motion motion(Instant when) const;
 
  private:
+    PoseOnWay pose(Instant when) const;
+
+    const ObjectInput* object_;
+    const Dem* dem_;
+    Site site_;
     std::optional<Way> way_;
     Eigen::Isometry3d still_ = Eigen::Isometry3d::Identity();
 };

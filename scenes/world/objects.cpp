@@ -51,10 +51,7 @@ std::string part_material_name(const ObjectInput& object, std::size_t part) {
            object.mesh->part[part].node;
 }
 
-ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
-                       MaterialLibrary& materials) {
-    Placing placing = object.placing;
-    placing.base = base;
+ObjectMesh object_mesh(const ObjectInput& object, MaterialLibrary& materials) {
     std::vector<MaterialId> material;
     for (const std::string& name : object.material) {
         material.push_back(object.airspeed > 0.0 ? in_flight(object, name, materials)
@@ -64,7 +61,7 @@ ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
         }
     }
     try {
-        return placed_mesh(*object.mesh, placing, material);
+        return placed_mesh(*object.mesh, object.placing, material);
     } catch (const InputError& error) {
         const Mistake& mistake = error.mistakes().front();
         throw InputError(object.where, fmt::format("\"{}\" {}", object.name, mistake.problem),

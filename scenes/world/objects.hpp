@@ -15,11 +15,10 @@ namespace diurna {
 /// which its facets are known.
 std::string part_material_name(const ObjectInput& object, std::size_t part);
 
-/// Its triangles, the middle of its plan and its lowest point at `base`. Of one in flight the
+/// Its triangles, as its placing says (scenes/world/stance.hpp). Of one in flight the
 /// materials are copies that know its speed and length, added to the library; so are those of the
 /// parts of a target.
-ObjectMesh object_mesh(const ObjectInput& object, const Eigen::Vector3d& base,
-                       MaterialLibrary& materials);
+ObjectMesh object_mesh(const ObjectInput& object, MaterialLibrary& materials);
 
 /// From its lowest to its highest point [m].
 double object_height(const ObjectInput& object);

@@ -10,6 +10,7 @@
 #include "scenes/world/heights.hpp"
 #include "scenes/world/movers.hpp"
 #include "scenes/world/objects.hpp"
+#include "scenes/world/stance.hpp"
 #include "scenes/world/targets.hpp"
 #include "terrain/place/trajectory.hpp"
 
@@ -103,33 +104,35 @@ ObjectId object_id(const Scene& scene, std::size_t object) {
 }
 
 void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, std::size_t object) {
-    const ObjectInput& input = scene.terrain.objects[object];
+    ObjectInput& input = scene.terrain.objects[object];
     const std::string where = fmt::format("{}: object \"{}\"", scene.file.string(), input.name);
     const ObjectId id = object_id(scene, object);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.linear() = attitude(input.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
+    Stance stance;
     if (input.trajectory.empty()) {
-        pose.translation() = stand_point(world, dem, input.place, input.stands, where);
+        stance = stance_of(input, dem, world, where);
     } else {
-        pose.translation() = ObjectCourse(input, scene, dem, world)
-                                 .at(find_trajectory(scene.trajectories, input.trajectory)->begin())
-                                 .translation();
-        world.movers.push_back({object, id, pose});
+        stance = ObjectCourse(input, scene, dem, world)
+                     .stance(find_trajectory(scene.trajectories, input.trajectory)->begin());
+        world.movers.push_back({object, id, stance.pose()});
     }
     if (lies_in_the_ground(input)) {
-        pose.translation().z() += off_the_ground;
+        stance.base.z() += off_the_ground;
         world.notes.push_back(
             fmt::format("{}: a flat sheet on the ground, lifted by {:g} m", where, off_the_ground));
     }
     for (const std::string& note : input.notes) {
         world.notes.push_back(fmt::format("{}: {}", where, note));
     }
-    const ObjectMesh mesh = object_mesh(input, pose.translation(), scene.materials);
+    input.placing.base = stance.base;
+    input.placing.heading_deg = stance.heading_deg;
+    input.placing.pitch_deg = stance.pitch_deg;
+    input.placing.roll_deg = stance.roll_deg;
+    const ObjectMesh mesh = object_mesh(input, scene.materials);
     refuse_buried(input, mesh.vertex, dem, world.site);
     sheets.append(world.facets, mesh, id);
     if (input.target.given()) {
         TargetFacets target = target_facets(input, object, id, scene.materials);
-        target.pose = pose;
+        target.pose = stance.pose();
         world.targets.push_back(std::move(target));
     }
 }

@@ -24,7 +24,7 @@ void append_buildings(World& world, const Scene& scene, const std::vector<BoxSpe
 /// Meshes of files, but for copies (copied_objects.hpp); the materials of open ones are added to
 /// the scene's.
 void append_objects(World& world, Scene& scene, const Dem& dem, Sheets& sheets);
-/// One of them.
+/// One of them, whose placing then says where it stands and how it is turned.
 ///
 /// - object: its place among the scene's
 void append_object(World& world, Scene& scene, const Dem& dem, Sheets& sheets, std::size_t object);

@@ -49,7 +49,7 @@ std::vector<Instant> instants_of(const TimeInput& time) {
 }  // namespace
 
 SurroundingsSampler::SurroundingsSampler(const World& world, const Scene& scene, std::size_t first,
-                                         std::size_t count, double heading_deg)
+                                         std::size_t count, const Stance& stance)
     : world_(world) {
     const FacetSet& facets = world.facets;
     double area = 0.0;
@@ -67,8 +67,9 @@ SurroundingsSampler::SurroundingsSampler(const World& world, const Scene& scene,
         }
     }
     // Clockwise from north is against the sense of a turn about the vertical.
-    const Eigen::AngleAxisd to_north(radians(heading_deg), Eigen::Vector3d::UnitZ());
-    for (const Probe& probe : probe_) north_.push_back(to_north * probe.normal);
+    const Eigen::AngleAxisd to_north(radians(stance.heading_deg), Eigen::Vector3d::UnitZ());
+    const Eigen::Matrix3d to_level = stance.to_level();
+    for (const Probe& probe : probe_) north_.push_back(to_north * (to_level * probe.normal));
     for (const Instant instant : instants_of(scene.time)) {
         const SunPosition sun = sun_position(world.site, instant);
         if (sun.elevation_deg <= 0.0) continue;
@@ -83,8 +84,9 @@ SurroundingsSampler::SurroundingsSampler(const World& world, const Scene& scene,
 }
 
 Surroundings SurroundingsSampler::at(const RayScene& scene, const Eigen::Isometry3d& pose,
-                                     double heading_deg, float wind) const {
-    Surroundings found{.heading_deg = heading_deg, .wind = wind};
+                                     const Stance& stance, float wind) const {
+    Surroundings found{
+        .heading_deg = stance.heading_deg, .to_level = stance.to_level(), .wind = wind};
     found.beam.assign(sun_.size() * probe_.size(), 0);
     found.around.assign(probe_.size() * rays, 0);
     std::vector<Ray> to_sun, all_round;
@@ -154,12 +156,12 @@ SurroundingsSampler::Apart SurroundingsSampler::apart(const Surroundings& a, con
     const auto [cos_a, sin_a] = turn_of(a);
     const auto [cos_b, sin_b] = turn_of(b);
     for (std::size_t s = 0; s < sun_.size(); ++s) {
-        const Eigen::Vector3d& to = sun_[s].to;
-        // The sun as the object has it, heading north.
-        const Eigen::Vector3d in_a(cos_a * to.x() - sin_a * to.y(), sin_a * to.x() + cos_a * to.y(),
-                                   to.z());
-        const Eigen::Vector3d in_b(cos_b * to.x() - sin_b * to.y(), sin_b * to.x() + cos_b * to.y(),
-                                   to.z());
+        // The sun as the object has it, level and heading north.
+        const Eigen::Vector3d to_a = a.to_level * sun_[s].to, to_b = b.to_level * sun_[s].to;
+        const Eigen::Vector3d in_a(cos_a * to_a.x() - sin_a * to_a.y(),
+                                   sin_a * to_a.x() + cos_a * to_a.y(), to_a.z());
+        const Eigen::Vector3d in_b(cos_b * to_b.x() - sin_b * to_b.y(),
+                                   sin_b * to_b.x() + cos_b * to_b.y(), to_b.z());
         const auto* of_a = a.beam.data() + s * probe_.size();
         const auto* of_b = b.beam.data() + s * probe_.size();
         double all = 0.0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/world/stance.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 
@@ -16,7 +17,8 @@ namespace diurna {
 /// What an object sees at probes spread evenly over its surface.
 struct Surroundings {
     double heading_deg = 0.0;
-    float wind = 1.0f;                   // share of it (wind.hpp)
+    Eigen::Matrix3d to_level = Eigen::Matrix3d::Identity();  // takes off its pitch and roll
+    float wind = 1.0f;                                       // share of it (wind.hpp)
     std::vector<std::uint8_t> beam{};    // (instant, probe) share of the sun's, of 255
     std::vector<std::uint8_t> around{};  // (probe, ray) 0: sky; else its material's kind
 };
@@ -41,14 +43,14 @@ class SurroundingsSampler {
 
     /// - first, count: of the world's facets, the object in its first place; the world is kept by
     ///   reference
-    /// - heading_deg: that it has there
+    /// - stance: that it has there
     SurroundingsSampler(const World& world, const Scene& scene, std::size_t first,
-                        std::size_t count, double heading_deg);
+                        std::size_t count, const Stance& stance);
 
     /// Of a copy.
     ///
     /// - pose: from the first place to its own
-    Surroundings at(const RayScene& scene, const Eigen::Isometry3d& pose, double heading_deg,
+    Surroundings at(const RayScene& scene, const Eigen::Isometry3d& pose, const Stance& stance,
                     float wind) const;
 
     struct Apart {
@@ -74,7 +76,7 @@ class SurroundingsSampler {
     std::vector<Probe> probe_;
     std::vector<Sun> sun_;
     std::vector<std::uint8_t> kind_;      // (material) from 1
-    std::vector<Eigen::Vector3d> north_;  // (probe) normals with the object heading north
+    std::vector<Eigen::Vector3d> north_;  // (probe) normals with the object level, heading north
 };
 
 }  // namespace diurna

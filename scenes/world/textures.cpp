@@ -10,6 +10,7 @@
 #include "materials/matter/broadband.hpp"
 #include "materials/matter/varied.hpp"
 #include "scenes/input/scene.hpp"
+#include "scenes/world/stance.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/ground/ring_index.hpp"
 #include "terrain/ground/rings.hpp"
@@ -147,6 +148,12 @@ TextureFrame frame_of(const World& world, std::size_t object, const ObjectInput&
         for (const std::uint32_t corner : world.facets.corner[f]) {
             lowest = std::min(lowest, double{world.facets.vertex[corner].z()});
         }
+    }
+    const Stance stance = stance_in(input.placing);
+    if (!stance.level()) {
+        return {.origin = stance.base,
+                .heading = radians(stance.heading_deg),
+                .to_level = stance.to_level()};
     }
     return {.origin = {input.place.x(), input.place.y(), lowest},
             .heading = radians(input.placing.heading_deg)};

@@ -77,6 +77,11 @@ PoseOnWay Way::pose(double seconds) const {
     return {place(seconds), attitude_along(going(seconds))};
 }
 
+std::optional<double> Way::height_over_ground(Instant when) const {
+    if (heights_ != HeightOver::ground) return std::nullopt;
+    return place_at(way_, seconds_between(start_, when)).z();
+}
+
 PoseOnWay Way::level(Instant when) const {
     const double seconds = seconds_between(start_, when);
     if (!way_.attitude.empty()) return pose(seconds);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "scenes/input/read_trajectory.hpp"
 #include "scenes/world/world.hpp"
@@ -33,6 +34,10 @@ class Way {
 
     /// Its attitude, level but for a log's own pitch and roll: of a thing on wheels.
     PoseOnWay level(Instant when) const;
+    /// Of a log that gives it.
+    bool has_attitude() const { return !way_.attitude.empty(); }
+    /// [m]; none of heights above the sea or the ellipsoid.
+    std::optional<double> height_over_ground(Instant when) const;
     std::vector<Rest> rests() const { return diurna::rests(way_); }
     Instant start() const { return start_; }
 

@@ -235,6 +235,17 @@ BodyBox box_round(const FacetSet& facets, std::size_t first, std::size_t count) 
 }
 
 BodyBox placed_box(BodyBox box, const Eigen::Isometry3d& pose) {
+    if (pose.linear()(2, 2) < 1.0) {  // one of the two does not stand upright
+        const double half = 0.5 * (box.top + box.bottom);
+        const Eigen::Vector3d there = pose * Eigen::Vector3d(box.middle.x(), box.middle.y(), half);
+        box.middle = there.head<2>();
+        box.along = (pose.linear() * Eigen::Vector3d(box.along.x(), box.along.y(), 0.0))
+                        .head<2>()
+                        .normalized();
+        box.bottom += there.z() - half;
+        box.top += there.z() - half;
+        return box;
+    }
     const Eigen::Vector3d middle = pose * Eigen::Vector3d(box.middle.x(), box.middle.y(), 0.0);
     box.middle = middle.head<2>();
     box.along = (pose.linear() * Eigen::Vector3d(box.along.x(), box.along.y(), 0.0)).head<2>();

@@ -31,6 +31,12 @@ struct Mover {
     Eigen::Isometry3d start;  // from the object's frame, at its way's begin
 };
 
+/// A ground facet at the raster's outline, and how much of the outline is its side.
+struct BorderFacet {
+    std::uint32_t facet;
+    float length;  // [m]
+};
+
 /// The scene in space: every triangle with its material, in the frame of its site. Rays, sun and
 /// sky know `facets`; heat and pictures have `surfaces()`, which are more where there are textures.
 struct World {
@@ -42,6 +48,7 @@ struct World {
     std::size_t ground_facets = 0;        // the first ones; objects follow
     std::optional<HeightField> relief;    // the raster, for sun and sky on the ground
     std::vector<std::uint8_t> on_detail;  // (ground facet) 1: finer than `relief`; empty: none is
+    std::vector<BorderFacet> border;      // of the ground
     TinCheck ground_check;                // how far the mesh is from the raster's posts
     std::size_t filled_facets = 0;        // ground facets on posts void in the file
     std::vector<std::uint8_t> filled;     // (facet) 1 there; empty where there is none

@@ -146,7 +146,14 @@ ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
     for (const Eigen::Vector3d& v : mesh.vertex) vertex.push_back(frame.place(v));
     // Clockwise from north is against the sense of a turn about the vertical.
     const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
-    for (Eigen::Vector3d& v : vertex) v = placing.base + turn * v;
+    const bool level = placing.pitch_deg == 0.0 && placing.roll_deg == 0.0;
+    const Eigen::Quaterniond turns =
+        turn * Eigen::AngleAxisd(radians(placing.pitch_deg), Eigen::Vector3d::UnitX()) *
+        Eigen::AngleAxisd(radians(placing.roll_deg), Eigen::Vector3d::UnitY());
+    for (Eigen::Vector3d& v : vertex) {
+        const Eigen::Vector3d turned = level ? turn * v : turns * v;
+        v = placing.base + turned;
+    }
 
     check_size(vertex);
     check_pieces(vertex, mesh, placing.largest_edge);

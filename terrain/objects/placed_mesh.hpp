@@ -16,8 +16,9 @@ struct Placing {
     Eigen::Vector3d base = Eigen::Vector3d::Zero();  // its middle in plan and its lowest point [m]
     double heading_deg = 0.0;                        // the way its front looks, from north
     UpAxis up = UpAxis::y;
-    double metres = 1.0;        // per unit of the file
-    double largest_edge = 0.5;  // longer edges are cut [m]
+    double metres = 1.0;                     // per unit of the file
+    double largest_edge = 0.5;               // longer edges are cut [m]
+    double pitch_deg = 0.0, roll_deg = 0.0;  // its front above, its right side below the level
 };
 
 /// From a file's axes, origin and unit to those of an object: right, front, up [m], from its middle

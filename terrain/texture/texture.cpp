@@ -5,8 +5,9 @@
 namespace diurna {
 
 Eigen::Vector2d texture_place(const TextureFrame& frame, const Eigen::Vector3d& place,
-                              const Eigen::Vector3f& normal) {
-    const Eigen::Vector3d from = place - frame.origin;
+                              const Eigen::Vector3f& of_facet) {
+    const Eigen::Vector3d from = frame.to_level * (place - frame.origin);
+    const Eigen::Vector3f normal = (frame.to_level * of_facet.cast<double>()).cast<float>();
     constexpr float steep = 0.6f;
     if (std::abs(normal.z()) >= steep) {
         const double c = std::cos(frame.heading), s = std::sin(frame.heading);

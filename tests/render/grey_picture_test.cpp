@@ -1,9 +1,11 @@
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "render/picture/grey_picture.hpp"
@@ -85,4 +87,34 @@ TEST_CASE("a grey TIFF of eight bits has a byte a pixel", "[render]") {
     std::vector<std::uint8_t> count(4);
     REQUIRE(band->RasterIO(GF_Read, 0, 0, 2, 2, count.data(), 2, 2, GDT_Byte, 0, 0) == CE_None);
     CHECK(count == std::vector<std::uint8_t>{0, 17, 200, 255});
+}
+
+// A scene of 20 K: 2000 of 65536 counts, of which the upper 8 bits tell 8 or 9 apart.
+TEST_CASE("8 bits keep a scene's contrast, 16 bits do once they are stretched", "[render]") {
+    Frame frame;
+    frame.width = 200;
+    frame.height = 10;
+    Plane plane{.name = "apparent_temperature.8-12", .unit = "K", .pixel = {}};
+    for (int p = 0; p < 2000; ++p) plane.pixel.push_back(285.0F + 0.01F * float(p));
+    frame.planes = {plane};
+    const auto levels = [&](const GreyPicture& picture, auto&& shown) {
+        std::set<int> all;
+        for (const std::uint16_t count : picture.count) all.insert(shown(count));
+        return all.size();
+    };
+    const auto upper = [](int bits) {
+        return [bits](std::uint16_t count) { return bits == 16 ? count >> 8 : int(count); };
+    };
+    const GreyPicture narrow = grey_picture_of(frame, plane.name, 8),
+                      wide = grey_picture_of(frame, plane.name, 16);
+    CHECK(levels(narrow, upper(8)) > 200);
+    CHECK(levels(wide, upper(16)) < 11);
+    const DisplayCounts display = display_counts(frame, plane.name, 16);
+    CHECK(display.black == Approx(28500).margin(100));
+    CHECK(display.white == Approx(30500).margin(100));
+    CHECK(levels(wide, [&](std::uint16_t count) {
+              return std::clamp(255 * (count - display.black) / (display.white - display.black), 0,
+                                255);
+          }) > 200);
+    CHECK(display_counts(frame, plane.name, 8).white == 255);
 }

@@ -3,10 +3,12 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "materials/base/units.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/far_ground.hpp"
 #include "render/light/incident_light.hpp"
 #include "render/path/background.hpp"
 #include "terrain/place/site.hpp"
@@ -303,4 +305,44 @@ TEST_CASE("sunlight is scattered by day, below 5 µm, and in air alone",
     CHECK_FALSE(scattered_sun(airless, visible.node_um));
     day.sun_zenith_deg = 91.0;
     CHECK_FALSE(scattered_sun(day, visible.node_um));
+}
+
+// A level facet under an open sky and the ground that goes on beyond it are the same thing, seen
+// straight down through the same air.
+TEST_CASE("ground beyond the scene's edge is seen as a level facet of it is",
+          "[render][radiance][by_comparison]") {
+    Pair pair(1.0f, 0.0f, 0.0f, {310.0f, 310.0f}, 0.2);
+    pair.sun = {1.0f, 1.0f};
+    const auto [from, to, allowed] = GENERATE(
+        std::tuple{0.4, 0.7, 2e-3}, std::tuple{3.0, 5.0, 3e-3}, std::tuple{8.0, 12.0, 3e-3});
+    const Band band = flat_band("band", from, to, bin_edges_um());
+    RadianceInput input = summer_air(pair, summer);
+    input.to_sun = direction(130.0, 40.0);
+    input.sun_zenith_deg = 50.0;
+    input.beyond = FarGround{
+        .material = MaterialId{0}, .temperature = 310.0, .height_km = input.ground_height_km};
+    const auto scattered = scattered_sun(input, band.node_um);
+    const LightByOrigin far =
+        far_ground_light(input, band.node_um, scattered ? &*scattered : nullptr);
+    const double above_m = 800.0, eye_km = input.ground_height_km + 1e-3 * above_m;
+    double found = band_sum_nodes(band, background_at(input, eye_km, 180.0, band.node_um, {}, far));
+    if (scattered) {
+        const double azimuth = 0.0;
+        found += band_sum_nodes(
+            band,
+            scattered_backgrounds_at(input, *scattered, eye_km, 180.0, {&azimuth, 1}).front());
+    }
+    const double facet = total(radiance_at_eye(input, band, {above_m, FacetId{0}, above_m, 0.0}, 0,
+                                               scattered ? &*scattered : nullptr));
+    double path = 0.0;
+    if (scattered) {
+        const SightLine line = chord(eye_km, input.ground_height_km, 1e-3 * above_m);
+        const double angle = scattered->angle_from_sun_deg(180.0, 0.0);
+        const auto light = scattered->path_by_turn(line, {&angle, 1}, {});
+        std::vector<double> radiance = light.at_angle.front();
+        for (std::size_t n = 0; n < radiance.size(); ++n) radiance[n] -= light.by_cosine[n];
+        path = band_sum_nodes(band, radiance);
+    }
+    CAPTURE(from, to);
+    CHECK(found == Approx(facet + path).epsilon(allowed));
 }

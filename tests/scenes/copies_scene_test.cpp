@@ -246,10 +246,11 @@ TEST_CASE("what a roof over a copy is worth is as by hand", "[scenes][copies][by
                     "height_above_ground_m = 3.0\nground_edge_m = 50.0\n" +
                     rest)));
     const Placed plate = place_of(built.world, ObjectId{2});
-    const SurroundingsSampler sampler(built.world, built.scene, plate.first, plate.facets, 0.0);
+    const SurroundingsSampler sampler(built.world, built.scene, plate.first, plate.facets,
+                                      Stance{});
     const auto at = [&](double east, double heading_deg) {
         return sampler.at(built.rays, Eigen::Isometry3d(Eigen::Translation3d(east, 0.0, 0.0)),
-                          heading_deg, 1.0f);
+                          Stance{.heading_deg = heading_deg}, 1.0f);
     };
     const Surroundings under = at(0.0, 0.0), east = at(250.0, 0.0), west = at(-250.0, 0.0);
     const double any = 1e3;

@@ -12,6 +12,7 @@
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/heat.hpp"
 #include "tests/support/crate.hpp"
+#include "tests/support/slope_scene.hpp"
 #include "tests/support/small_scene.hpp"
 
 using namespace diurna;
@@ -224,4 +225,37 @@ TEST_CASE("what a stepper cannot do is told", "[scenes][stepper]") {
     CHECK_THROWS_WITH(scene.advance(clock("23:59:59") + std::chrono::hours(1)),
                       Contains("span's end"));
     CHECK(scene.now() == clock("00:00:00"));
+}
+
+TEST_CASE("an eye that is put below the ground or into a building is refused",
+          "[scenes][stepper]") {
+    const ScratchFolder folder("stepper_eye");
+    Stepper scene(crate_scene(folder, stays));
+    const Observer eye = scene.observer(scene.prepared().scene.observers[0].name);
+    const auto problem = [&](const Eigen::Vector3d& by) {
+        Observer there = eye;
+        there.position += by;
+        try {
+            scene.picture(eye.name, there);
+        } catch (const InputError& error) {
+            return error.mistakes().front().problem;
+        }
+        return std::string();
+    };
+    // It stands 30 m above the ground.
+    CHECK(problem({0.0, 0.0, -31.0}).find("below the terrain") != std::string::npos);
+    CHECK(problem({0.0, 0.0, -29.0}).empty());
+}
+
+TEST_CASE("a program puts an object on the slope as it stands there", "[scenes][stepper][stance]") {
+    const ScratchFolder folder("stepper_slope");
+    write_text(folder.path / "crate.obj", slope_scene::box(3.0, 6.0, 2.0));
+    Stepper scene(read_scene(slope_scene::written(
+        folder.path, slope_scene::plane(20.0, 90.0),
+        slope_scene::object("crate", "trajectory = \"road\"") +
+            "[[trajectory]]\nname = \"road\"\nwaypoints_m = [[0.0, 0.0, 0.0], [0.0, 0.0, "
+            "0.0]]\ntimes_s = [0.0, 3600.0]\n")));
+    scene.put("crate", Eigen::Vector2d(5.0, 7.0), 90.0);  // down the slope
+    const Eigen::Vector3d front = scene.pose("crate").linear().col(1);
+    CHECK(std::asin(front.z()) * 180.0 / M_PI == Approx(-20.0).margin(0.1));
 }

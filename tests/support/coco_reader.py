@@ -167,8 +167,11 @@ def compare(folder, coco, wrong):
         width, height, grey = read_grey_png(os.path.join(folder, image["file_name"]))
         wrong["size"] += (width, height) != (image["width"], image["height"])
         scale, shown = image["scale"], planes[image["scale"]["plane"]]
-        wrong["grey"] += sum(abs(scale["zero"] + scale["step"] * g - v) > 0.51 * scale["step"]
-                             for g, v in zip(grey, shown))
+        first, last = scale["zero"], scale["zero"] + scale["step"] * (2 ** scale["bits"] - 1)
+        wrong["grey"] += sum(abs(scale["zero"] + scale["step"] * g - min(max(v, first), last)) >
+                             0.51 * scale["step"] for g, v in zip(grey, shown))
+        wrong["grey"] += scale["pixels_beyond"] != sum(
+            v < first - 0.5 * scale["step"] or v > last + 0.5 * scale["step"] for v in shown)
         behind = planes.get("object_behind." + image["band"], [-1.0] * len(shown))
         warmth = planes["apparent_temperature." + image["band"]]
         for label in of_image[image["id"]]:

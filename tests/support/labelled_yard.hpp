@@ -68,7 +68,7 @@ convection = { kind = "constant", value_W_m2K = 10.0 }
     scene = with(scene, "width = 32", fmt::format("width = {}", columns));
     scene = with(scene, "height = 32", fmt::format("height = {}", rows));
     scene = with(scene, "name = \"sheet\"\nmesh", "name = \"netted\"\nclass = \"truck\"\nmesh");
-    write_text(folder / "scene.toml", scene + "[labels]\nvalidation_share = 0.5\n");
+    write_text(folder / "scene.toml", scene + "[labels]\nbits = 16\nvalidation_share = 0.5\n");
 }
 
 /// Column and row of a place by the pinhole's own equations, the axis 18 degrees down to the north.

@@ -18,6 +18,7 @@ struct Model {
     const char* what;
     void (*make)(Workpiece&);
     std::array<double, 3> edge;  // (detail) [m]
+    bool upright = false;        // whatever the ground's slope
 };
 
 constexpr std::array<Model, 11> models{{
@@ -32,10 +33,14 @@ constexpr std::array<Model, 11> models{{
      {1.2, 0.6, 0.275}},
     {"fuel_tank", "lying tank on saddles, half full", make_fuel_tank, {0.38, 0.2, 0.115}},
     {"generator", "diesel set under a canopy", make_generator, {0.5, 0.167, 0.085}},
-    {"mast", "lattice mast with two dishes", make_mast, {1.0, 0.45, 0.23}},
-    {"house", "house of two storeys with four rooms and a loft", make_house, {1.0, 0.5, 0.28}},
-    {"hangar", "arched hall of sheet steel", make_hangar, {3.0, 1.3, 0.75}},
-    {"steel_shed", "gabled shed of corrugated sheet", make_steel_shed, {1.6, 0.7, 0.375}},
+    {"mast", "lattice mast with two dishes", make_mast, {1.0, 0.45, 0.23}, true},
+    {"house",
+     "house of two storeys with four rooms and a loft",
+     make_house,
+     {1.0, 0.5, 0.28},
+     true},
+    {"hangar", "arched hall of sheet steel", make_hangar, {3.0, 1.3, 0.75}, true},
+    {"steel_shed", "gabled shed of corrugated sheet", make_steel_shed, {1.6, 0.7, 0.375}, true},
     {"container", "freight container of 20 feet", make_container, {0.8, 0.3, 0.231}},
     {"aircraft", "twin-engined propeller aircraft, parked", make_aircraft, {1.0, 0.5, 0.23}},
 }};
@@ -52,6 +57,11 @@ std::vector<std::string> model_names() {
     std::vector<std::string> names;
     for (const Model& model : models) names.emplace_back(model.name);
     return names;
+}
+
+bool stands_upright(const std::string& name) {
+    const Model* model = find_model(name);
+    return model != nullptr && model->upright;
 }
 
 std::string model_line(const std::string& name) {

@@ -17,6 +17,9 @@ std::vector<std::string> model_names();
 /// What it is, in one line; its name must be known.
 std::string model_line(const std::string& name);
 
+/// Whether it is built plumb on any slope (buildings, the mast); false of a name not in the table.
+bool stands_upright(const std::string& name);
+
 /// Its mesh in metres, z up, front towards +y: closed solids side by side, each looking outward,
 /// with 2 000 to 20 000 triangles from low to high detail; parts have names (`node`) and no
 /// material. Throws InputError for a name that is not in the table.

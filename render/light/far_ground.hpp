@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "render/light/directional_sky.hpp"
+#include "render/light/origin.hpp"
+#include "render/light/radiance_input.hpp"
+
+namespace diurna {
+
+/// What the ground beyond the scene's edge (RadianceInput::beyond) sends out, (origin)(node)
+/// [W m⁻² sr⁻¹ µm⁻¹]: level, without relief, equally in all directions,
+///
+///     J = (1 − ρ) B(T) + ρ [cosθ E_sun / π + L_sky]
+///
+/// with the sky as on open ground at its height. Sunlight is empty where there is none; all are
+/// where the scene has no such ground.
+///
+/// - scattered: scattered_sun() of these nodes, or null
+LightByOrigin far_ground_light(const RadianceInput& input, std::span<const double> node_um,
+                               const ScatteredSun* scattered);
+
+}  // namespace diurna

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "materials/base/section.hpp"
+#include "scenes/input/object_input.hpp"
+
+namespace diurna {
+
+/// The keys `stands`, `pitch_deg` and `roll_deg` of an object whose mesh, placing and height are
+/// read; finds its contact points.
+///
+/// - of_model: whether its model stands upright by itself (models.hpp); false of a mesh
+void read_stance(const Section& section, bool of_model, ObjectInput& object);
+
+}  // namespace diurna

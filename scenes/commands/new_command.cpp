@@ -151,6 +151,8 @@ void new_verb(const NewArguments& a) {
                    format_local(scene.start, scene.utc_offset), scene.duration_h,
                    scene.weather_made_up ? "; its weather is made up" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
+        for (const Mistake& one : prepared.warnings)
+            fmt::print(stderr, "warning: {}\n", plain(one.line()));
         for (const std::string& note : prepared.notes)
             fmt::print(stderr, "note: {}\n", plain(note));
     } catch (...) {

@@ -113,8 +113,9 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         motion = {places(-reach), places(reach)};
     }
     RayScene rays(world.facets, passed_light(prepared.scene.materials), world.copies, motion);
-    return {prepared.scene, std::move(world), std::move(rays), prepared.weather, prepared.sequences,
-            prepared.plan,  prepared.plumes,  prepared.notes,  prepared.movement};
+    return {prepared.scene,     std::move(world), std::move(rays), prepared.weather,
+            prepared.sequences, prepared.plan,    prepared.plumes, prepared.notes,
+            prepared.movement,  prepared.warnings};
 }
 
 Prepared prepare(Scene scene) {
@@ -168,10 +169,12 @@ Prepared prepare(Scene scene) {
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
         notes.push_back(std::move(note));
     }
+    std::vector<Mistake> warnings = dem.warnings;
     scene.files = merged(scene.files, opened.files());
     return {std::move(scene),   std::move(world),    std::move(rays),
             std::move(weather), std::move(pictures), std::move(plan),
-            std::move(plumes),  std::move(notes),    std::move(movement_of_objects)};
+            std::move(plumes),  std::move(notes),    std::move(movement_of_objects),
+            std::move(warnings)};
 }
 
 }  // namespace diurna

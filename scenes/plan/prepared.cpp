@@ -148,6 +148,10 @@ Prepared prepare(Scene scene) {
     for (std::string& note : notes_on_heights(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
+    if (scene.air.sounding) {
+        const std::vector<std::string>& repaired = scene.air.sounding->notes;
+        notes.insert(notes.end(), repaired.begin(), repaired.end());
+    }
     if (world.filled_facets > 0) {
         std::size_t voids = dem.voids;
         for (const DemDetail& detail : dem.detail) voids += detail.raster.voids;

@@ -76,7 +76,10 @@ std::string take_along(const fs::path& file, const std::vector<FileRead>& opened
 /// The first midnight from which a day is covered, or what there is.
 void choose_span(const fs::path& file, FirstScene& scene) {
     const WeatherFormat format = weather_format(file);
-    if (format == WeatherFormat::epw || format == WeatherFormat::tmy3) return;  // of any year
+    if (format == WeatherFormat::epw || format == WeatherFormat::tmy3 ||
+        format == WeatherFormat::pvgis) {
+        return;  // of any year
+    }
     const Weather weather = read_weather(file);
     const Instant first = weather.instant.front(), last = weather.instant.back();
     const auto day = std::chrono::days(1);

@@ -97,7 +97,8 @@ TEST_CASE("ERA5 netCDF: packed values, time since an epoch, one point", "[therma
     CHECK(w.sample[1].shortwave_down == Approx(100.0));
     CHECK(w.sample[1].air.pressure == Approx(98000.0));  // filled from the hour before
     // 10° of latitude and of longitude at 45° N: 1112 and 787 km.
-    CHECK(has(w.note, "the station is 13"));
+    REQUIRE(w.warnings.size() == 1);
+    CHECK(has(w.warnings.front().line(), "is 13"));
     write(2);
     CHECK_THROWS_WITH(read_weather(file), Catch::Contains("extract one point"));
 }

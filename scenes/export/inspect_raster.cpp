@@ -22,6 +22,10 @@ void add_elevation(const std::filesystem::path& file, const Confines& confines, 
     found.fact.push_back({"centre_longitude_deg", {centre.longitude_deg}});
     found.fact.push_back({"centre_height_m", {centre.height}});
     found.fact.push_back({"voids", {static_cast<long long>(dem.voids)}});
+    if (!dem.warnings.empty()) {
+        found.fact.push_back({"warnings", {}});
+        for (const Mistake& one : dem.warnings) found.fact.back().value.push_back(one.line());
+    }
     if (!dem.notes.empty()) {
         found.fact.push_back({"notes", {dem.notes.begin(), dem.notes.end()}});
     }
@@ -32,8 +36,8 @@ void add_elevation(const std::filesystem::path& file, const Confines& confines, 
 bool may_be_elevation(const RasterFacts& facts) {
     if (facts.band.empty()) return true;  // variables of netCDF, one of which may be
     const BandFacts& band = facts.band.front();
-    return facts.band.size() == 1 && !facts.crs.empty() && band.unit != "K" &&
-           band.name != "sky view";
+    const bool one = facts.band.size() == 1 || (facts.band.size() == 2 && facts.band[1].alpha);
+    return one && !facts.crs.empty() && band.unit != "K" && band.name != "sky view";
 }
 
 }  // namespace

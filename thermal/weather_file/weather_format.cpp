@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
 #include "terrain/raster/zip_archive.hpp"
+#include "thermal/weather_file/era5.hpp"
 #include "thermal/weather_file/pvgis.hpp"
 #include "thermal/weather_file/surfrad.hpp"
 #include "thermal/weather_file/text_lines.hpp"
@@ -40,6 +42,12 @@ bool is_netcdf(const std::string& head) {
     return head.starts_with("CDF") || head.starts_with("\x89HDF");
 }
 
+/// Whether a line of columns has a variable of ERA5.
+bool has_era5_name(const std::string& header) {
+    const std::vector<std::string> cells = csv_cells(header);
+    return std::any_of(cells.begin(), cells.end(), is_era5_name);
+}
+
 WeatherFormat format_of_content(const std::string& head) {
     if (is_netcdf(head)) return WeatherFormat::era5_netcdf;
     const std::string first = line_of(head, 0), second = line_of(head, 1);
@@ -53,7 +61,7 @@ WeatherFormat format_of_content(const std::string& head) {
     if (second.find("ObservationTime(") != std::string::npos) return WeatherFormat::solar_anywhere;
     if (first.starts_with("*U0001") || first.starts_with("*C0001")) return WeatherFormat::bsrn;
     if (is_surfrad_place(second)) return WeatherFormat::surfrad;
-    if (first.find("valid_time") != std::string::npos && first.find("t2m") != std::string::npos) {
+    if (first.find("valid_time") != std::string::npos && has_era5_name(first)) {
         return WeatherFormat::era5_csv;
     }
     return WeatherFormat::csv;

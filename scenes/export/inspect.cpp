@@ -104,6 +104,7 @@ Found inspect(const fs::path& file, const InspectOptions& options) {
     if (ends == ".txt") return inspect_text(file);
     if (is_one_of(ends, {".csv", ".epw", ".dat", ".tab"})) return inspect_table(file);
     if (is_one_of(ends, {".shp", ".gpkg"})) return inspect_shapes(file, options);
+    if (ends == ".binary") return inspect_brdf(file);
     if (is_era5_zip(file)) return inspect_weather(file);
     const bool packed = head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b");
     const bool raster = packed || head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF") ||

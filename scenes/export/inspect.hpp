@@ -23,6 +23,8 @@ Found inspect_weather(const std::filesystem::path& file);
 /// A table in CSV by its header: sounding, weather, spectrum, response, refractive index, angles,
 /// trajectory, places.
 Found inspect_csv(const std::filesystem::path& file);
+/// A BRDF of the MERL database.
+Found inspect_brdf(const std::filesystem::path& file);
 Found inspect_sounding(const std::filesystem::path& file);
 Found inspect_tape7(const std::filesystem::path& file);
 Found inspect_shapes(const std::filesystem::path& file, const InspectOptions& options);

@@ -6,6 +6,7 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
+#include "materials/matter/read_brdf.hpp"
 #include "scenes/export/inspect.hpp"
 #include "thermal/weather_file/quantity.hpp"
 
@@ -30,7 +31,8 @@ struct TableKind {
 };
 
 const TableKind* kind_of_header(const CsvTable& table) {
-    static constexpr TableKind brdf{"reflection by angles", "name it as file of a material's brdf"},
+    static constexpr TableKind brdf{"reflection by angles",
+                                    "name it as file of a material's finish of kind measured"},
         refraction{"refractive index", "name it as file of a material's finish"},
         response{"spectrum", "a response: name it in [[bands]] of a scene"},
         spectrum{"spectrum", "name it as spectrum of a material of a scene"},
@@ -75,6 +77,16 @@ FoundTable facts_of_columns(const CsvTable& table) {
 
 }  // namespace
 
+Found inspect_brdf(const std::filesystem::path& file) {
+    const MeasuredBrdf brdf = read_brdf(file);
+    Found found{.kind = "reflection by angles"};
+    found.fact = {{"values", {static_cast<long long>(brdf.value.size())}},
+                  {"least_per_sr", {*std::min_element(brdf.value.begin(), brdf.value.end())}},
+                  {"most_per_sr", {*std::max_element(brdf.value.begin(), brdf.value.end())}}};
+    found.next = "name it as file of a material's finish of kind measured";
+    return found;
+}
+
 Found inspect_csv(const std::filesystem::path& file) {
     const CsvTable table = read_csv(file);
     if (is_sounding(table)) return inspect_sounding(file);
@@ -87,6 +99,13 @@ Found inspect_csv(const std::filesystem::path& file) {
         found.fact = {{"rows", {static_cast<long long>(table.rows.size())}}};
         found.table.push_back(facts_of_columns(table));
         found.next = kind->next;
+        return found;
+    }
+    if (table.has("time")) {
+        Found found{.kind = "curves"};
+        found.fact = {{"rows", {static_cast<long long>(table.rows.size())}}};
+        found.table.push_back(facts_of_columns(table));
+        found.next = "name it as measured in [calibrate] of a column file, with column and unit";
         return found;
     }
     throw InputError(

@@ -16,7 +16,7 @@ using namespace diurna::testing;
 
 namespace {
 
-Instant at(const char* text) { return parse_instant(text); }
+Instant instant(const char* text) { return parse_instant(text); }
 
 std::string epw_head(const std::string& comment, int rows_per_hour) {
     return "LOCATION,Place,-,-,-,0,45.0,8.0,1.0,250.0\nDESIGN CONDITIONS,0\n"
@@ -66,7 +66,7 @@ TEST_CASE("infrared of zero is not measured", "[thermal][weather_file][epw]") {
     for (int hour = 1; hour <= 24; ++hour) rows += epw_line(hour, 0, 20.0, 0.0, 0.0);
     write_text(file, epw_head("", 1) + rows);
     const Weather w = read_weather(file);
-    CHECK(std::isnan(w.at(at("2018-07-08T12:00:00Z")).longwave_down));
+    CHECK(std::isnan(w.at(instant("2018-07-08T12:00:00Z")).longwave_down));
     CHECK(has(w.note, "infrared of 0 W/m2 in 24 rows"));
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("sunlight of PVGIS is of the instants that its comment names",
     write_text(file, epw_head("Irradiance Time Offset (h):-0.75", 1) + rows);
     const Weather w = read_weather(file);
     // Hour 12 ends at 11:00 UTC (one hour ahead); its light is of 10:15.
-    const Forcing then = w.at(at("2018-07-08T10:15:00Z"));
+    const Forcing then = w.at(instant("2018-07-08T10:15:00Z"));
     CHECK(then.shortwave_down == Approx(120.0));
     CHECK(then.air.temperature == Approx(273.15 + 11.25));  // of 11 °C at 10:00, 12 at 11:00
 }
@@ -94,7 +94,7 @@ TEST_CASE("PVGIS' own CSV has the same offset", "[thermal][weather_file]") {
                "20180708:1000,20,50,700,600,100,330,2,180,98000\n"
                "20180708:1100,24,50,800,650,110,332,2,180,98000\n\nT2m: 2-m air temperature\n");
     const Weather w = read_weather(file);
-    const Forcing then = w.at(at("2018-07-08T10:15:00Z"));
+    const Forcing then = w.at(instant("2018-07-08T10:15:00Z"));
     CHECK(then.shortwave_down == 700.0);
     CHECK(then.air.temperature == Approx(273.15 + 21.0));
     CHECK(w.station->height == 250.0);
@@ -116,7 +116,7 @@ TEST_CASE("NSRDB: instants in the header's zone, units of the header",
                          "2021,7,8,13,0,24,999,840,720,120,5,780,4.5,29.5,,\n");
     CHECK(weather_format(file) == WeatherFormat::psm);
     const Weather w = read_weather(file);
-    const Forcing f = w.at(at("2021-07-08T19:30:00Z"));
+    const Forcing f = w.at(instant("2021-07-08T19:30:00Z"));
     CHECK(f.shortwave_down == 820.0);
     CHECK(f.direct_normal == Approx(710.0));  // −9999: on the line between its neighbours
     CHECK(f.air.temperature == Approx(295.15));
@@ -140,9 +140,10 @@ TEST_CASE("SolarAnywhere: means that end at the stamp", "[thermal][weather_file]
     }
     text += "01/01/2001 00:00,0,-6,4,80,0\n";
     write_text(file, text);
-    const Weather w =
-        read_weather(file, {.asked = {at("2026-12-31T12:00:00Z"), at("2026-12-31T20:00:00Z")}});
-    CHECK(w.at(at("2026-12-31T16:30:00Z")).shortwave_down == 120.0);  // of 11 to 12 h, 5 h behind
+    const Weather w = read_weather(
+        file, {.asked = {instant("2026-12-31T12:00:00Z"), instant("2026-12-31T20:00:00Z")}});
+    CHECK(w.at(instant("2026-12-31T16:30:00Z")).shortwave_down ==
+          120.0);  // of 11 to 12 h, 5 h behind
     CHECK(has(w.note, "a typical year"));
 }
 
@@ -163,8 +164,8 @@ TEST_CASE("times stand in several columns, codes are missing", "[thermal][weathe
                                                               {"Mi", "minute"},
                                                               {"T", "air_temperature degC"}}),
                                           .missing = {-9999.0}});
-    CHECK(w.instant.front() == at("2021-07-08T19:30:00Z"));
-    CHECK(w.at(at("2021-07-08T20:00:00Z")).air.temperature == Approx(295.15));
+    CHECK(w.instant.front() == instant("2021-07-08T19:30:00Z"));
+    CHECK(w.at(instant("2021-07-08T20:00:00Z")).air.temperature == Approx(295.15));
 
     write_text(file, "year,doy,hhmm,T\n2020,366,0030,20\n2020,366,2330,21\n");
     const Weather leap = read_weather(file, {.interval = Stamp::instant,
@@ -173,7 +174,7 @@ TEST_CASE("times stand in several columns, codes are missing", "[thermal][weathe
                                                                  {"hhmm", "clock"},
                                                                  {"T", "air_temperature degC"}}),
                                              .on_gap = OnGap::interpolate});
-    CHECK(leap.instant.front() == at("2020-12-31T00:30:00Z"));
+    CHECK(leap.instant.front() == instant("2020-12-31T00:30:00Z"));
 
     CHECK(has(refused(file, {.columns = columns({{"year", "year"},
                                                  {"doy", "day_of_year"},
@@ -219,7 +220,8 @@ TEST_CASE("days in several files are one series, in any order", "[thermal][weath
     const std::vector<std::filesystem::path> files{day("b.csv", 9), day("a.csv", 8)};
     const Weather w = read_weather(files, {.interval = Stamp::instant});
     CHECK(w.instant.size() == 48);
-    CHECK(w.at(at("2021-07-08T23:30:00Z")).air.temperature == Approx(280.0 + 8.0 + 23.5 / 24.0));
+    CHECK(w.at(instant("2021-07-08T23:30:00Z")).air.temperature ==
+          Approx(280.0 + 8.0 + 23.5 / 24.0));
     const auto epw = folder.path / "other.epw";
     write_text(epw, epw_head("", 1) + epw_line(1, 0, 20.0, 330.0, 0.0));
     CHECK_THROWS_WITH(read_weather(std::vector<std::filesystem::path>{files[0], epw}),

@@ -4,6 +4,7 @@
 #include "materials/base/error.hpp"
 #include "scenes/export/inspect.hpp"
 #include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/height_unit.hpp"
 #include "terrain/raster/raster_facts.hpp"
 #include "terrain/raster/read_dem.hpp"
 
@@ -70,7 +71,10 @@ Found inspect_raster(const std::filesystem::path& file, const InspectOptions& op
         try {
             add_elevation(file, confines, found);
         } catch (const InputError& error) {
-            found.fact.push_back({"not_elevation_because", {error.mistakes().front().problem}});
+            const std::string& problem = error.mistakes().front().problem;
+            const bool heights = !facts.band.empty() && height_unit(facts.band.front().unit);
+            found.fact.push_back({heights ? "warnings" : "not_elevation_because",
+                                  {heights ? "not read as elevation: " + problem : problem}});
         }
     }
     return found;

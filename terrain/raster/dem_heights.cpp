@@ -47,9 +47,15 @@ std::string map_unit(const OGRSpatialReference* reference) {
     return metres == 1.0 || name == nullptr ? "" : name;
 }
 
-/// Metres per unit of the heights; notes what is converted.
-double metres_per_unit(GDALDataset& raster, GDALRasterBand& band, const DemOptions& options,
-                       Dem& dem) {
+/// What a raster's heights are multiplied by, and the unit for messages.
+struct TakenUnit {
+    double metres;
+    std::string name;
+};
+
+/// The unit of the heights; notes what is converted.
+TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOptions& options,
+                          Dem& dem) {
     const auto converted = [&](double metres, const std::string& name) {
         if (metres != 1.0) {
             dem.notes.push_back(
@@ -57,7 +63,7 @@ double metres_per_unit(GDALDataset& raster, GDALRasterBand& band, const DemOptio
                             "to metres",
                             dem.source, name, metres));
         }
-        return metres;
+        return TakenUnit{metres, name};
     };
     if (options.unit) return converted(*options.unit, "that height_unit names");
     if (const std::string named = named_unit(band); !named.empty()) {
@@ -82,7 +88,7 @@ double metres_per_unit(GDALDataset& raster, GDALRasterBand& band, const DemOptio
                                             map),
                                 unit_hint});
     }
-    return 1.0;
+    return {1.0, "metre"};
 }
 
 }  // namespace
@@ -90,8 +96,8 @@ double metres_per_unit(GDALDataset& raster, GDALRasterBand& band, const DemOptio
 void read_heights(GDALDataset& raster, const PostWindow& window, const DemOptions& options,
                   Dem& dem, const QuietGdal& gdal) {
     GDALRasterBand& band = *raster.GetRasterBand(1);
-    const double unit = metres_per_unit(raster, band, options, dem);
-    const double scale = band.GetScale() * unit, offset = band.GetOffset() * unit;
+    const TakenUnit unit = unit_of_heights(raster, band, options, dem);
+    const double scale = band.GetScale() * unit.metres, offset = band.GetOffset() * unit.metres;
     const std::size_t columns = static_cast<std::size_t>(window.columns);
     dem.height.resize(columns * window.rows);
     std::vector<std::uint8_t> valid(columns);
@@ -118,9 +124,9 @@ void read_heights(GDALDataset& raster, const PostWindow& window, const DemOption
             height = static_cast<float>(scale * height + offset);
             if (height > highest) {
                 throw InputError(dem.source,
-                                 fmt::format("found a height of {:.0f} m; nothing on Earth is so "
-                                             "high",
-                                             height),
+                                 fmt::format("found a height of {:.0f} m, with the unit {}; "
+                                             "nothing on Earth is so high",
+                                             height, unit.name),
                                  unit_hint);
             }
         }

@@ -59,8 +59,9 @@ bool has_part(const std::vector<std::string>& words, Words wanted) {
 bool is_beside(const std::vector<std::string>& words) {
     return has_word(words, {"dir", "wdir", "max", "min", "std", "sd", "qc", "id", "type", "code",
                             "base", "net", "height"}) ||
-           has_part(words, {"direction", "gust", "flag", "quality", "source", "uncert", "clear",
-                            "angle", "zenith", "azimuth", "soil", "albedo", "duration"});
+           has_part(words,
+                    {"direction", "gust", "flag", "quality", "source", "precipitable", "uncert",
+                     "clear", "angle", "zenith", "azimuth", "soil", "albedo", "duration"});
 }
 
 std::optional<Quantity> by_words(const std::vector<std::string>& words) {

@@ -29,14 +29,14 @@ constexpr std::pair<const char*, const char*> renamed[] = {
     {"relative humidity_%", "relative_humidity_percent"},
     {"mixing ratio_g/kg", "mixing_ratio_g_kg"}};
 
-std::string trimmed(const std::string& text) {
+std::string unpadded_field(const std::string& text) {
     const std::size_t begin = text.find_first_not_of(" \t\r");
     if (begin == std::string::npos) return "";
     return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
 bool is_list_header(const std::string& line) {
-    return trimmed(line).starts_with("PRES") && line.find("HGHT") != std::string::npos &&
+    return unpadded_field(line).starts_with("PRES") && line.find("HGHT") != std::string::npos &&
            line.find("TEMP") != std::string::npos && line.find("DWPT") != std::string::npos;
 }
 
@@ -45,7 +45,8 @@ std::vector<std::string> list_cells(const std::string& line) {
     std::vector<std::string> cells;
     for (std::size_t i = 0; i < std::size(listed); ++i) {
         const std::size_t begin = i * column_width;
-        cells.push_back(begin < line.size() ? trimmed(line.substr(begin, column_width)) : "");
+        cells.push_back(begin < line.size() ? unpadded_field(line.substr(begin, column_width))
+                                            : "");
     }
     return cells;
 }
@@ -69,7 +70,7 @@ CsvTable read_list(const std::filesystem::path& file, const std::string& text) {
         }
         if (dashes < 2) continue;
         const bool row = line.find_first_not_of("0123456789.- \r") == std::string::npos;
-        if (!row || trimmed(line).empty()) {
+        if (!row || unpadded_field(line).empty()) {
             dashes = 0;
             continue;
         }

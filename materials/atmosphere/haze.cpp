@@ -9,7 +9,7 @@ namespace diurna {
 
 namespace {
 
-using Tables = BandModelTables;
+using HazeTables = BandModelTables;
 
 constexpr double squeezed_below_km = 6.0;  // LOWTRAN7: above, ground height does not matter
 
@@ -29,7 +29,7 @@ double ln_dryness(const AirSample& air) {
     return std::log(100.0 - std::clamp(percent, 0.0, 99.0));
 }
 
-AerosolPlace place_of(const Tables::Aerosol& aerosol, double dryness) {
+AerosolPlace place_of(const HazeTables::Aerosol& aerosol, double dryness) {
     const auto& levels = aerosol.levels;
     std::size_t upper = 0;
     while (upper < levels.size() && levels[upper].ln_dryness > dryness) ++upper;
@@ -42,15 +42,15 @@ AerosolPlace place_of(const Tables::Aerosol& aerosol, double dryness) {
 Haze::Haze(const BandModel& model) : model_(model) {
     if (model.rain_mm_h > 0.0) rain_ = 0.365 * std::pow(model.rain_mm_h, 0.63);
     if (model.aerosol == "none") return;
-    const Tables& tables = band_model_tables();
+    const HazeTables& tables = band_model_tables();
     boundary_ = &tables.aerosols.at(model.aerosol);
     tropospheric_ = &tables.aerosols.at("tropospheric");
     const bool winter = model.profile.name == "MLW" || model.profile.name == "SAW";
-    const std::vector<Tables::Haze>& season = tables.haze[winter ? 1 : 0];
+    const std::vector<HazeTables::Haze>& season = tables.haze[winter ? 1 : 0];
     // Between tabulated visibilities linear in 1 / visibility, as the ground's extinction is.
     std::size_t high = 1;
     while (high + 1 < season.size() && season[high].visibility_km < model.visibility_km) ++high;
-    const Tables::Haze &a = season[high - 1], &b = season[high];
+    const HazeTables::Haze &a = season[high - 1], &b = season[high];
     const double t = (1.0 / model.visibility_km - 1.0 / a.visibility_km) /
                      (1.0 / b.visibility_km - 1.0 / a.visibility_km);
     // (T38) of docs/theory.md

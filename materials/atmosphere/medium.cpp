@@ -10,7 +10,7 @@ namespace diurna {
 
 namespace {
 
-using Tables = BandModelTables;
+using MediumTables = BandModelTables;
 
 constexpr double standard_pressure_hPa = 1013.25;
 
@@ -42,7 +42,7 @@ Medium::Medium(const BandModel& model, BinRange bins)
     constexpr auto carbon_dioxide = static_cast<std::size_t>(Gas::carbon_dioxide);
     const double profile_co2 = model.profile.mixing_ratio_ppm[carbon_dioxide].front();
     co2_scale_ = profile_co2 > 0.0 ? model.co2_ppm / profile_co2 : 0.0;
-    for (const Tables::Run& run : tables_.runs) {  // runs stand in the order of their groups
+    for (const MediumTables::Run& run : tables_.runs) {  // runs stand in the order of their groups
         const bool absorbs = run.first < bins.last && run.first + run.bins > bins.first;
         const bool listed = !active_.empty() && active_.back() == run.group;
         if (absorbs && !listed) active_.push_back(run.group);
@@ -67,7 +67,7 @@ Amounts Medium::none() const {
     return amounts;
 }
 
-void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double depth,
+void Medium::add_aerosol(const MediumTables::Aerosol& aerosol, double dryness, double depth,
                          std::span<double> node) const {
     if (aerosol.levels.size() == 1) {  // fog, whatever the humidity
         node[0] += depth;
@@ -77,7 +77,7 @@ void Medium::add_aerosol(const Tables::Aerosol& aerosol, double dryness, double 
     // Drier or damper than the table: its end.
     const std::size_t interval = std::min(low, aerosol.levels.size() - 2);
     const double x = low == high ? (low == 0 ? 0.0 : 1.0) : t;
-    constexpr std::size_t count = Tables::interval_nodes;
+    constexpr std::size_t count = MediumTables::interval_nodes;
     static const auto [place, norm] = [] {
         std::array<double, count> at{}, over{};
         for (std::size_t k = 0; k < count; ++k) at[k] = chebyshev_node(k, count);
@@ -101,7 +101,7 @@ void Medium::spread(Amounts& amounts) const {
     for (std::size_t part = 0; part < amounts.haze.size(); ++part) {
         std::vector<double>& weight = amounts.haze[part];
         const auto& node = (part == 0 ? haze_.boundary() : haze_.tropospheric())->node;
-        constexpr std::size_t group = Tables::interval_nodes;
+        constexpr std::size_t group = MediumTables::interval_nodes;
         for (std::size_t k = 0; k < weight.size(); k += group) {
             if (weight.size() == 1) {
                 const double* const e = node[0].data() + bins_.first;
@@ -165,7 +165,7 @@ void Medium::add_gases(const AirSample& air, double length_km, Amounts& amounts)
     const double self = molecules * vapour_hPa * reference;
     const double foreign = molecules * (air.pressure_hPa - vapour_hPa) * reference;
     const double colder = std::clamp((296.0 - air.temperature) / 36.0, 0.0, 1.0);
-    const std::array<double, Tables::linear_count> linear = {
+    const std::array<double, MediumTables::linear_count> linear = {
         self,
         self * colder,
         foreign,
@@ -234,19 +234,19 @@ void Medium::absorption_transmittances(const Amounts& amounts, std::span<double>
 }
 
 void Medium::find_depths(const Amounts& amounts, bool scattering, std::span<double> out) const {
-    const std::array<const double*, Tables::linear_count> k = {
+    const std::array<const double*, MediumTables::linear_count> k = {
         tables_.linear[0].data() + bins_.first, tables_.linear[1].data() + bins_.first,
         tables_.linear[2].data() + bins_.first, tables_.linear[3].data() + bins_.first,
         tables_.linear[4].data() + bins_.first, tables_.linear[5].data() + bins_.first,
         tables_.linear[6].data() + bins_.first};
-    std::array<double, Tables::linear_count> w = amounts.linear;
-    if (!scattering) w[Tables::rayleigh] = 0.0;
+    std::array<double, MediumTables::linear_count> w = amounts.linear;
+    if (!scattering) w[MediumTables::rayleigh] = 0.0;
     const std::size_t count = bins_.size();
     // Gases eight bins at a time, past the end of their runs and of the range: runs are filled up
     // with values that count nothing.
-    constexpr std::size_t lanes = Tables::run_padding;
+    constexpr std::size_t lanes = MediumTables::run_padding;
     std::vector<float> gas(count + lanes, 0.0f);
-    for (const Tables::Run& run : tables_.runs) {
+    for (const MediumTables::Run& run : tables_.runs) {
         const std::size_t from = std::max(run.first, bins_.first);
         const std::size_t to = std::min(run.first + run.bins, bins_.last);
         if (from >= to) continue;

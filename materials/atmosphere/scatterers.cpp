@@ -11,9 +11,9 @@ namespace diurna {
 
 namespace {
 
-using Tables = BandModelTables;
+using ScattererTables = BandModelTables;
 
-constexpr double standard_pressure_hPa = 1013.25;
+constexpr double sea_level_pressure_hPa = 1013.25;
 
 /// Scatterers being summed up over the parts of the aerosol.
 struct Sum {
@@ -30,8 +30,8 @@ struct Sum {
 };
 
 /// One zone's aerosol at a dryness, `extinction` [km⁻¹] of it at 0.55 µm.
-void add_zone(const Tables::Aerosol& aerosol, std::size_t part, double dryness, double extinction,
-              BinRange bins, Sum& sum) {
+void add_zone(const ScattererTables::Aerosol& aerosol, std::size_t part, double dryness,
+              double extinction, BinRange bins, Sum& sum) {
     const auto [low, high, t] = place_of(aerosol, dryness);
     const auto &from = aerosol.levels[low], &to = aerosol.levels[high];
     for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -60,8 +60,9 @@ Scatterers scatterers(const Medium& medium, double height_km) {
     const BinRange bins = medium.bins();
     const std::size_t count = bins.size();
     const AirSample air = air_at(medium.model().profile, height_km);
-    const double amagat = air.pressure_hPa / standard_pressure_hPa * zero_celsius / air.temperature;
-    const std::vector<double>& rayleigh = band_model_tables().linear[Tables::rayleigh];
+    const double amagat =
+        air.pressure_hPa / sea_level_pressure_hPa * zero_celsius / air.temperature;
+    const std::vector<double>& rayleigh = band_model_tables().linear[ScattererTables::rayleigh];
     Scatterers s{.rayleigh = std::vector<double>(count),
                  .aerosol_extinction = std::vector<double>(count, 0.0),
                  .aerosol_scattering = std::vector<double>(count, 0.0),
@@ -91,13 +92,13 @@ double henyey_greenstein(double g, double cosine) {
 }
 
 std::array<std::vector<double>, 3> phase_functions(const Medium& medium, double cosine) {
-    const Tables& tables = band_model_tables();
+    const ScattererTables& tables = band_model_tables();
     const BinRange bins = medium.bins();
     const HermiteWeights angle =
         hermite_weights(tables.phase_deg, degrees(std::acos(std::clamp(cosine, -1.0, 1.0))));
     std::array<std::vector<double>, 3> phase;
-    const std::array<const Tables::Aerosol*, 2> aerosols = {medium.haze().boundary(),
-                                                            medium.haze().tropospheric()};
+    const std::array<const ScattererTables::Aerosol*, 2> aerosols = {medium.haze().boundary(),
+                                                                     medium.haze().tropospheric()};
     const std::size_t angles = tables.phase_deg.size();
     for (std::size_t k = 0; k < aerosols.size(); ++k) {
         if (aerosols[k] == nullptr) continue;

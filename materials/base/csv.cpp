@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
+std::string_view unpadded(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
@@ -57,7 +57,7 @@ std::vector<std::string> csv_cells(std::string_view line) {
     for (std::size_t i = 0; i <= line.size(); ++i) {
         if (i < line.size() && line[i] == '"') quoted = !quoted;
         if (i < line.size() && (line[i] != ',' || quoted)) continue;
-        std::string_view cell = trimmed(line.substr(begin, i - begin));
+        std::string_view cell = unpadded(line.substr(begin, i - begin));
         if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') {
             cell = cell.substr(1, cell.size() - 2);
         }
@@ -116,7 +116,7 @@ CsvTable csv_table(const std::filesystem::path& path, std::string_view text, int
     int line_number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        std::string_view line = trimmed(text.substr(begin, end - begin));
+        std::string_view line = unpadded(text.substr(begin, end - begin));
         begin = end + 1;
         if (++line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         if (line_number <= skip || line.empty() || line.front() == '#') continue;

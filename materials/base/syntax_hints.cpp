@@ -11,7 +11,7 @@ namespace {
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
     if (first == text.npos) return {};
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
@@ -38,7 +38,7 @@ std::string syntax_hint(std::string_view line) {
         const bool table = std::count(line.begin(), line.end(), ',') > 1;
         return table ? "is it a file of TOML? diurna inspect FILE says what a file is" : "";
     }
-    const std::string_view value = trimmed(line.substr(equals + 1));
+    const std::string_view value = without_blanks(line.substr(equals + 1));
     if (value.empty()) return "a value stands behind '='";
     if (value.find('\\') != value.npos && value.front() == '"') {
         return "a backslash between quotes means more than itself: folders are parted by '/'";
@@ -52,7 +52,7 @@ std::string syntax_hint(std::string_view line) {
     }
     const std::string_view rest = behind_number(value);
     if (rest.size() > 1 && rest[0] == ',' && is_digit(rest[1])) return "the decimal sign is '.'";
-    if (const std::string_view word = trimmed(rest); !word.empty() && is_letter(word[0])) {
+    if (const std::string_view word = without_blanks(rest); !word.empty() && is_letter(word[0])) {
         return "no unit stands behind a number: the key's name ends with it, as in radius_m";
     }
     if (value == "True" || value == "False" || value == "TRUE" || value == "FALSE") {

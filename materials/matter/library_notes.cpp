@@ -11,7 +11,7 @@ namespace diurna {
 
 namespace {
 
-std::string trimmed(std::string_view text) {
+std::string trimmed_text(std::string_view text) {
     const auto first = text.find_first_not_of(" \t\r");
     if (first == std::string_view::npos) return {};
     return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
@@ -49,11 +49,11 @@ std::string like_of(std::string_view code) {
 /// A line of the file's head into the list of sources.
 void add_source(std::string_view comment, std::vector<SourceNote>& sources) {
     if (!comment.starts_with("   ")) return;
-    const std::string text = trimmed(comment);
+    const std::string text = trimmed_text(comment);
     const auto space = text.find("  ");
     const std::string word = text.substr(0, space);
     if (!comment.starts_with("    ") && space != std::string::npos && is_tag(word)) {
-        sources.push_back({word, trimmed(text.substr(space))});
+        sources.push_back({word, trimmed_text(text.substr(space))});
     } else if (comment.starts_with("      ") && !sources.empty()) {
         sources.back().text += " " + text;
     }
@@ -90,11 +90,11 @@ LibraryNotes library_notes(const std::filesystem::path& file) {
         if (code.starts_with('[') && !code.starts_with("[[")) {
             const auto close = code.find(']');
             notes.materials.push_back({.name = std::string(code.substr(1, close - 1)),
-                                       .what = trimmed(comment),
+                                       .what = trimmed_text(comment),
                                        .like = {},
                                        .lines = {}});
         } else if (notes.materials.empty()) {
-            if (trimmed(code).empty()) add_source(comment, notes.sources);
+            if (trimmed_text(code).empty()) add_source(comment, notes.sources);
         } else {
             MaterialNote& note = notes.materials.back();
             if (note.like.empty()) note.like = like_of(code);
@@ -124,8 +124,8 @@ std::vector<std::string> lines_without_source(const MaterialNote& note) {
     bool told = false;  // by the line above
     for (const std::string& line : note.lines) {
         const auto [code, comment] = split(line);
-        const bool alone = trimmed(code).empty();
-        const bool here = !trimmed(comment).empty();
+        const bool alone = trimmed_text(code).empty();
+        const bool here = !trimmed_text(comment).empty();
         if (!alone && gives_number(code) && !here && !told) found.push_back(line);
         told = alone && here;
     }
@@ -136,7 +136,7 @@ std::vector<std::string> head_comment(const std::filesystem::path& file) {
     std::vector<std::string> lines;
     std::istringstream text(read_text(file));
     for (std::string line; std::getline(text, line) && line.starts_with('#');) {
-        lines.push_back(trimmed(std::string_view(line).substr(1)));
+        lines.push_back(trimmed_text(std::string_view(line).substr(1)));
     }
     return lines;
 }

@@ -24,7 +24,7 @@ struct Place {
     std::size_t low;
     double share;
 };
-Place place_of(const std::vector<double>& axis, double x) {
+Place line_place(const std::vector<double>& axis, double x) {
     if (axis.size() < 2 || x <= axis.front()) return {0, 0.0};
     if (x >= axis.back()) return {axis.size() - 2, 1.0};
     const auto above = std::upper_bound(axis.begin(), axis.end(), x);
@@ -33,8 +33,8 @@ Place place_of(const std::vector<double>& axis, double x) {
 }
 
 double value_at(const MeasuredBrdf& table, const std::array<double, 3>& x) {
-    const std::array<Place, 3> at = {place_of(table.first, x[0]), place_of(table.second, x[1]),
-                                     place_of(table.third, x[2])};
+    const std::array<Place, 3> at = {line_place(table.first, x[0]), line_place(table.second, x[1]),
+                                     line_place(table.third, x[2])};
     double sum = 0.0;
     for (std::size_t corner = 0; corner < 8; ++corner) {
         double weight = 1.0;
@@ -70,7 +70,7 @@ std::array<double, 3> about_half_vector(const Eigen::Vector3d& eye, const Eigen:
 
 /// A table's factor at a cosine, as its finish has it.
 double reflectance_at(const ByAngle& finish, double cosine) {
-    const Place at = place_of(finish.angle_deg, angle_deg(cosine));
+    const Place at = line_place(finish.angle_deg, angle_deg(cosine));
     return finish.measured->at_ten *
            std::lerp(finish.factor[at.low], finish.factor[at.low + 1], at.share);
 }

@@ -20,7 +20,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double heat_begins_um = 4.0;  // of effective indices
+constexpr double index_heat_begins_um = 4.0;  // of effective indices
 constexpr const char* index_file_says =
     "of the coat, or of the metal: CSV of wavelength_um, n and k, from end to end of every band";
 
@@ -132,8 +132,8 @@ void take_effective_index(const Spectrum& reflectance, Glossy& finish) {
             continue;
         }
         const double root = std::sqrt(rho);
-        finish.index.value.push_back(um <= heat_begins_um ? given.at(um)
-                                                          : (1.0 + root) / (1.0 - root));
+        finish.index.value.push_back(um <= index_heat_begins_um ? given.at(um)
+                                                                : (1.0 + root) / (1.0 - root));
         finish.extinction.value.push_back(0.0);
     }
 }
@@ -220,7 +220,7 @@ std::optional<IndexReach> index_reach(const Section& section, const Glossy& fini
         if (table.rows.empty()) return {};
         return IndexReach{.from_um = table.number(0, column),
                           .to_um = table.number(table.rows.size() - 1, column),
-                          .needed_to_um = effective ? heat_begins_um : 1e3,
+                          .needed_to_um = effective ? index_heat_begins_um : 1e3,
                           .effective_helps = plain && !finish.metal && !effective};
     } catch (const InputError&) {
         return {};  // told when it was read

@@ -58,7 +58,7 @@ void check_polynomial(const Section& layer, const std::vector<double>& heat) {
 }
 
 /// What a layer of given constants does beyond them.
-ThermalLaw read_law(const Section& layer) {
+ThermalLaw read_conductivity_law(const Section& layer) {
     if (layer.has("freezing_water_kg_m3")) {
         return Freezing{.water = layer.number(
                             "freezing_water_kg_m3",
@@ -100,7 +100,7 @@ Layer read_constants(const Section& layer) {
             .density = layer.number("density_kg_m3", "unless soil or regolith", {0.1, 25000.0}),
             .heat_capacity =
                 layer.number("heat_capacity_J_kgK", "unless soil or regolith", {50.0, 2e4}),
-            .law = read_law(layer)};
+            .law = read_conductivity_law(layer)};
 }
 
 bool is_regolith(const Section& layer) {

@@ -20,7 +20,7 @@ struct Water {
     Spectrum index, extinction;
 };
 
-const Water& water() {
+const Water& water_index() {
     static const Water read = [] {
         Water of;
         const CsvTable table = read_csv(data_folder() / "spectra" / "water_refraction.csv");
@@ -37,7 +37,7 @@ const Water& water() {
     return read;
 }
 
-double at_or_end(const Spectrum& s, double um) {
+double water_at(const Spectrum& s, double um) {
     return s.at(std::clamp(um, s.wavelength_um.front(), s.wavelength_um.back()));
 }
 
@@ -54,7 +54,7 @@ double wet_reflectance(double dry, double index) {
 
 Spectrum wet_reflectance(const Spectrum& dry) {
     Spectrum wet{dry.wavelength_um, {}};
-    for (const double um : water().index.wavelength_um) {
+    for (const double um : water_index().index.wavelength_um) {
         if (um > dry.wavelength_um.front() && um < dry.wavelength_um.back()) {
             wet.wavelength_um.push_back(um);
         }
@@ -63,7 +63,8 @@ Spectrum wet_reflectance(const Spectrum& dry) {
     wet.wavelength_um.erase(std::unique(wet.wavelength_um.begin(), wet.wavelength_um.end()),
                             wet.wavelength_um.end());
     for (const double um : wet.wavelength_um) {
-        const double n = at_or_end(water().index, um), k = at_or_end(water().extinction, um);
+        const double n = water_at(water_index().index, um),
+                     k = water_at(water_index().extinction, um);
         // Light that meets the film at 45° goes on at this cosine.
         const double slanting = std::sqrt(1.0 - 0.5 / (n * n));
         const double optical_depth = 4.0 * std::numbers::pi * k / um * film_um;

@@ -38,7 +38,7 @@ const Choice& choice(const std::array<Choice, Size>& all, const std::string& nam
     refuse_word(std::string("MODTRAN ") + what, name, names);
 }
 
-void check(const ModtranDeck& d) {
+void check_deck(const ModtranDeck& d) {
     const auto within = [](const char* what, double value, double least, double most) {
         check_within(std::string("MODTRAN ") + what, value, least, most);
     };
@@ -185,7 +185,7 @@ std::string write_tape5(const std::vector<ModtranDeck>& decks) {
     std::string text;
     for (std::size_t i = 0; i < decks.size(); ++i) {
         const ModtranDeck& d = decks[i];
-        check(d);
+        check_deck(d);
         text += first_cards(d) + aerosol_card(d);
         if (d.profile) text += profile_cards(d, *d.profile);
         text += geometry_cards(d) + spectral_card(d);

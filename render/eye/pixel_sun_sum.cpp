@@ -8,7 +8,7 @@ namespace diurna {
 
 namespace {
 
-float at_sighting(const AtEye& at, const Sighting& s) {
+float light_at_sighting(const AtEye& at, const Sighting& s) {
     return at.value + s.deeper * at.by_range + s.higher * at.by_height;
 }
 
@@ -36,7 +36,7 @@ void add_pixel_sun(const View& view, const PixelSun& sun, const SceneLight& ligh
             const float more = s.weight * (sun.share[e] - mean);
             const AtEye* at = &whole[place[s.target] * columns];
             for (std::size_t c = 0; c < columns; ++c) {
-                planes[c][sun.pixel[k]] += more * at_sighting(at[c], s);
+                planes[c][sun.pixel[k]] += more * light_at_sighting(at[c], s);
             }
         }
     });
@@ -60,7 +60,7 @@ void add_pixel_heat(const View& view, const PixelSun& sun, const SceneLight& lig
                 const Sighting& s = view.sighting[sun.sighting[e]];
                 for (std::size_t c = 0; c < columns; ++c) {
                     planes[c][sun.pixel[k]] +=
-                        s.weight * at_sighting(more[(e - first) * columns + c], s);
+                        s.weight * light_at_sighting(more[(e - first) * columns + c], s);
                 }
             }
         }

@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+constexpr double half_turn = std::numbers::pi;
 constexpr double aureole_deg = 12.0;
 /// What counts in a fit: level ground's cosine, and some more for walls.
 constexpr double more_for_walls = 0.3;
@@ -107,11 +107,12 @@ class Aureole {
         const double elevation = 90.0 - zenith_deg;
         for (std::size_t i = 0; i < steps; ++i) {
             const double angle = angle_of(double(i) + 0.5);
-            const double ring = 2.0 * pi *
+            const double ring = 2.0 * half_turn *
                                 (std::cos(radians(angle_of(double(i)))) -
                                  std::cos(radians(angle_of(double(i) + 1.0))));
-            const double above =
-                angle > elevation ? 1.0 - std::acos(std::max(0.0, elevation / angle)) / pi : 1.0;
+            const double above = angle > elevation
+                                     ? 1.0 - std::acos(std::max(0.0, elevation / angle)) / half_turn
+                                     : 1.0;
             for (std::size_t n = 0; n < irradiance.size(); ++n) {
                 irradiance[n] += ring * above * 0.5 * (excess_[i][n] + excess_[i + 1][n]);
             }
@@ -257,10 +258,11 @@ SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input) {
     for (std::size_t n = 0; n < nodes; ++n) {
         double mean = 0.0;
         for (std::size_t k = 0; k < level.size(); ++k) mean += coefficient[k][n] * level[k];
-        const double whole = pi * mean + aureole.irradiance[n] * std::cos(radians(zenith_deg));
+        const double whole =
+            half_turn * mean + aureole.irradiance[n] * std::cos(radians(zenith_deg));
         const double scale = mean > 0.0 ? 1.0 / whole : 0.0;
         scales[n] = scale;
-        shape.mean[n] = mean > 0.0 ? scale * mean : 1.0 / pi;
+        shape.mean[n] = mean > 0.0 ? scale * mean : 1.0 / half_turn;
         shape.aureole[n] *= scale;
         for (std::size_t k = 0; k < uneven_functions; ++k) {
             shape.uneven[k][n] = scale * coefficient[k + 1][n];

@@ -10,7 +10,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_ranges = 65, most_angles = 129;
+constexpr std::size_t most_scattered_ranges = 65, most_angles = 129;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ ScatteredPath::ScatteredPath(const SunField& field, const Band& band, const Path
     error_ += worst;
 
     const std::vector<Node> nodes = refine_ranges<Node>(
-        grid_, most_ranges, enough,
+        grid_, most_scattered_ranges, enough,
         [&](double root, double height_km) { return make_node(root, height_km, angles_); },
         [&](const std::vector<Node>& finer, std::size_t ranges) {
             return worst = left_by_halving * error_between_ranges(finer, ranges);

@@ -14,7 +14,7 @@ namespace {
 
 /// A full scale holds at least this [W m-2 sr-1], about what starlit ground sends back: darker
 /// nights are black.
-constexpr double least_light = 1e-6;
+constexpr double least_level = 1e-6;
 
 double greatest_count(int bits) { return bits == 16 ? 65535.0 : 255.0; }
 
@@ -37,7 +37,7 @@ GreyScale grey_scale(const Frame& frame, const std::string& name, int bits) {
         return {zero, (ends.high - ends.low) / 255.0};
     }
     if (is_temperature(plane)) return {0.0, 0.01};
-    double greatest = least_light;
+    double greatest = least_level;
     for (const float value : plane.pixel) {
         if (std::isfinite(value)) greatest = std::max(greatest, double{value});
     }

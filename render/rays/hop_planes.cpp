@@ -19,25 +19,25 @@ namespace {
 constexpr std::array of_surface = {"weight",       "facet",      "material", "temperature",
                                    "sun_fraction", "cosine_sun", "sky_view"};
 constexpr std::array of_hop = {"way", "before", "cosine"};
-constexpr std::array of_band = {"black",
-                                "emissivity",
-                                "transmittance",
-                                "sunlight",
-                                "reflectance_sun",
-                                "transmittance_sun",
-                                "skylight",
-                                "reflectance_sky",
-                                "transmittance_sky",
-                                "surroundings",
-                                "reflectance_surroundings",
-                                "transmittance_surroundings",
-                                "behind"};
+constexpr std::array hop_planes_of_band = {"black",
+                                           "emissivity",
+                                           "transmittance",
+                                           "sunlight",
+                                           "reflectance_sun",
+                                           "transmittance_sun",
+                                           "skylight",
+                                           "reflectance_sky",
+                                           "transmittance_sky",
+                                           "surroundings",
+                                           "reflectance_surroundings",
+                                           "transmittance_surroundings",
+                                           "behind"};
 struct NewPlane {
     const char *name, *unit;
 };
 constexpr std::array<NewPlane, 4> of_hop_and_band = {
     {{"mirror", "1"}, {"passed", "1"}, {"mirrored", "W m-2 sr-1"}, {"air", "W m-2 sr-1"}}};
-constexpr std::size_t in_band = of_band.size() + of_hop_and_band.size();
+constexpr std::size_t in_band = hop_planes_of_band.size() + of_hop_and_band.size();
 /// Terms that are light × a factor × what lets it pass, in the order of the planes above.
 constexpr std::array products = {Term::emitted, Term::sun, Term::sky, Term::surroundings};
 
@@ -91,8 +91,9 @@ std::vector<SurfacePlanes> planes_of(const HopTables& tables, std::size_t surfac
             auto& to = planes[k].band.emplace_back();
             const std::string suffix = "." + band.band.name;
             for (std::size_t i = 0; i < in_band; ++i) {
-                const char* name =
-                    i < of_band.size() ? of_band[i] : of_hop_and_band[i - of_band.size()].name;
+                const char* name = i < hop_planes_of_band.size()
+                                       ? hop_planes_of_band[i]
+                                       : of_hop_and_band[i - hop_planes_of_band.size()].name;
                 to[i] = pixels_of(named(name) + suffix, frame);
             }
         }
@@ -186,8 +187,9 @@ class HopValues {
             out[3 * k + 2] = ratio(of_row(i, term, b) / double{hop.weight}, leaves);
         }
         const auto at_eye = [&](double sum) { return ratio(sum, double{hop.weight}); };
-        float* further = &out[of_band.size()];
-        out[of_band.size() - 1] = at_eye(of_row(i, static_cast<std::size_t>(Term::behind), b));
+        float* further = &out[hop_planes_of_band.size()];
+        out[hop_planes_of_band.size() - 1] =
+            at_eye(of_row(i, static_cast<std::size_t>(Term::behind), b));
         further[0] = mirror(b, hop);
         further[1] = passed_[i * tables_.band.size() + b];
         further[2] = at_eye(of_row(i, HopRows::mirrored, b));

@@ -15,7 +15,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t lanes = RayBundles::lanes;
+constexpr std::size_t sun_lanes = RayBundles::lanes;
 constexpr float all_or_nothing = 0.02f;  // shares that near to 0 or 1 count as these
 
 /// The facet that rays know in the place of each.
@@ -133,7 +133,7 @@ class SampleCaster {
         int sample = 0;
         for (std::size_t part = 0; part < samples_.bundles(); ++part) {
             for (std::size_t s = 0; s < samples_.used(part); ++s, ++sample) {
-                const std::size_t ray = (first_bundle + part) * lanes + s;
+                const std::size_t ray = (first_bundle + part) * sun_lanes + s;
                 if (is_first_[std::size_t(sample)] != first) continue;
                 const Copies::Place met = view_.copies.at(rays_.facet[ray]);
                 if (met.facet == index(no_facet) || crossed_[met.facet] == 0) continue;

@@ -9,18 +9,18 @@ namespace diurna {
 
 namespace {
 
-constexpr double nearest = 0.01;  // [m] in front of a flat picture's eye
+constexpr double nearest_to_eye = 0.01;  // [m] in front of a flat picture's eye
 
 /// Of a point seen from where the eye is then.
 std::optional<Eigen::Vector2d> place_of(const PixelRays& eye, const Eigen::Vector3d& away) {
     const double deep = away.dot(eye.axis), x = away.dot(eye.right), y = away.dot(eye.down);
     const Eigen::Vector2d middle(eye.middle_column, eye.middle_row);
     if (eye.flat) {
-        if (deep < nearest) return std::nullopt;
+        if (deep < nearest_to_eye) return std::nullopt;
         return middle + Eigen::Vector2d(x, y) / (deep * eye.column.norm());
     }
     if (eye.projection == Projection::orthographic) {
-        if (deep < nearest) return std::nullopt;
+        if (deep < nearest_to_eye) return std::nullopt;
         return middle + Eigen::Vector2d(x, y) / eye.per_pixel;
     }
     const double across = std::hypot(x, y), angle = std::atan2(across, deep);
@@ -76,7 +76,7 @@ std::optional<PictureBox> projected_box(const Observer& observer, const FacetSet
         std::array<std::optional<Eigen::Vector2d>, 3> seen;
         for (std::size_t i = 0; i < 3; ++i) {
             corner[i] = facets.vertex[facets.corner[f][i]].cast<double>();
-            beyond[i] = (corner[i] - observer.position).dot(eye.axis) - 1.01 * nearest;
+            beyond[i] = (corner[i] - observer.position).dot(eye.axis) - 1.01 * nearest_to_eye;
         }
         for (std::size_t i = 0; i < 3; ++i) {
             seen[i] = extend(corner[i]);

@@ -48,9 +48,11 @@ const std::map<std::string, Origin>& origins() {
 }  // namespace
 
 std::string bill_of_materials() {
-    using Json = nlohmann::ordered_json;
-    const auto licence = [](const char* id) { return Json::array({{{"license", {{"id", id}}}}}); };
-    Json components = Json::array();
+    using OrderedJson = nlohmann::ordered_json;
+    const auto licence = [](const char* id) {
+        return OrderedJson::array({{{"license", {{"id", id}}}}});
+    };
+    OrderedJson components = OrderedJson::array();
     std::istringstream libraries(DIURNA_LIBRARIES);
     for (std::string library; std::getline(libraries >> std::ws, library, ',');) {
         const std::size_t gap = library.find(' ');
@@ -65,15 +67,15 @@ std::string bill_of_materials() {
                               {"licenses", licence(origin->second.licence)},
                               {"purl", purl}});
     }
-    const Json program{{"type", "application"},
-                       {"name", "diurna"},
-                       {"version", DIURNA_VERSION},
-                       {"licenses", licence("GPL-3.0-only")}};
-    return Json{{"bomFormat", "CycloneDX"},
-                {"specVersion", "1.4"},
-                {"version", 1},
-                {"metadata", {{"component", program}}},
-                {"components", components}}
+    const OrderedJson program{{"type", "application"},
+                              {"name", "diurna"},
+                              {"version", DIURNA_VERSION},
+                              {"licenses", licence("GPL-3.0-only")}};
+    return OrderedJson{{"bomFormat", "CycloneDX"},
+                       {"specVersion", "1.4"},
+                       {"version", 1},
+                       {"metadata", {{"component", program}}},
+                       {"components", components}}
         .dump(2);
 }
 

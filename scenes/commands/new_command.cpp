@@ -38,7 +38,7 @@ struct NewArguments {
 };
 
 /// "36.32,-84.2": degrees north and east.
-Geodetic place_of(const std::string& text) {
+Geodetic new_place(const std::string& text) {
     Geodetic place;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%lf,%lf%c", &place.latitude_deg, &place.longitude_deg, &rest) !=
@@ -109,7 +109,7 @@ FirstScene fill(const NewArguments& a, const fs::path& folder) {
         const FilesRead watching;
         const Dem dem = read_dem(a.dem, {.voids = VoidPolicy::leave});
         scene.fills_voids = dem.voids > 0;
-        scene.place = a.at.empty() ? dem_centre(dem) : place_of(a.at);
+        scene.place = a.at.empty() ? dem_centre(dem) : new_place(a.at);
         const double room = room_around(dem, scene.place);
         if (!(room >= least_radius)) {
             throw InputError(a.dem.string(),

@@ -170,10 +170,10 @@ void doubt_pairs(const Prepared& prepared, const std::vector<Body>& bodies,
 
 /// How high the lowest vertices of a body are above what is below them [m]; negative: below the
 /// ground.
-struct Stand {
+struct ObjectStand {
     double highest = 1e30, deepest = 0.0;  // least gap, most depth
 };
-std::optional<Stand> stand_of(const Body& body, const Prepared& prepared) {
+std::optional<ObjectStand> stand_of(const Body& body, const Prepared& prepared) {
     const World& world = prepared.world;
     std::vector<Eigen::Vector3f> foot;
     const float level = body.box.min().z() + std::max(0.02f, 0.05f * float(body.box.sizes().z()));
@@ -195,7 +195,7 @@ std::optional<Stand> stand_of(const Body& body, const Prepared& prepared) {
     }
     std::vector<Hit> hits(rays.size());
     prepared.rays.closest(rays, hits);
-    Stand stand;
+    ObjectStand stand;
     const auto ground = [&](const Hit& hit) {
         return hit.facet != no_facet && index(hit.facet) < world.ground_facets;
     };
@@ -220,7 +220,7 @@ void doubt_stands(const Prepared& prepared, const std::vector<Body>& bodies,
         for (std::size_t o = 0; o < scene.terrain.objects.size(); ++o) {
             const ObjectInput& object = scene.terrain.objects[o];
             if (std::size_t(object_id(scene, o)) != body.object || object.airspeed > 0.0) continue;
-            const std::optional<Stand> stand = stand_of(body, prepared);
+            const std::optional<ObjectStand> stand = stand_of(body, prepared);
             if (!stand) continue;
             const double height = body.box.sizes().z();
             const std::string where =

@@ -16,7 +16,7 @@ long long size_of(const Json& json, const char* key) {
     return json.contains(key) ? static_cast<long long>(json[key].size()) : 0;
 }
 
-std::string text_of(const Json& json, const char* key) {
+std::string json_text(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
 }
 
@@ -24,15 +24,15 @@ Found manifest(const Json& json, const std::filesystem::path& file) {
     const std::string folder = file.has_parent_path() ? file.parent_path().string() : ".";
     const bool sweep = json.contains("variants");
     Found found{.kind = sweep ? "manifest of a sweep" : "manifest of a run"};
-    found.fact = {{"program", {text_of(json, "program")}}, {"scene", {text_of(json, "scene")}}};
+    found.fact = {{"program", {json_text(json, "program")}}, {"scene", {json_text(json, "scene")}}};
     if (sweep) {
         found.fact.push_back({"variants", {size_of(json, "variants")}});
         found.next = fmt::format("diurna verify {}", folder);
         return found;
     }
-    found.fact.push_back({"state", {text_of(json, "state")}});
-    if (!text_of(json, "not_converged").empty()) {
-        found.fact.push_back({"not_converged", {text_of(json, "not_converged")}});
+    found.fact.push_back({"state", {json_text(json, "state")}});
+    if (!json_text(json, "not_converged").empty()) {
+        found.fact.push_back({"not_converged", {json_text(json, "not_converged")}});
     }
     if (size_of(json, "span") == 2 && json["span"][0].is_string() && json["span"][1].is_string()) {
         found.fact.push_back(
@@ -54,7 +54,7 @@ Found annotations(const Json& json) {
     FoundTable classes{"categories", {"id", "name"}, {}};
     for (const Json& one : json["categories"]) {
         if (!one.is_object() || !one.contains("id") || !one["id"].is_number_integer()) continue;
-        classes.row.push_back({one["id"].get<long long>(), text_of(one, "name")});
+        classes.row.push_back({one["id"].get<long long>(), json_text(one, "name")});
     }
     found.table.push_back(std::move(classes));
     found.next = "file names are from its own folder; any reader of COCO takes it";
@@ -66,14 +66,14 @@ Found annotations(const Json& json) {
 Found inspect_json(const std::filesystem::path& file) {
     const Json json = Json::parse(read_text(file, std::size_t{1} << 30), nullptr, false);
     if (json.is_discarded()) throw InputError(file.string(), "is no JSON");
-    if (json.is_object() && text_of(json, "program").starts_with("diurna")) {
+    if (json.is_object() && json_text(json, "program").starts_with("diurna")) {
         return manifest(json, file);
     }
     if (json.is_object() && json.contains("annotations") && json.contains("categories") &&
         json["categories"].is_array()) {
         return annotations(json);
     }
-    if (json.is_object() && text_of(json, "type") == "FeatureCollection") {
+    if (json.is_object() && json_text(json, "type") == "FeatureCollection") {
         return {.kind = "shapes (GeoJSON)",
                 .fact = {{"features", {size_of(json, "features")}}},
                 .table = {},

@@ -18,7 +18,7 @@ std::vector<std::string> words_of_line(const std::string& line) {
 }
 
 /// Whether the words from `first` on are numbers.
-bool numbers(const std::vector<std::string>& words, std::size_t first) {
+bool label_numbers(const std::vector<std::string>& words, std::size_t first) {
     double ignored = 0.0;
     return std::all_of(words.begin() + std::ptrdiff_t(first), words.end(),
                        [&](const std::string& word) { return parse_number(word, ignored); });
@@ -37,8 +37,8 @@ Found inspect_label_lines(const std::filesystem::path& file) {
         const std::vector<std::string> words = words_of_line(line);
         if (words.empty()) continue;
         ++lines;
-        yolo += words.size() == 5 && numbers(words, 0);
-        kitti += words.size() == 15 && numbers(words, 1);
+        yolo += words.size() == 5 && label_numbers(words, 0);
+        kitti += words.size() == 15 && label_numbers(words, 1);
         pictures += words.size() == 1 && is_picture(words[0]);
     }
     const auto of = [&](const char* kind, const char* what, const char* next) {

@@ -33,7 +33,7 @@ std::string array(const char* type, const std::string& name, const std::vector<T
                        type, name, more, encoded(std::span<const T>(values)));
 }
 
-std::string number(const char* name, double value) {
+std::string vtu_number(const char* name, double value) {
     return array("Float64", name, std::vector<double>{value}, " NumberOfTuples=\"1\"");
 }
 
@@ -82,10 +82,10 @@ std::string vtu_text(const RunHeat& heat, const HeatAt& at) {
     text +=
         "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
         "header_type=\"UInt64\">\n<UnstructuredGrid>\n<FieldData>\n";
-    text += number("TimeValue", seconds_between(Instant{}, at.when));
-    text += number("site_latitude_deg", site.latitude_deg);
-    text += number("site_longitude_deg", site.longitude_deg);
-    text += number("site_height_m", site.height);
+    text += vtu_number("TimeValue", seconds_between(Instant{}, at.when));
+    text += vtu_number("site_latitude_deg", site.latitude_deg);
+    text += vtu_number("site_longitude_deg", site.longitude_deg);
+    text += vtu_number("site_height_m", site.height);
     text +=
         fmt::format("</FieldData>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n",
                     facets.vertex.size(), facets.size());

@@ -12,7 +12,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;
+constexpr double day_length = 86400.0;
 
 /// The day of an instant on the clock of the span.
 std::string date_of(Instant when, const FrameSpan& span) {
@@ -25,12 +25,12 @@ std::string missed_days(const std::vector<Instant>& passage, Instant midnight, I
                         const FrameSpan& span) {
     std::vector<std::pair<Instant, Instant>> runs;
     std::size_t days = 0, missed = 0;
-    for (Instant at = midnight; at < end; at = later(at, day)) {
+    for (Instant at = midnight; at < end; at = later(at, day_length)) {
         ++days;
         const auto first = std::lower_bound(passage.begin(), passage.end(), at);
-        if (first != passage.end() && *first < later(at, day)) continue;
+        if (first != passage.end() && *first < later(at, day_length)) continue;
         ++missed;
-        if (!runs.empty() && later(runs.back().second, day) == at) {
+        if (!runs.empty() && later(runs.back().second, day_length) == at) {
             runs.back().second = at;
         } else {
             runs.emplace_back(at, at);
@@ -68,7 +68,8 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
         elevation = sun.number("elevation_deg",
                                "of the sun, above the horizon, without refraction; or azimuth_deg",
                                {-20.0, 90.0});
-        half = sun.choice_or("half", "of the day: before noon, after it, or both", DayHalf::both,
+        half = sun.choice_or("half", "of the day_length: before noon, after it, or both",
+                             DayHalf::both,
                              {{"morning", DayHalf::morning},
                               {"afternoon", DayHalf::afternoon},
                               {"both", DayHalf::both}});
@@ -83,10 +84,11 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
     Site site = *span.site;
     if (std::isnan(site.height)) site.height = 0.0;
     const double since = std::chrono::duration<double>(span.begin.time_since_epoch()).count();
-    const Instant midnight = later(
-        span.begin, std::floor((since + span.utc_offset) / day) * day - span.utc_offset - since);
-    const double days = std::ceil(seconds_between(midnight, span.end) / day - 1e-9);
-    const Instant end = later(midnight, days * day);
+    const Instant midnight =
+        later(span.begin, std::floor((since + span.utc_offset) / day_length) * day_length -
+                              span.utc_offset - since);
+    const double days = std::ceil(seconds_between(midnight, span.end) / day_length - 1e-9);
+    const Instant end = later(midnight, days * day_length);
     const std::vector<Instant> passage =
         by_azimuth ? sun_at_azimuth(site, midnight, end, azimuth)
                    : sun_at_elevation(site, midnight, end, elevation, half);

@@ -14,8 +14,8 @@ namespace diurna {
 namespace {
 
 /// - which: "first" or "second"
-RegionInput read_region(const Section& section, const std::string& which, const RegionNames& known,
-                        const ObserverInput* observer) {
+RegionInput read_crossover_region(const Section& section, const std::string& which,
+                                  const RegionNames& known, const ObserverInput* observer) {
     const std::string key = which + "_pixels";
     if (!section.has(key)) {
         RegionInput region = region_named(section.name(which, region_says, known.all), known);
@@ -63,8 +63,8 @@ const ObserverInput* read_observer_name(const Section& section,
 }
 
 /// Those the heat shines in: at night nothing is equal to nothing.
-void read_bands(const Section& section, const std::vector<BandInput>& bands,
-                const ObserverInput* observer, CrossoverInput& input) {
+void read_crossover_bands(const Section& section, const std::vector<BandInput>& bands,
+                          const ObserverInput* observer, CrossoverInput& input) {
     const auto warm = [&](const std::string& name) {
         return named_band(bands, name).from_um() >= heat_begins_um;
     };
@@ -128,15 +128,15 @@ std::vector<CrossoverInput> read_crossovers(const Section& root, const TerrainIn
         CrossoverInput input;
         input.where = section.where();
         const ObserverInput* observer = read_observer_name(section, observers, input);
-        input.first = read_region(section, "first", known, observer);
-        input.second = read_region(section, "second", known, observer);
+        input.first = read_crossover_region(section, "first", known, observer);
+        input.second = read_crossover_region(section, "second", known, observer);
         if (input.first.name == input.second.name && !input.first.name.empty()) {
             section.mistake("second", "the same as first");
         }
         input.name = study_name(
             section, {plain_name(input.first.name + "-" + input.second.name), "FIRST-SECOND"},
             names);
-        read_bands(section, bands, observer, input);
+        read_crossover_bands(section, bands, observer, input);
         input.threshold = section.number_or("threshold_K",
                                             "of apparent temperature, below which contrast is lost",
                                             input.threshold, {1e-3, 100.0});

@@ -15,7 +15,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;
+constexpr double seconds_per_day = 86400.0;
 constexpr std::size_t most_frames = 100000;
 constexpr double shortest = 1e-3;  // [s] between pictures: instants are whole milliseconds
 
@@ -50,17 +50,20 @@ std::optional<Window> window_of(const std::string& text) {
     const std::string word = unit;
     const double scale = word == "s" ? 1.0 : word == "min" ? 60.0 : word == "h" ? 3600.0 : 0.0;
     Window window{*from, *to, every * scale};
-    const bool within_a_day = window.from < day && window.to <= day && window.from != window.to;
-    if (window.to < window.from) window.to += day;  // over midnight
+    const bool within_a_day =
+        window.from < seconds_per_day && window.to <= seconds_per_day && window.from != window.to;
+    if (window.to < window.from) window.to += seconds_per_day;  // over midnight
     return within_a_day && window.every >= shortest ? std::optional(window) : std::nullopt;
 }
 
 void add_window(const Window& window, const FrameSpan& span, std::vector<Instant>& frames) {
     const double duration = seconds_between(span.begin, span.end);
     const double since = std::chrono::duration<double>(span.begin.time_since_epoch()).count();
-    const double midnight = std::floor((since + span.utc_offset) / day) * day - span.utc_offset;
+    const double midnight =
+        std::floor((since + span.utc_offset) / seconds_per_day) * seconds_per_day - span.utc_offset;
     // From the day before: a window may go over midnight.
-    for (double of_day = midnight - since - day; of_day <= duration; of_day += day) {
+    for (double of_day = midnight - since - seconds_per_day; of_day <= duration;
+         of_day += seconds_per_day) {
         const auto count = static_cast<long>((window.to - window.from) / window.every + 1e-9);
         for (long i = 0; i <= count && frames.size() <= most_frames; ++i) {
             const double at = of_day + window.from + double(i) * window.every;
@@ -108,7 +111,8 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
     const std::vector<std::string> texts = section.texts_or(
         "frames",
         "when pictures are taken, in place of frame_every_s: instants with their offset from UTC, "
-        "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the clock of start",
+        "or windows of every seconds_per_day, \"05:00-09:00 every 10 min\" (s, min, h), on the "
+        "clock of start",
         {});
     if (section.has("frames") && texts.empty() && !section.amiss()) {
         section.mistake("frames", "found no instant, expected one or more, or windows of a day",
@@ -117,7 +121,7 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
     for (const std::string& text : texts) add_text(section, text, span, frames);
     const double every =
         section.number_or("frame_every_s", "between pictures from the start on, without the end",
-                          {span.every, span.every_said}, {shortest, 366.0 * day});
+                          {span.every, span.every_said}, {shortest, 366.0 * seconds_per_day});
     if (section.has("frames_at_sun")) {
         for (const char* key : {"frames", "frame_every_s"}) {
             if (section.has(key)) {

@@ -10,10 +10,10 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;
+constexpr double seconds_of_day = 86400.0;
 
 /// "05:30-06:10 0.3", with a date before it if it is of one day: hours and the share of the heat.
-std::optional<ClockHours::Window> window_of(const std::string& text) {
+std::optional<ClockHours::Window> hours_window(const std::string& text) {
     int year = 0, month = 0, date = 0, used = 0;
     std::string rest = text;
     ClockHours::Window window{};
@@ -37,9 +37,10 @@ std::optional<ClockHours::Window> window_of(const std::string& text) {
     if (std::size_t(hours_end + share_end) != rest.size()) return std::nullopt;
     window.from = 3600.0 * h1 + 60.0 * m1;
     window.to = 3600.0 * h2 + 60.0 * m2;
-    const bool good = m1 < 60 && m2 < 60 && window.from < day && window.to <= day &&
-                      window.from != window.to && window.share >= 0.0 && window.share <= 1.0;
-    if (window.to < window.from) window.to += day;  // over midnight
+    const bool good = m1 < 60 && m2 < 60 && window.from < seconds_of_day &&
+                      window.to <= seconds_of_day && window.from != window.to &&
+                      window.share >= 0.0 && window.share <= 1.0;
+    if (window.to < window.from) window.to += seconds_of_day;  // over midnight
     return good ? std::optional(window) : std::nullopt;
 }
 
@@ -48,7 +49,7 @@ bool overlap(const ClockHours::Window& a, const ClockHours::Window& b) {
     const long apart = a.day && b.day ? *b.day - *a.day : 0;
     for (const long days : {apart - 1, apart, apart + 1}) {
         if (a.day && b.day && days != apart) continue;
-        const double later = double(days) * day;
+        const double later = double(days) * seconds_of_day;
         if (a.from < b.to + later && b.from + later < a.to) return true;
     }
     return false;
@@ -60,14 +61,15 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
                                            const std::vector<std::string>& texts) {
     std::vector<ClockHours::Window> hours;
     for (const std::string& text : texts) {
-        if (const auto window = window_of(text)) {
+        if (const auto window = hours_window(text)) {
             hours.push_back(*window);
         } else {
-            section.mistake(key,
-                            fmt::format("found '{}', expected hours and a share as "
-                                        "05:30-06:10 0.3",
-                                        text.substr(0, 60)),
-                            "hours of a day to 24:00, a share from 0 to 1, 1 unless told");
+            section.mistake(
+                key,
+                fmt::format("found '{}', expected hours and a share as "
+                            "05:30-06:10 0.3",
+                            text.substr(0, 60)),
+                "hours of a seconds_of_day to 24:00, a share from 0 to 1, 1 unless told");
         }
     }
     for (std::size_t i = 0; i < hours.size() && hours.size() == texts.size(); ++i) {
@@ -84,7 +86,7 @@ std::vector<ClockHours::Window> read_hours(const Section& section) {
     const std::vector<std::string> texts = section.texts_or(
         "hours",
         "when its heat is released, and the share of it: \"05:30-06:10 1.0\", \"06:10-07:00 "
-        "0.3\", of every day on the clock of time.start, or of one: \"2026-07-15 "
+        "0.3\", of every seconds_of_day on the clock of time.start, or of one: \"2026-07-15 "
         "05:30-06:10\"; a temperature is held then, and is the air's else",
         {std::vector<std::string>{}, "always"});
     if (section.has("hours") && texts.empty()) {

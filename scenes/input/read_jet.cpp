@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double fastest = 250.0;  // [m s⁻¹] that the laws of jets are for
+constexpr double fastest_jet = 250.0;  // [m s⁻¹] that the laws of jets are for
 
 Eigen::Vector3d read_vector(const Section& section, const char* key, const char* says) {
     const std::vector<double> v = section.numbers(key, says, 3);
@@ -38,7 +38,7 @@ JetInput read_jet(const Section& section, std::span<const std::string> lumps) {
     }
     jet.diameter = section.number("diameter_m", "of the outlet", {0.005, 5.0});
     jet.speed = section.number_or("speed_m_s", "mean over the outlet",
-                                  {JetInput::none, "needed, or flow_kg_s"}, {0.1, fastest});
+                                  {JetInput::none, "needed, or flow_kg_s"}, {0.1, fastest_jet});
     jet.flow = section.number_or("flow_kg_s", "of gas", {JetInput::none, "needed, or speed_m_s"},
                                  {1e-5, 1e3});
     if (section.has("speed_m_s") == section.has("flow_kg_s")) {
@@ -59,13 +59,13 @@ JetInput read_jet(const Section& section, std::span<const std::string> lumps) {
     }
     if (!std::isnan(jet.flow)) {
         const HotJet gas{.diameter = jet.diameter,
-                         .speed = fastest,
+                         .speed = fastest_jet,
                          .temperature = std::isnan(jet.kelvin) ? JetInput::lump_gas : jet.kelvin};
-        if (const double speed = speed_of(jet.flow, gas); speed > fastest) {
+        if (const double speed = speed_of(jet.flow, gas); speed > fastest_jet) {
             section.mistake("flow_kg_s",
                             fmt::format("is {:.3g} m/s through the outlet, expected {:g} m/s at "
                                         "the most: {:.3g} kg/s",
-                                        speed, fastest, mass_flow(gas)));
+                                        speed, fastest_jet, mass_flow(gas)));
         }
     }
     jet.hours = read_hours(section);

@@ -196,7 +196,7 @@ void weld(const Section& section, ObjectInput& object) {
 namespace {
 
 /// Where it stands, or the way it goes.
-void read_stand(const Section& section, const Reading& reading, ObjectInput& object) {
+void read_object_stand(const Section& section, const Reading& reading, ObjectInput& object) {
     if (section.has("copies") || section.has("copies_file")) {  // which say where each stands
         object.stands = read_height(section, "of its lowest point", 0.0, {-100.0, 1e4});
         return;
@@ -239,7 +239,7 @@ std::vector<ObjectInput> read_object(const Section& section, Reading& reading) {
     spread_net(section, object);
     object.kind = class_of(section, {model.empty() ? object.file.stem().string() : model,
                                      "the model's, or its mesh's name"});
-    read_stand(section, reading, object);
+    read_object_stand(section, reading, object);
     const std::string extension = object.file.extension().string();
     const bool upright = extension == ".stl" || extension == ".ply" || !model.empty();
     const std::string up =

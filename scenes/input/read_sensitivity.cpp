@@ -45,15 +45,15 @@ std::vector<RangedInput> read_ranges(const Section& section) {
     return found;
 }
 
-RegionInput read_region(const Section& section, const char* key, const char* says,
-                        const Known& known) {
+RegionInput read_sensitivity_region(const Section& section, const char* key, const char* says,
+                                    const Known& known) {
     RegionInput region = region_named(section.name(key, says, known.regions.all), known.regions);
     region.where = section.where(key);
     return region;
 }
 
 /// What is beyond 3 µm and which the observer has, or any that it could have.
-void read_band(const Section& section, const Known& known, SensitivityOutput& output) {
+void read_sensitivity_band(const Section& section, const Known& known, SensitivityOutput& output) {
     const auto warm = [&](const std::string& name) {
         return named_band(known.bands, name).from_um() >= heat_begins_um;
     };
@@ -96,7 +96,7 @@ void read_eye(const Section& section, const Known& known, SensitivityOutput& out
     const auto at = std::find(names.known.begin(), names.known.end(), name);
     if (at == names.known.end()) return;
     output.observer = std::size_t(at - names.known.begin());
-    read_band(section, known, output);
+    read_sensitivity_band(section, known, output);
 }
 
 SensitivityOutput read_one_output(const Section& section, const Known& known, Instant start) {
@@ -110,11 +110,11 @@ SensitivityOutput read_one_output(const Section& section, const Known& known, In
                           {{"temperature", Figure::temperature},
                            {"contrast", Figure::contrast},
                            {"crossover", Figure::crossover}});
-    output.first = read_region(section, "first", region_says, known);
+    output.first = read_sensitivity_region(section, "first", region_says, known);
     std::string usual = output.first.name;
     if (output.figure != Figure::temperature) {
-        output.second =
-            read_region(section, "second", "likewise, what first is compared with", known);
+        output.second = read_sensitivity_region(section, "second",
+                                                "likewise, what first is compared with", known);
         if (output.first.name == output.second.name && !output.first.name.empty()) {
             section.mistake("second", "the same as first");
         }

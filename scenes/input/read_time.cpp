@@ -14,7 +14,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0, longest_hours = 8784.0;
+constexpr double time_day = 86400.0, longest_hours = 8784.0;
 
 /// The instant that a key says; none, with a mistake, where it is no instant.
 std::optional<Instant> instant_of(const Section& section, const std::string& key,
@@ -89,7 +89,7 @@ TimeInput read_time(const Section& section, const std::optional<Site>& site) {
                 section.mistake("end", fmt::format("lies {:g} h after start, expected a minute to "
                                                    "{:g} h",
                                                    time.duration / 3600.0, longest_hours));
-                time.duration = day;
+                time.duration = time_day;
             }
         }
     }

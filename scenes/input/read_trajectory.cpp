@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double fastest = 1e4;  // [m/s]
+constexpr double fastest_object = 1e4;  // [m/s]
 
 constexpr const char* file_says =
     "CSV in place of waypoints_m: time_s or time (ISO 8601); east_m, north_m or latitude_deg, "
@@ -74,8 +74,8 @@ void read_waypoints(const Section& section, const ScenePlaces& places, Trajector
     const std::size_t count = input.way.place.size();
     if (section.has("speed_m_s")) {
         input.way.seconds = seconds_at_speed(
-            input.way.place,
-            section.number("speed_m_s", "all the way, in place of times_s", {0.01, fastest}));
+            input.way.place, section.number("speed_m_s", "all the way, in place of times_s",
+                                            {0.01, fastest_object}));
         if (section.has("times_s")) {
             section.mistake("times_s", "stands beside speed_m_s, expected one of the two");
         }
@@ -124,10 +124,10 @@ void check_way(const Section& section, TrajectoryInput& input) {
     for (std::size_t i = 1; i < way.place.size(); ++i) {
         const double speed =
             (way.place[i] - way.place[i - 1]).norm() / (way.seconds[i] - way.seconds[i - 1]);
-        if (speed <= fastest) continue;
+        if (speed <= fastest_object) continue;
         section.mistake(key, fmt::format("goes at {:.0f} m/s from row {} to row {}, expected at "
                                          "most {:g}",
-                                         speed, i, i + 1, fastest));
+                                         speed, i, i + 1, fastest_object));
         break;
     }
 }

@@ -15,7 +15,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double furthest = 1e6;  // [m] from the site
+constexpr double furthest_place = 1e6;  // [m] from the site
 constexpr const char* crs_says =
     "of the places of this table that are not in metres of the site: EPSG:32616, ...; of a "
     "geographic one [latitude, longitude], of a projected one [easting, northing]";
@@ -86,7 +86,7 @@ struct ScenePlaces::State {
         if (here == nullptr || std::isnan(at.latitude_deg)) return Eigen::Vector2d::Zero();
         at.height = height_of(at, height);
         const Eigen::Vector3d place = to_local(here->site, at);
-        if (place.norm() <= furthest) return place.head<2>();
+        if (place.norm() <= furthest_place) return place.head<2>();
         section.mistake(key,
                         fmt::format("latitude {:.5g}, longitude {:.5g} lies {:.0f} km from the "
                                     "site at {:.5g}, {:.5g}",

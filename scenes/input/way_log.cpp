@@ -36,7 +36,7 @@ constexpr std::array<std::array<const char*, 2>, 5> together = {{{"pitch_deg", "
                                                                  {"qy", "qw"},
                                                                  {"qz", "qw"}}};
 
-std::array<std::size_t, 3> columns(const CsvTable& table, std::array<const char*, 3> names) {
+std::array<std::size_t, 3> log_columns(const CsvTable& table, std::array<const char*, 3> names) {
     return {table.column(names[0]), table.column(names[1]), table.column(names[2])};
 }
 
@@ -69,7 +69,7 @@ void Reader::check_columns() const {
         if (!has(one) || !has(other)) continue;
         throw InputError(
             table.path.string(),
-            fmt::format("has columns '{}' and '{}', expected one of the two", one, other));
+            fmt::format("has log_columns '{}' and '{}', expected one of the two", one, other));
     }
     for (const auto& [part, of] : together) {
         if (!has(part) || has(of)) continue;
@@ -80,8 +80,8 @@ void Reader::check_columns() const {
 
 void Reader::read_places() const {
     const auto place =
-        columns(table, log.geodetic ? std::array{"longitude_deg", "latitude_deg", "height_m"}
-                                    : std::array{"east_m", "north_m", "height_m"});
+        log_columns(table, log.geodetic ? std::array{"longitude_deg", "latitude_deg", "height_m"}
+                                        : std::array{"east_m", "north_m", "height_m"});
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         const Eigen::Vector3d at = numbers(row, place);
         if (log.geodetic && !(std::abs(at.y()) <= 90.0 && std::abs(at.x()) <= 360.0)) {
@@ -122,7 +122,7 @@ void Reader::read_times() const {
 void Reader::read_attitudes() const {
     std::vector<Eigen::Quaterniond>& attitudes = log.way.attitude;
     if (table.has("qw")) {
-        const auto vector = columns(table, {"qx", "qy", "qz"});
+        const auto vector = log_columns(table, {"qx", "qy", "qz"});
         const std::size_t scalar = table.column("qw");
         for (std::size_t row = 0; row < table.rows.size(); ++row) {
             const Eigen::Vector3d v = numbers(row, vector);

@@ -70,7 +70,7 @@ std::vector<fs::path> files_beside(const fs::path& file) {
     return beside;
 }
 
-std::set<fs::path> listed(const Scene& scene) {
+std::set<fs::path> listed_inputs(const Scene& scene) {
     std::set<fs::path> files;
     const auto add = [&](const fs::path& file) {
         std::error_code ignored;
@@ -98,7 +98,7 @@ std::set<fs::path> listed(const Scene& scene) {
 }
 
 /// The same for the same files, wherever their folder lies and whatever the working folder is.
-std::string name_of(const fs::path& path, const Scene& scene) {
+std::string input_name(const fs::path& path, const Scene& scene) {
     const fs::path real = fs::weakly_canonical(path);
     const std::pair<const char*, fs::path> bases[] = {
         {"scene", fs::weakly_canonical(fs::absolute(scene.file).parent_path())},
@@ -119,7 +119,7 @@ std::vector<RunInput> run_inputs(const Scene& scene) {
         throw std::runtime_error(file.path.string() +
                                  ": has changed since it was read; run again when it rests");
     }
-    std::set<fs::path> files = listed(scene);
+    std::set<fs::path> files = listed_inputs(scene);
     std::set<fs::path> real;
     for (const fs::path& file : files) real.insert(fs::weakly_canonical(file));
     for (const FileRead& file : scene.files) {
@@ -127,7 +127,7 @@ std::vector<RunInput> run_inputs(const Scene& scene) {
     }
     std::vector<RunInput> inputs;
     for (const fs::path& file : files) {
-        inputs.push_back({file, name_of(file, scene), sha256_of_file(file)});
+        inputs.push_back({file, input_name(file, scene), sha256_of_file(file)});
     }
     return inputs;
 }

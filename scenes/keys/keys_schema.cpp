@@ -13,10 +13,10 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json array_of(Json items, std::size_t count) {
-    Json schema{{"type", "array"}, {"items", std::move(items)}};
+OrderedJson array_of(OrderedJson items, std::size_t count) {
+    OrderedJson schema{{"type", "array"}, {"items", std::move(items)}};
     if (count != 0) {
         schema["minItems"] = count;
         schema["maxItems"] = count;
@@ -25,7 +25,7 @@ Json array_of(Json items, std::size_t count) {
 }
 
 /// The widest of the ranges.
-void add_range(const std::vector<Range>& ranges, Json& schema) {
+void add_range(const std::vector<Range>& ranges, OrderedJson& schema) {
     Range all{Range::infinity, -Range::infinity};
     for (const Range& range : ranges) {
         all.least = std::min(all.least, range.least);
@@ -36,7 +36,7 @@ void add_range(const std::vector<Range>& ranges, Json& schema) {
 }
 
 /// The value in place of an absent one, where it is one and no text about it.
-void add_default(const KeyEntry& entry, Json& schema) {
+void add_default(const KeyEntry& entry, OrderedJson& schema) {
     if (entry.fallbacks.size() != 1) return;
     const std::string& fallback = entry.fallbacks.front();
     double value = 0.0;
@@ -60,19 +60,19 @@ void add_default(const KeyEntry& entry, Json& schema) {
     }
 }
 
-Json table_schema(const std::vector<KeyEntry>& entries, const std::string& table);
+OrderedJson table_schema(const std::vector<KeyEntry>& entries, const std::string& table);
 
-Json value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& entry) {
-    const Json number{{"type", "number"}};
+OrderedJson value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& entry) {
+    const OrderedJson number{{"type", "number"}};
     switch (entry.kind) {
         case Key::Kind::number: {
-            Json schema = number;
+            OrderedJson schema = number;
             add_range(entry.ranges, schema);
             if (entry.words.empty()) return schema;
-            return {{"anyOf", Json::array({schema, Json{{"enum", entry.words}}})}};
+            return {{"anyOf", OrderedJson::array({schema, OrderedJson{{"enum", entry.words}}})}};
         }
         case Key::Kind::whole: {
-            Json schema{{"type", "integer"}};
+            OrderedJson schema{{"type", "integer"}};
             add_range(entry.ranges, schema);
             return schema;
         }
@@ -95,22 +95,22 @@ Json value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& entry) {
         case Key::Kind::table:
             return table_schema(entries, entry.path());
         case Key::Kind::tables: {
-            const Json table = table_schema(entries, entry.path() + "[]");
+            const OrderedJson table = table_schema(entries, entry.path() + "[]");
             if (entry.count != 1) return array_of(table, 0);
-            return {{"anyOf", Json::array({array_of(table, 0), table})}};
+            return {{"anyOf", OrderedJson::array({array_of(table, 0), table})}};
         }
         default:
             return {{"type", "string"}};
     }
 }
 
-Json table_schema(const std::vector<KeyEntry>& entries, const std::string& table) {
-    Json schema{{"type", "object"}};
-    Json required = Json::array();
+OrderedJson table_schema(const std::vector<KeyEntry>& entries, const std::string& table) {
+    OrderedJson schema{{"type", "object"}};
+    OrderedJson required = OrderedJson::array();
     schema["additionalProperties"] = false;
     for (const KeyEntry& entry : entries) {
         if (entry.table != table) continue;
-        Json value = value_schema(entries, entry);
+        OrderedJson value = value_schema(entries, entry);
         const std::string unit = unit_of(entry.name);
         value["description"] =
             fmt::format("{}{}", fmt::join(entry.says, "; "), unit.empty() ? "" : " [" + unit + "]");
@@ -127,12 +127,12 @@ Json table_schema(const std::vector<KeyEntry>& entries, const std::string& table
 }
 
 /// A file's keys with those of the materials in it.
-Json file_schema(std::vector<KeyEntry> entries, const std::vector<KeyEntry>& materials,
-                 const std::string& material_table, const std::string& title) {
+OrderedJson file_schema(std::vector<KeyEntry> entries, const std::vector<KeyEntry>& materials,
+                        const std::string& material_table, const std::string& title) {
     for (KeyEntry& entry : entries_within(material_table, materials)) {
         entries.push_back(std::move(entry));
     }
-    Json schema = table_schema(entries, "");
+    OrderedJson schema = table_schema(entries, "");
     schema["title"] = title;
     return schema;
 }
@@ -140,8 +140,8 @@ Json file_schema(std::vector<KeyEntry> entries, const std::vector<KeyEntry>& mat
 }  // namespace
 
 std::string keys_schema(const KeyBook& book) {
-    Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                {"title", "scene and column files of diurna " DIURNA_VERSION}};
+    OrderedJson schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+                       {"title", "scene and column files of diurna " DIURNA_VERSION}};
     schema["$defs"]["scene"] =
         file_schema(book.scene, book.material, "material.NAME", "a scene file");
     schema["$defs"]["column"] =

@@ -7,10 +7,10 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json value_of(const std::string& text) {
-    Json numbers = Json::array();
+OrderedJson value_of(const std::string& text) {
+    OrderedJson numbers = OrderedJson::array();
     std::istringstream words(text);
     for (std::string word; words >> word;) {
         double number = 0.0;
@@ -24,8 +24,8 @@ Json value_of(const std::string& text) {
 
 }  // namespace
 
-Json attribute_json(const std::map<std::string, std::string>& attributes) {
-    Json json = Json::object();
+OrderedJson attribute_json(const std::map<std::string, std::string>& attributes) {
+    OrderedJson json = OrderedJson::object();
     for (const auto& [name, text] : attributes) {
         const auto dot = name.find('.');
         if (dot == std::string::npos) continue;

@@ -9,9 +9,9 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json contrast_json(const Contrast& contrast) {
+OrderedJson contrast_json(const Contrast& contrast) {
     if (!contrast.known) return nullptr;
     return {{"target", contrast.target},
             {"spread", contrast.spread},
@@ -21,32 +21,32 @@ Json contrast_json(const Contrast& contrast) {
             {"background_pixels", contrast.background_pixels}};
 }
 
-Json image_json(const LabelledPicture& picture, std::size_t id) {
-    Json image = {{"id", id},
-                  {"file_name", picture.file},
-                  {"width", picture.width},
-                  {"height", picture.height},
-                  {"date_captured", format_instant(picture.instant)},
-                  {"observer", picture.observer},
-                  {"band", picture.band},
-                  {"split", picture.validation ? "validation" : "train"},
-                  {"planes", picture.planes},
-                  {"scale",
-                   {{"plane", picture.plane},
-                    {"unit", picture.unit},
-                    {"zero", picture.scale.zero},
-                    {"step", picture.scale.step},
-                    {"pixels_beyond", picture.beyond}}}};
+OrderedJson image_json(const LabelledPicture& picture, std::size_t id) {
+    OrderedJson image = {{"id", id},
+                         {"file_name", picture.file},
+                         {"width", picture.width},
+                         {"height", picture.height},
+                         {"date_captured", format_instant(picture.instant)},
+                         {"observer", picture.observer},
+                         {"band", picture.band},
+                         {"split", picture.validation ? "validation" : "train"},
+                         {"planes", picture.planes},
+                         {"scale",
+                          {{"plane", picture.plane},
+                           {"unit", picture.unit},
+                           {"zero", picture.scale.zero},
+                           {"step", picture.scale.step},
+                           {"pixels_beyond", picture.beyond}}}};
     image.update(attribute_json(picture.attributes));
     return image;
 }
 
-Json label_json(const LabelBook& book, const LabelledPicture& picture, const Label& label) {
+OrderedJson label_json(const LabelBook& book, const LabelledPicture& picture, const Label& label) {
     const ObjectMask& mask = label.mask;
     const Labelled& object = book.objects[std::size_t(mask.object)];
     const WholeObject& whole = label.whole;
     const PictureBox& box = whole.box;
-    const Json runs = {{"size", {picture.height, picture.width}}, {"counts", mask.runs}};
+    const OrderedJson runs = {{"size", {picture.height, picture.width}}, {"counts", mask.runs}};
     return {{"category_id", class_index(book.classes, object.kind) + 1},
             {"bbox", {mask.left, mask.top, mask.width, mask.height}},
             {"area", mask.pixels},
@@ -69,12 +69,12 @@ Json label_json(const LabelBook& book, const LabelledPicture& picture, const Lab
 }  // namespace
 
 std::string coco_json(const LabelBook& book, const std::vector<const LabelledPicture*>& pictures) {
-    Json coco;
+    OrderedJson coco;
     coco["info"] = {{"description", made_by()}, {"version", "1.0"}, {"libraries", made_with()}};
-    coco["licenses"] = Json::array();
-    coco["images"] = Json::array();
-    coco["annotations"] = Json::array();
-    coco["categories"] = Json::array();
+    coco["licenses"] = OrderedJson::array();
+    coco["images"] = OrderedJson::array();
+    coco["annotations"] = OrderedJson::array();
+    coco["categories"] = OrderedJson::array();
     for (std::size_t c = 0; c < book.classes.size(); ++c) {
         coco["categories"].push_back(
             {{"id", c + 1}, {"name", book.classes[c]}, {"supercategory", "object"}});
@@ -83,7 +83,7 @@ std::string coco_json(const LabelBook& book, const std::vector<const LabelledPic
     for (std::size_t i = 0; i < pictures.size(); ++i) {
         coco["images"].push_back(image_json(*pictures[i], i + 1));
         for (const Label& label : pictures[i]->labels) {
-            Json entry = {{"id", ++id}, {"image_id", i + 1}};
+            OrderedJson entry = {{"id", ++id}, {"image_id", i + 1}};
             entry.update(label_json(book, *pictures[i], label));
             coco["annotations"].push_back(std::move(entry));
         }

@@ -17,7 +17,7 @@ namespace diurna {
 namespace {
 
 constexpr const char* option = "--only";
-constexpr double day = 86400.0;
+constexpr double day_span = 86400.0;
 
 /// Hours of every day [s], or instants; both ends belong to it.
 struct FrameRange {
@@ -27,7 +27,7 @@ struct FrameRange {
     bool has(Instant when, double utc_offset) const {
         if (!from_of_day) return when >= from && when <= to;
         const double since = std::chrono::duration<double>(when.time_since_epoch()).count();
-        const double at = std::fmod(std::fmod(since + utc_offset, day) + day, day);
+        const double at = std::fmod(std::fmod(since + utc_offset, day_span) + day_span, day_span);
         const bool late = at >= *from_of_day, early = at <= *to_of_day;
         return *from_of_day <= *to_of_day ? late && early : late || early;
     }
@@ -52,10 +52,10 @@ FrameRange frames_named(const std::string& text) {
     try {
         return {.from = parse_instant(first, option), .to = parse_instant(last, option)};
     } catch (const InputError&) {
-        throw InputError(option,
-                         fmt::format("found 'frames={}', expected hours of the day as 05:00..09:00 "
-                                     "or instants as 2026-07-15T06:00:00-04:00",
-                                     text.substr(0, 60)));
+        throw InputError(
+            option, fmt::format("found 'frames={}', expected hours of the day_span as 05:00..09:00 "
+                                "or instants as 2026-07-15T06:00:00-04:00",
+                                text.substr(0, 60)));
     }
 }
 

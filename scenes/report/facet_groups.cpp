@@ -22,7 +22,7 @@ std::map<MaterialId, std::string> part_names(const Prepared& prepared, std::size
     return names;
 }
 
-std::vector<FacetGroup> listed(std::map<std::string, std::vector<std::uint32_t>> members) {
+std::vector<FacetGroup> listed_names(std::map<std::string, std::vector<std::uint32_t>> members) {
     std::vector<FacetGroup> groups;
     for (auto& [name, facets] : members) groups.push_back({name, std::move(facets)});
     return groups;
@@ -35,7 +35,7 @@ std::vector<FacetGroup> material_groups(const FacetSet& facets, const MaterialLi
     for (std::size_t f = 0; f < facets.size(); ++f) {
         members[materials[facets.material[f]].kind()].push_back(static_cast<std::uint32_t>(f));
     }
-    return listed(std::move(members));
+    return listed_names(std::move(members));
 }
 
 std::vector<FacetGroup> object_groups(const Prepared& prepared) {
@@ -68,7 +68,7 @@ std::vector<ObjectParts> part_groups(const Prepared& prepared) {
     std::vector<ObjectParts> all;
     for (auto& [object, parts] : members) {
         if (parts.size() < 2) continue;
-        all.push_back({prepared.world.objects[object], listed(std::move(parts))});
+        all.push_back({prepared.world.objects[object], listed_names(std::move(parts))});
     }
     return all;
 }

@@ -70,8 +70,8 @@ std::vector<TermMeans> read_means(const std::filesystem::path& file, const Tempe
     return means;
 }
 
-std::string chart_of(const std::string& name, const TermMeans& means, const TimeAxis& axis,
-                     const std::vector<double>& x) {
+std::string terms_chart(const std::string& name, const TermMeans& means, const TimeAxis& axis,
+                        const std::vector<double>& x) {
     constexpr double least = 0.05;  // [W m⁻²] what is never more is left out, and told
     Chart chart{.title = name,
                 .x_title = axis.title,
@@ -126,7 +126,7 @@ std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepare
         "takes "
         "and stores.</p>\n";
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        out += chart_of(groups[g].name, means[g], axis, x);
+        out += terms_chart(groups[g].name, means[g], axis, x);
     }
     if (all > groups.size()) {
         out += fmt::format(

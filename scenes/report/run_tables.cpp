@@ -14,7 +14,7 @@ namespace diurna {
 
 namespace {
 
-std::string row(const std::string& key, const std::string& value) {
+std::string table_row(const std::string& key, const std::string& value) {
     return "<tr><td class=\"key\">" + key + "</td><td>" + value + "</td></tr>\n";
 }
 
@@ -71,33 +71,33 @@ std::string facts_table(const Prepared& prepared, const JobReport& report) {
     const Plan& plan = report.plan;
     const Site& site = prepared.world.site;
     std::string out = "<table class=\"facts\">\n";
-    out +=
-        row("place", fmt::format("{:.5f}° {}, {:.5f}° {}, {:.0f} m above the sea",
-                                 std::abs(site.latitude_deg), site.latitude_deg < 0.0 ? 'S' : 'N',
-                                 std::abs(site.longitude_deg), site.longitude_deg < 0.0 ? 'W' : 'E',
-                                 prepared.world.sea_level_height));
-    out += row("facets", fmt::format("{} ({} of the ground, from {} posts)", plan.facets,
-                                     prepared.world.ground_facets, report.posts));
-    out += row("frames", fmt::format("{} instants", plan.frames.size()));
+    out += table_row(
+        "place",
+        fmt::format("{:.5f}° {}, {:.5f}° {}, {:.0f} m above the sea", std::abs(site.latitude_deg),
+                    site.latitude_deg < 0.0 ? 'S' : 'N', std::abs(site.longitude_deg),
+                    site.longitude_deg < 0.0 ? 'W' : 'E', prepared.world.sea_level_height));
+    out += table_row("facets", fmt::format("{} ({} of the ground, from {} posts)", plan.facets,
+                                           prepared.world.ground_facets, report.posts));
+    out += table_row("frames", fmt::format("{} instants", plan.frames.size()));
     if (!report.not_converged.empty()) {
-        out += row("<strong>not converged</strong>", escaped(report.not_converged));
+        out += table_row("<strong>not converged</strong>", escaped(report.not_converged));
     }
-    if (!report.start.empty()) out += row("start of the heat balance", escaped(report.start));
+    if (!report.start.empty()) out += table_row("start of the heat balance", escaped(report.start));
     return out + "</table>\n";
 }
 
 std::string errors_table(const Prepared& prepared, const JobReport& report) {
     std::string out = "<table class=\"facts\">\n";
-    out += row("vertical error of the mesh",
-               fmt::format("{:.3f} m at the worst post, rms {:.3f} m, {:g} m allowed",
-                           report.ground_check.worst_error, report.ground_check.rms_error,
-                           prepared.scene.terrain.elevation.tolerance));
-    for (const auto& [key, value] : report.heat) out += row(escaped(key), escaped(value));
+    out += table_row("vertical error of the mesh",
+                     fmt::format("{:.3f} m at the worst post, rms {:.3f} m, {:g} m allowed",
+                                 report.ground_check.worst_error, report.ground_check.rms_error,
+                                 prepared.scene.terrain.elevation.tolerance));
+    for (const auto& [key, value] : report.heat) out += table_row(escaped(key), escaped(value));
     for (const Decision& decision : report.plan.decisions) {
         if (!(decision.error > 0.0)) continue;
-        out += row(escaped(decision.what),
-                   fmt::format("{:g} {}: {}", decision.error, escaped(decision.error_unit),
-                               escaped(decision.why)));
+        out += table_row(escaped(decision.what),
+                         fmt::format("{:g} {}: {}", decision.error, escaped(decision.error_unit),
+                                     escaped(decision.why)));
     }
     return out +
            "</table>\n<p class=\"key\">They are of different kinds and not added up. What the "

@@ -16,12 +16,12 @@ namespace diurna {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t largest = 8u << 20;  // of a file that a page takes in [bytes]
 
 /// A number as it is told, a text, or nothing.
-std::string told(const Json& of, const char* key) {
+std::string told(const OrderedJson& of, const char* key) {
     const auto found = of.find(key);
     if (found == of.end() || found->is_null()) return "";
     if (found->is_number()) return fmt::format("{:.4g}", found->get<double>());
@@ -35,17 +35,17 @@ std::string cells(const std::vector<std::string>& texts, const char* cell) {
 }
 
 /// "2026-07-15T07:12:31-04:00" as "2026-07-15 07:12".
-std::string moment(const Json& of) {
+std::string moment(const OrderedJson& of) {
     std::string time = of.value("time", "");
     if (time.size() > 16 && time[10] == 'T') time = time.substr(0, 10) + " " + time.substr(11, 5);
     return escaped(time);
 }
 
-std::string crossover_rows(const Json& study) {
+std::string crossover_rows(const OrderedJson& study) {
     std::string out = cells({"band µm", "crossing", "", "warmer after", "± min",
                              "hours below " + told(study, "threshold_K") + " K", "least K"},
                             "th");
-    for (const Json& band : study.at("bands")) {
+    for (const OrderedJson& band : study.at("bands")) {
         const std::string hours =
             told(band, "hours_below_threshold") + " of " + told(band, "hours");
         if (band.at("crossings").empty()) {
@@ -53,7 +53,7 @@ std::string crossover_rows(const Json& study) {
                 {told(band, "band_um"), "none", "", "", "", hours, told(band, "least_contrast_K")},
                 "td");
         }
-        for (const Json& one : band.at("crossings")) {
+        for (const OrderedJson& one : band.at("crossings")) {
             const double sigma = one.value("sigma_s", 0.0);
             out += cells(
                 {told(band, "band_um"), moment(one), told(one, "kind"), told(one, "warmer_after"),
@@ -65,13 +65,13 @@ std::string crossover_rows(const Json& study) {
     return out;
 }
 
-std::string contrast_rows(const Json& study) {
+std::string contrast_rows(const OrderedJson& study) {
     std::string out =
         cells({"target", "band µm", "worst picture", "from", "RSS contrast K", "± K",
                "signal to clutter", "share above " + told(study, "threshold_K") + " K", "least K"},
               "th");
-    for (const Json& one : study.at("targets")) {
-        const Json worst = one.value("worst", Json::object());
+    for (const OrderedJson& one : study.at("targets")) {
+        const OrderedJson worst = one.value("worst", OrderedJson::object());
         out += cells(
             {told(one, "target"), told(one, "band_um"), moment(worst), told(worst, "observer"),
              told(worst, "rss_K"), told(worst, "error_K"), told(worst, "signal_to_clutter"),
@@ -81,17 +81,17 @@ std::string contrast_rows(const Json& study) {
     return out;
 }
 
-std::string ends(const Json& of, const char* key) {
+std::string ends(const OrderedJson& of, const char* key) {
     const auto found = of.find(key);
     if (found == of.end() || !found->is_object()) return "";
     return told(*found, "least") + " to " + told(*found, "greatest");
 }
 
-std::string signature_rows(const Json& study) {
+std::string signature_rows(const OrderedJson& study) {
     std::string out = cells({"time", "band µm", "projected area m²", "radiant intensity W/sr",
                              "contrast intensity W/sr"},
                             "th");
-    for (const Json& one : study.at("summary")) {
+    for (const OrderedJson& one : study.at("summary")) {
         out += cells({moment(one), told(one, "band_um"), ends(one, "projected_area_m2"),
                       ends(one, "radiant_intensity_W_sr"), ends(one, "contrast_intensity_W_sr")},
                      "td");
@@ -100,9 +100,9 @@ std::string signature_rows(const Json& study) {
 }
 
 /// Ranges of the first probability, "0.5: detection 8450, recognition 2210".
-std::string ranges(const Json& of, const char* key) {
+std::string ranges(const OrderedJson& of, const char* key) {
     std::string out;
-    const Json tasks = of.value(key, Json::object());
+    const OrderedJson tasks = of.value(key, OrderedJson::object());
     for (const auto& [task, range] : tasks.items()) {
         if (!range.is_object() || range.empty() || !range.begin()->is_number()) continue;
         out += out.empty() ? escaped(range.begin().key()) + ": " : ", ";
@@ -111,12 +111,12 @@ std::string ranges(const Json& of, const char* key) {
     return out;
 }
 
-std::string detection_rows(const Json& study) {
+std::string detection_rows(const OrderedJson& study) {
     std::string out =
         cells({"time", "contrast K", "area m²", "range of a probability by Johnson's cycles, m",
                "by the targeting task metric, m"},
               "th");
-    for (const Json& one : study.at("instants")) {
+    for (const OrderedJson& one : study.at("instants")) {
         out += cells({moment(one), told(one, "rss_contrast_K"), told(one, "projected_area_m2"),
                       ranges(one, "johnson_range_m"), ranges(one, "ttp_range_m")},
                      "td");
@@ -125,7 +125,7 @@ std::string detection_rows(const Json& study) {
 }
 
 /// The answers of a kind that is known here; of others the plot has to do.
-std::string answers(const Json& study) {
+std::string answers(const OrderedJson& study) {
     const std::string kind = study.at("study");
     std::string rows;
     if (kind == "crossover") rows = crossover_rows(study);
@@ -146,7 +146,7 @@ std::string study_of(const fs::path& json) {
     fs::path drawing = json;
     drawing.replace_extension(".svg");
     if (!fs::is_regular_file(drawing)) return "";
-    const Json study = Json::parse(read_text(json, largest));
+    const OrderedJson study = OrderedJson::parse(read_text(json, largest));
     if (!study.is_object() || !study.contains("study")) return "";
     const std::string kind = study.at("study"), name = study.at("name"),
                       says = escaped(kind + " " + name);

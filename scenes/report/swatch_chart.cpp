@@ -49,8 +49,8 @@ std::string curve(const Spectrum& s, double foot, const char* style) {
 }
 
 /// One of the four bars, filled to a share, its figure behind it.
-std::string bar(int column, double foot, double share, const char* colour,
-                const std::string& figure) {
+std::string swatch_bar(int column, double foot, double share, const char* colour,
+                       const std::string& figure) {
     const double left = at_bars + column * bar_step;
     return fmt::format(
         "<rect x=\"{0:.1f}\" y=\"{1:.1f}\" width=\"{2:.1f}\" height=\"12\" fill=\"#eeeeee\"/>"
@@ -60,7 +60,7 @@ std::string bar(int column, double foot, double share, const char* colour,
         left + bar_width + 5.0, foot - 10.0, figure);
 }
 
-std::string row(const Material& given, double foot) {
+std::string swatch_row(const Material& given, double foot) {
     Material material = given;
     take_strips(material);  // of a net
     const MaterialFigures f = material_figures(material);
@@ -74,16 +74,16 @@ std::string row(const Material& given, double foot) {
         out += curve(material.transmittance, foot,
                      "fill=\"none\" stroke=\"#b5651d\" stroke-dasharray=\"3 2\"");
     }
-    out += bar(0, foot, f.albedo, "#d9a400", fmt::format("{:.2f}", f.albedo));
-    out += bar(1, foot, f.mwir, "#c2452d", fmt::format("{:.3f}", f.mwir));
-    out += bar(2, foot, f.lwir, "#8e1f4f", fmt::format("{:.3f}", f.lwir));
+    out += swatch_bar(0, foot, f.albedo, "#d9a400", fmt::format("{:.2f}", f.albedo));
+    out += swatch_bar(1, foot, f.mwir, "#c2452d", fmt::format("{:.3f}", f.mwir));
+    out += swatch_bar(2, foot, f.lwir, "#8e1f4f", fmt::format("{:.3f}", f.lwir));
     // Inertia from 30 to 30 000, by decades.
-    out += bar(3, foot, std::log10(f.inertia / 30.0) / 3.0, "#4d7f4d",
-               fmt::format("{:.0f}, {:.3g}", f.inertia, 1e6 * f.diffusivity));
+    out += swatch_bar(3, foot, std::log10(f.inertia / 30.0) / 3.0, "#4d7f4d",
+                      fmt::format("{:.0f}, {:.3g}", f.inertia, 1e6 * f.diffusivity));
     return out;
 }
 
-std::string head(double height) {
+std::string swatch_head(double height) {
     std::string out = fmt::format(
         "<svg viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\" role=\"img\" "
         "xmlns=\"http://www.w3.org/2000/svg\">\n<style>text{{font:11px sans-serif;fill:#333}}"
@@ -112,10 +112,10 @@ std::string head(double height) {
 
 std::string swatch_chart(const MaterialLibrary& library) {
     const std::vector<std::string> names = library.names();
-    std::string out = head(top + row_height * double(names.size()) + 12.0);
+    std::string out = swatch_head(top + row_height * double(names.size()) + 12.0);
     double foot = top + swatch;
     for (const std::string& name : names) {
-        out += row(library[library.find(name)], foot);
+        out += swatch_row(library[library.find(name)], foot);
         foot += row_height;
     }
     return out + "</svg>\n";

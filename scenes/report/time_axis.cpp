@@ -9,7 +9,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;
+constexpr double axis_day = 86400.0;
 
 /// [s] between marks of so many seconds: at most 13, whole days of long spans.
 double step_of(double seconds) {
@@ -18,7 +18,7 @@ double step_of(double seconds) {
     for (const double each : minutes) {
         if (seconds <= 12.0 * 60.0 * each) return 60.0 * each;
     }
-    return day * std::ceil(seconds / (12.0 * day));
+    return axis_day * std::ceil(seconds / (12.0 * axis_day));
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ TimeAxis time_axis(Instant start, Instant end, double utc_offset) {
                            clock_day(start, utc_offset)};
     const double step = step_of(seconds);
     const double clock = std::fmod(seconds_between(Instant{}, start) + utc_offset,
-                                   std::max(step, day));  // since midnight
+                                   std::max(step, axis_day));  // since midnight
     for (double at = step * std::ceil(clock / step) - clock; at <= seconds + 0.5; at += step) {
         const Instant when = later(start, at);
         const std::string time = clock_time(when, utc_offset);

@@ -20,7 +20,7 @@ namespace diurna {
 
 namespace {
 
-std::string text_of(const std::vector<double>& numbers) {
+std::string truth_text(const std::vector<double>& numbers) {
     std::string text;
     for (const double number : numbers) {
         text += fmt::format("{}{:.9g}", text.empty() ? "" : " ", number + 0.0);
@@ -28,9 +28,9 @@ std::string text_of(const std::vector<double>& numbers) {
     return text;
 }
 
-std::string vector_text(const Eigen::Vector3d& v) { return text_of({v.x(), v.y(), v.z()}); }
+std::string vector_text(const Eigen::Vector3d& v) { return truth_text({v.x(), v.y(), v.z()}); }
 
-const char* name_of(Projection projection) {
+const char* truth_name(Projection projection) {
     switch (projection) {
         case Projection::pinhole:
             return "pinhole";
@@ -72,7 +72,7 @@ std::optional<Eigen::Matrix4d> camera_to_ndc(const Observer& observer) {
 }
 
 /// The camera's latitude, longitude and height; the last also above the sea.
-Geodetic place_of(const World& world, const Observer& observer, double& altitude) {
+Geodetic camera_place(const World& world, const Observer& observer, double& altitude) {
     const Geodetic place = to_geodetic(world.site, observer.position);
     altitude = place.height - world.site.height + world.sea_level_height;
     return place;
@@ -95,7 +95,7 @@ CameraTags camera_tags(const Prepared& prepared, const Observer& observer, Insta
     tags.cap_date[4] = tags.cap_date[7] = ':';
     tags.cap_date[10] = ' ';
     tags.utc_offset = 0.0 - offset;
-    const Geodetic place = place_of(prepared.world, observer, tags.altitude);
+    const Geodetic place = camera_place(prepared.world, observer, tags.altitude);
     tags.longitude = place.longitude_deg;
     tags.latitude = place.latitude_deg;
     tags.exposure = observer.exposure;
@@ -107,37 +107,37 @@ CameraTags camera_tags(const Prepared& prepared, const Observer& observer, Insta
 Facts camera_facts(const World& world, const Observer& observer) {
     const PixelRays eye = pixel_rays(observer);
     double altitude = 0.0;
-    const Geodetic place = place_of(world, observer, altitude);
+    const Geodetic place = camera_place(world, observer, altitude);
     Eigen::Matrix3d axes;
     axes << eye.right, eye.down, eye.axis;
     Eigen::Quaterniond turn(axes);
     if (turn.w() < 0.0) turn.coeffs() = -turn.coeffs();
     Facts facts{
         {"camera.position_m", vector_text(observer.position)},
-        {"camera.geodetic", text_of({place.latitude_deg, place.longitude_deg, place.height})},
-        {"camera.quaternion", text_of({turn.w(), turn.x(), turn.y(), turn.z()})},
+        {"camera.geodetic", truth_text({place.latitude_deg, place.longitude_deg, place.height})},
+        {"camera.quaternion", truth_text({turn.w(), turn.x(), turn.y(), turn.z()})},
         {"camera.pointing_deg",
-         text_of({observer.azimuth_deg, observer.elevation_deg, observer.roll_deg})},
-        {"camera.projection", name_of(observer.projection)}};
-    if (observer.exposure > 0.0) facts["camera.exposure_s"] = text_of({observer.exposure});
-    if (observer.row_time > 0.0) facts["camera.row_time_s"] = text_of({observer.row_time});
+         truth_text({observer.azimuth_deg, observer.elevation_deg, observer.roll_deg})},
+        {"camera.projection", truth_name(observer.projection)}};
+    if (observer.exposure > 0.0) facts["camera.exposure_s"] = truth_text({observer.exposure});
+    if (observer.row_time > 0.0) facts["camera.row_time_s"] = truth_text({observer.row_time});
     const double aspect = double(observer.height) / observer.width;
     const double fov = observer.horizontal_fov_deg;
     if (observer.projection == Projection::orthographic) {
         facts["camera.picture_m"] =
-            text_of({observer.picture_width, observer.picture_width * aspect});
+            truth_text({observer.picture_width, observer.picture_width * aspect});
     } else if (eye.flat) {
         const double focal = focal_pixels(observer);
         facts["camera.field_of_view_deg"] =
-            text_of({fov, 2.0 * degrees(std::atan(0.5 * observer.height / focal))});
+            truth_text({fov, 2.0 * degrees(std::atan(0.5 * observer.height / focal))});
         facts["camera.intrinsics_pixels"] =
-            text_of({focal, focal, 0.5 * observer.width, 0.5 * observer.height});
+            truth_text({focal, focal, 0.5 * observer.width, 0.5 * observer.height});
     } else if (observer.projection == Projection::equisolid) {
         const double half = aspect * std::sin(0.25 * radians(fov));
         facts["camera.field_of_view_deg"] =
-            text_of({fov, 4.0 * degrees(std::asin(std::min(1.0, half)))});
+            truth_text({fov, 4.0 * degrees(std::asin(std::min(1.0, half)))});
     } else {
-        facts["camera.field_of_view_deg"] = text_of({fov, fov * aspect});
+        facts["camera.field_of_view_deg"] = truth_text({fov, fov * aspect});
     }
     return facts;
 }
@@ -151,18 +151,18 @@ Facts instant_facts(const Prepared& prepared, Instant instant) {
                                    weather, scene.sky);
     Facts facts{{"time.utc", format_instant(instant)},
                 {"time.local", format_local(instant, offset)},
-                {"time.utc_offset_s", text_of({offset})},
-                {"sun.azimuth_deg", text_of({sun.azimuth_deg})},
-                {"sun.elevation_deg", text_of({sun.elevation_deg})},
+                {"time.utc_offset_s", truth_text({offset})},
+                {"sun.azimuth_deg", truth_text({sun.azimuth_deg})},
+                {"sun.elevation_deg", truth_text({sun.elevation_deg})},
                 {"sun.direction", vector_text(sun_direction(sun))},
-                {"sun.direct_normal_W_m2", text_of({sky.direct_normal})},
-                {"sun.diffuse_horizontal_W_m2", text_of({sky.diffuse_horizontal})},
-                {"air.temperature_K", text_of({weather.air.temperature})},
-                {"air.pressure_Pa", text_of({weather.air.pressure})},
-                {"air.vapour_pressure_Pa", text_of({weather.air.vapour_pressure})},
-                {"air.wind_m_s", text_of({weather.wind_speed})}};
+                {"sun.direct_normal_W_m2", truth_text({sky.direct_normal})},
+                {"sun.diffuse_horizontal_W_m2", truth_text({sky.diffuse_horizontal})},
+                {"air.temperature_K", truth_text({weather.air.temperature})},
+                {"air.pressure_Pa", truth_text({weather.air.pressure})},
+                {"air.vapour_pressure_Pa", truth_text({weather.air.vapour_pressure})},
+                {"air.wind_m_s", truth_text({weather.wind_speed})}};
     if (!scene.air.vacuum && !scene.air.table) {
-        facts["air.visibility_m"] = text_of({1000.0 * scene.air.visibility_km});
+        facts["air.visibility_m"] = truth_text({1000.0 * scene.air.visibility_km});
     }
     return facts;
 }

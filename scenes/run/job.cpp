@@ -62,7 +62,7 @@ Manifest manifest_of(const Prepared& prepared, const JobOptions& options) {
 }
 
 /// What of the pictures is chosen, as the command line says it.
-std::vector<std::string> said(const PictureChoice& choice) {
+std::vector<std::string> said_of_job(const PictureChoice& choice) {
     std::vector<std::string> texts = choice.only;
     if (!choice.shard.all())
         texts.push_back(fmt::format("shard {}/{}", choice.shard.number, choice.shard.count));
@@ -235,7 +235,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     }
     if (!options.pictures.all()) {
         const auto [there, all] = keep_there(chosen, ledger, prepared);
-        manifest.only = said(options.pictures);
+        manifest.only = said_of_job(options.pictures);
         report.remade.push_back(fmt::format("{} of {} pictures are here ({})", there, all,
                                             fmt::join(manifest.only, ", ")));
     }

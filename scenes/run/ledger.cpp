@@ -19,20 +19,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The lines that are whole: the last of a run that was killed may not be.
-std::vector<Json> read_lines(const fs::path& folder) {
-    std::vector<Json> lines;
+std::vector<OrderedJson> read_lines(const fs::path& folder) {
+    std::vector<OrderedJson> lines;
     std::ifstream file(folder / ledger_file);
     for (std::string line; std::getline(file, line);) {
-        Json json = Json::parse(line, nullptr, false);
+        OrderedJson json = OrderedJson::parse(line, nullptr, false);
         if (json.is_object()) lines.push_back(std::move(json));
     }
     return lines;
 }
 
-std::map<std::string, std::string> texts_of(const Json& json, const char* key) {
+std::map<std::string, std::string> texts_of(const OrderedJson& json, const char* key) {
     std::map<std::string, std::string> texts;
     if (!json.contains(key) || !json[key].is_object()) return texts;
     for (const auto& [name, text] : json[key].items()) {
@@ -41,10 +41,10 @@ std::map<std::string, std::string> texts_of(const Json& json, const char* key) {
     return texts;
 }
 
-Told told_of(const Json& json) {
+Told told_of(const OrderedJson& json) {
     Told told;
     if (!json.contains("told") || !json["told"].is_array()) return told;
-    for (const Json& pair : json["told"]) {
+    for (const OrderedJson& pair : json["told"]) {
         if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string()) {
             told.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
         }
@@ -71,8 +71,9 @@ void append(const fs::path& path, const std::string& text) {
 
 Ledger::Ledger(fs::path folder, const std::string& key, bool keep)
     : folder_(std::move(folder)), key_(key) {
-    const std::vector<Json> lines = read_lines(folder_);
-    const bool same = keep && !lines.empty() && lines.front().value("key", Json()) == Json(key);
+    const std::vector<OrderedJson> lines = read_lines(folder_);
+    const bool same =
+        keep && !lines.empty() && lines.front().value("key", OrderedJson()) == OrderedJson(key);
     for (std::size_t i = 1; same && i < lines.size(); ++i) {
         Entry entry{texts_of(lines[i], "files"), told_of(lines[i])};
         bool whole = !entry.digest.empty();
@@ -135,7 +136,7 @@ std::map<std::string, std::string> Ledger::digests() const {
 
 void Ledger::write(const std::vector<std::string>& expected) const {
     const std::lock_guard lock(adding_);
-    Json first{{"program", "diurna " DIURNA_VERSION}, {"key", key_}};
+    OrderedJson first{{"program", "diurna " DIURNA_VERSION}, {"key", key_}};
     if (!expected.empty()) first["expected"] = expected;
     std::string text = first.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
     for (const auto& [name, entry] : entry_) text += line(entry);
@@ -143,16 +144,16 @@ void Ledger::write(const std::vector<std::string>& expected) const {
 }
 
 std::string Ledger::line(const Entry& entry) const {
-    Json json{{"files", entry.digest}};
+    OrderedJson json{{"files", entry.digest}};
     for (const auto& [name, text] : entry.told) json["told"].push_back({name, text});
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 std::vector<std::string> ledger_names(const fs::path& folder) {
     std::vector<std::string> names;
-    for (const Json& line : read_lines(folder)) {
+    for (const OrderedJson& line : read_lines(folder)) {
         for (const auto& [name, digest] : texts_of(line, "files")) names.push_back(name);
-        for (const Json& name : line.value("expected", Json::array())) {
+        for (const OrderedJson& name : line.value("expected", OrderedJson::array())) {
             if (name.is_string()) names.push_back(name.get<std::string>());
         }
     }
@@ -160,7 +161,7 @@ std::vector<std::string> ledger_names(const fs::path& folder) {
 }
 
 std::string ledger_key(const fs::path& folder) {
-    const std::vector<Json> lines = read_lines(folder);
+    const std::vector<OrderedJson> lines = read_lines(folder);
     if (lines.empty() || !lines.front().contains("key") || !lines.front()["key"].is_string())
         return "";
     return lines.front()["key"].get<std::string>();
@@ -168,7 +169,7 @@ std::string ledger_key(const fs::path& folder) {
 
 std::map<std::string, std::string> ledger_digests(const fs::path& folder) {
     std::map<std::string, std::string> digests;
-    for (const Json& line : read_lines(folder)) digests.merge(texts_of(line, "files"));
+    for (const OrderedJson& line : read_lines(folder)) digests.merge(texts_of(line, "files"));
     return digests;
 }
 

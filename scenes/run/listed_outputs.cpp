@@ -32,7 +32,7 @@ void add(const Json& json, const char* key, const std::string& folder, ListedOut
     }
 }
 
-std::string text_of(const Json& json, const char* key) {
+std::string listed_text(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
 }
 
@@ -51,20 +51,20 @@ ListedOutputs listed_outputs(const fs::path& folder) {
     ListedOutputs listed;
     std::ifstream file(folder / "manifest.json");
     const Json json = Json::parse(file, nullptr, false);
-    if (!json.is_object() || !text_of(json, "program").starts_with("diurna")) return listed;
+    if (!json.is_object() || !listed_text(json, "program").starts_with("diurna")) return listed;
     listed.found = true;
     add(json, "outputs", "", listed);
     if (!json.contains("variants")) {  // of a run
-        listed.done = text_of(json, "state") == "done";
+        listed.done = listed_text(json, "state") == "done";
         return listed;
     }
     listed.done = true;  // a sweep's is written last
     for (const Json& variant : json["variants"]) {
-        add(variant, "outputs", text_of(variant, "folder") + "/", listed);
+        add(variant, "outputs", listed_text(variant, "folder") + "/", listed);
     }
     for (const Json& heat : json.value("heats", Json::array())) {
-        const std::string name = text_of(heat, "temperatures");
-        if (stays_below(name)) listed.digest[name] = text_of(heat, "sha256");
+        const std::string name = listed_text(heat, "temperatures");
+        if (stays_below(name)) listed.digest[name] = listed_text(heat, "sha256");
     }
     return listed;
 }
@@ -74,7 +74,7 @@ bool is_listed(const fs::path& folder) {
     std::ifstream file(folder / ledger_file);
     std::string line;
     std::getline(file, line);
-    return text_of(Json::parse(line, nullptr, false), "program").starts_with("diurna");
+    return listed_text(Json::parse(line, nullptr, false), "program").starts_with("diurna");
 }
 
 bool is_whole(const fs::path& folder, const std::map<std::string, std::string>& digests) {

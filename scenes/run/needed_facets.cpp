@@ -23,7 +23,7 @@ constexpr std::size_t most_probes = 128;
 /// What ground facets of a kind have in common: material, and steps of 1/8 of the normal's parts,
 /// 100 m of height and 1/10 of the sky.
 using Kind = std::array<int, 5>;
-Kind kind_of(const FacetSet& facets, const FacetViews& views, std::size_t f) {
+Kind need_kind(const FacetSet& facets, const FacetViews& views, std::size_t f) {
     const Eigen::Vector3f& n = facets.normal[f];
     return {static_cast<int>(index(facets.material[f])),
             static_cast<int>(std::lround(8.0f * n.x())),
@@ -207,11 +207,11 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
         stand_in[f] = f;
         if (solved[f]) continue;
         others.push_back(f);
-        const auto [kind, fresh] = kinds.try_emplace(kind_of(facets, views, f), f);
+        const auto [kind, fresh] = kinds.try_emplace(need_kind(facets, views, f), f);
         if (!fresh && worth[f] > worth[kind->second]) kind->second = f;
     }
     needed.kinds = kinds.size();
-    for (const std::uint32_t f : others) stand_in[f] = kinds.at(kind_of(facets, views, f));
+    for (const std::uint32_t f : others) stand_in[f] = kinds.at(need_kind(facets, views, f));
     for (const auto& [kind, f] : kinds) solved[f] = 1;
 
     // Probes: evenly along the sum of what is felt of each, and a little of all.

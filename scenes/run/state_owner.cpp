@@ -18,7 +18,7 @@ void add_bytes(const std::vector<T>& values, std::string& bytes) {
     bytes.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-std::string text_of(const ThermalLaw& law) {
+std::string owner_text(const ThermalLaw& law) {
     if (const auto* r = std::get_if<Radiating>(&law)) {
         return fmt::format(" radiating {} {}", r->cubic, fmt::join(r->heat, " "));
     }
@@ -30,7 +30,7 @@ std::string text_of(const ThermalLaw& law) {
     return "";
 }
 
-std::string text_of(const Bottom& bottom) {
+std::string owner_text(const Bottom& bottom) {
     if (const auto* t = std::get_if<FixedTemperature>(&bottom)) {
         return fmt::format("{} K", t->temperature);
     }
@@ -45,11 +45,11 @@ std::string column_of(const Material& material) {
     const ThermalSurface& surface = material.thermal;
     std::string text = material.name + ":";
     for (const Layer& layer : surface.layers) {
-        text +=
-            fmt::format(" {} m {} W m-1 K-1 {} kg m-3 {} J kg-1 K-1{};", layer.thickness,
-                        layer.conductivity, layer.density, layer.heat_capacity, text_of(layer.law));
+        text += fmt::format(" {} m {} W m-1 K-1 {} kg m-3 {} J kg-1 K-1{};", layer.thickness,
+                            layer.conductivity, layer.density, layer.heat_capacity,
+                            owner_text(layer.law));
     }
-    text += surface.back ? " air behind" : " below " + text_of(surface.bottom);
+    text += surface.back ? " air behind" : " below " + owner_text(surface.bottom);
     if (point_need(surface) == PointNeed::always) text += "; solved by itself";
     return text;
 }

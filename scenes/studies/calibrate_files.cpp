@@ -8,7 +8,7 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string numbers_csv(const CalibrationReport& report) {
     const auto& sought = report.asked.sought;
@@ -29,14 +29,14 @@ std::string numbers_csv(const CalibrationReport& report) {
 
 std::string numbers_json(const CalibrationReport& report) {
     const Fit& fit = report.fit;
-    Json json{{"study", "calibrate"},           {"values", report.measured.size()},
-              {"rms_before_K", fit.rms_before}, {"rms_K", fit.rms},
-              {"converged", fit.converged},     {"columns_run", fit.runs},
-              {"residuals_alike", fit.alike},   {"values_that_count", fit.independent}};
+    OrderedJson json{{"study", "calibrate"},           {"values", report.measured.size()},
+                     {"rms_before_K", fit.rms_before}, {"rms_K", fit.rms},
+                     {"converged", fit.converged},     {"columns_run", fit.runs},
+                     {"residuals_alike", fit.alike},   {"values_that_count", fit.independent}};
     json["interval"] =
         "95 % by Student's t, wider where residuals are like those near them (Geyer 1992); "
         "deviation is that of independent errors";
-    json["numbers"] = Json::array();
+    json["numbers"] = OrderedJson::array();
     for (std::size_t i = 0; i < report.asked.sought.size(); ++i) {
         const SoughtNumber& one = report.asked.sought[i];
         const FittedNumber& found = fit.number[i];
@@ -51,7 +51,7 @@ std::string numbers_json(const CalibrationReport& report) {
     }
     json["correlation"] = fit.correlation;
     json["notes"] = report.notes;
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string curves_svg(const CalibrationReport& report) {

@@ -130,7 +130,7 @@ double nearest(const View& view, const Place& place) {
     return range;
 }
 
-ContrastRow row_of(const Frame& frame, const std::string& band, const Place& place) {
+ContrastRow contrast_row(const Frame& frame, const std::string& band, const Place& place) {
     const std::vector<float>& kelvin = frame["apparent_temperature." + band].pixel;
     const PlaneView plane{kelvin, frame.width, frame.height};
     ContrastRow row{.when = {}, .band = band};
@@ -273,7 +273,7 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
                 rows.size(),
                 [&](std::size_t i) {
                     ContrastRow row =
-                        row_of(shot.frame, input.bands[i % bands], shot.place[i / bands]);
+                        contrast_row(shot.frame, input.bands[i % bands], shot.place[i / bands]);
                     row.target = i / bands;
                     row.observer = o;
                     row.when = frames[k];
@@ -317,7 +317,8 @@ ContrastReport contrast_of(const Stages& stages, const ContrastInput& input,
                 const auto k = std::find(frames.begin(), frames.end(), row.when) - frames.begin();
                 Pictures fewer(stages, observer, {row.band}, std::max(1, samples / 2), field);
                 const Pictures::Shot shot = fewer.take(static_cast<std::size_t>(k), input);
-                worst.error = std::abs(row_of(shot.frame, row.band, shot.place[t]).rss - row.rss);
+                worst.error =
+                    std::abs(contrast_row(shot.frame, row.band, shot.place[t]).rss - row.rss);
                 worst.at_range = at_ranges(prepared, input, row);
             }
             report.worst.push_back(std::move(worst));

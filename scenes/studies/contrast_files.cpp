@@ -13,17 +13,17 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 8> colours{"#2166ac", "#b2182b", "#1b7837", "#762a83",
-                                             "#e08214", "#01665e", "#8c510a", "#555555"};
+constexpr std::array<const char*, 8> contrast_colours{"#2166ac", "#b2182b", "#1b7837", "#762a83",
+                                                      "#e08214", "#01665e", "#8c510a", "#555555"};
 
 struct Column {
     const char* name;
     double ContrastRow::*value;
     const char* says;
 };
-constexpr std::array<Column, 14> columns{
+constexpr std::array<Column, 14> contrast_columns{
     {{"range_m", &ContrastRow::range, "to its nearest surface in a pixel that it fills"},
      {"pixels", &ContrastRow::pixels, "that it covers, those at its edge by their share"},
      {"difference_K", &ContrastRow::difference,
@@ -50,14 +50,16 @@ const std::string& observer_name(const ContrastInput& input, const Scene& scene,
     return scene.observers[input.observers[row.observer]].name;
 }
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+OrderedJson finite(double value) {
+    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
 
 }  // namespace
 
 std::string contrast_csv(const ContrastInput& input, const ContrastReport& report,
                          const Scene& scene) {
     std::string text = "target,observer,time,band_um";
-    for (const Column& column : columns) {
+    for (const Column& column : contrast_columns) {
         text += fmt::format(",{}", column.name);
     }
     text += '\n';
@@ -65,7 +67,7 @@ std::string contrast_csv(const ContrastInput& input, const ContrastReport& repor
         text += fmt::format("{},{},{},{}", csv_cell(input.targets[row.target].name),
                             csv_cell(observer_name(input, scene, row)),
                             format_local(row.when, scene.time.utc_offset), row.band);
-        for (const Column& column : columns) {
+        for (const Column& column : contrast_columns) {
             const double value = row.*column.value;
             text += std::isfinite(value) ? fmt::format(",{:.5g}", value) : ",";
         }
@@ -76,34 +78,34 @@ std::string contrast_csv(const ContrastInput& input, const ContrastReport& repor
 
 std::string contrast_json(const ContrastInput& input, const ContrastReport& report,
                           const Scene& scene, const std::vector<std::string>& notes) {
-    Json json{{"study", "contrast"},
-              {"name", input.name},
-              {"threshold_K", input.threshold},
-              {"ring", input.ring}};
+    OrderedJson json{{"study", "contrast"},
+                     {"name", input.name},
+                     {"threshold_K", input.threshold},
+                     {"ring", input.ring}};
     json["background"] =
         "pixels of the box around the target that is wider on each side by ring times its sides, "
         "but for those of targets of this study: sky and other objects count";
-    json["columns"] = Json::object();
-    for (const Column& column : columns) {
+    json["columns"] = OrderedJson::object();
+    for (const Column& column : contrast_columns) {
         json["columns"][column.name] = column.says;
     }
-    json["targets"] = Json::array();
+    json["targets"] = OrderedJson::array();
     for (std::size_t w = 0; w < report.worst.size(); ++w) {
         const WorstContrast& worst = report.worst[w];
-        Json one{{"target", input.targets[w / input.bands.size()].name},
-                 {"band_um", input.bands[w % input.bands.size()]}};
+        OrderedJson one{{"target", input.targets[w / input.bands.size()].name},
+                        {"band_um", input.bands[w % input.bands.size()]}};
         one["share_of_pictures_above_threshold"] = finite(worst.share);
         one["least_rss_K"] = finite(worst.least);
         if (worst.row < report.row.size()) {
             const ContrastRow& row = report.row[worst.row];
-            Json at{{"time", format_local(row.when, scene.time.utc_offset)},
-                    {"observer", observer_name(input, scene, row)},
-                    {"error_K", worst.error}};
-            for (const Column& column : columns) {
+            OrderedJson at{{"time", format_local(row.when, scene.time.utc_offset)},
+                           {"observer", observer_name(input, scene, row)},
+                           {"error_K", worst.error}};
+            for (const Column& column : contrast_columns) {
                 at[column.name] = finite(row.*column.value);
             }
             one["worst"] = std::move(at);
-            one["rss_K_at_range_m"] = Json::object();
+            one["rss_K_at_range_m"] = OrderedJson::object();
             for (std::size_t k = 0; k < worst.at_range.size(); ++k) {
                 one["rss_K_at_range_m"][fmt::format("{:g}", input.ranges[k])] =
                     finite(worst.at_range[k]);
@@ -112,7 +114,7 @@ std::string contrast_json(const ContrastInput& input, const ContrastReport& repo
         json["targets"].push_back(std::move(one));
     }
     json["notes"] = notes;
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string contrast_svg(const ContrastInput& input, const ContrastReport& report,
@@ -130,10 +132,10 @@ std::string contrast_svg(const ContrastInput& input, const ContrastReport& repor
                 .lines = {}};
             for (std::size_t t = 0; t < input.targets.size(); ++t) {
                 ChartLine line{.name = input.targets[t].name,
-                               .colour = colours[t % colours.size()],
+                               .colour = contrast_colours[t % contrast_colours.size()],
                                .x = {},
                                .y = {},
-                               .dashed = t >= colours.size()};
+                               .dashed = t >= contrast_colours.size()};
                 for (const ContrastRow& row : report.row) {
                     if (row.target != t || row.observer != o || row.band != band) continue;
                     if (std::isnan(row.rss)) continue;

@@ -18,28 +18,30 @@ namespace diurna {
 namespace {
 
 /// Crossovers of one observer and the same bands, by their numbers.
-struct Group {
+struct CrossoverGroup {
     std::size_t observer;
     std::vector<std::string> bands;
     std::vector<std::size_t> of;
 };
 
-std::vector<Group> groups(const std::vector<CrossoverInput>& inputs) {
-    std::vector<Group> all;
+std::vector<CrossoverGroup> groups(const std::vector<CrossoverInput>& inputs) {
+    std::vector<CrossoverGroup> all;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const auto same = std::find_if(all.begin(), all.end(), [&](const Group& group) {
+        const auto same = std::find_if(all.begin(), all.end(), [&](const CrossoverGroup& group) {
             return group.observer == inputs[i].observer && group.bands == inputs[i].bands;
         });
-        Group& group = same != all.end()
-                           ? *same
-                           : all.emplace_back(Group{inputs[i].observer, inputs[i].bands, {}});
+        CrossoverGroup& group =
+            same != all.end()
+                ? *same
+                : all.emplace_back(CrossoverGroup{inputs[i].observer, inputs[i].bands, {}});
         group.of.push_back(i);
     }
     return all;
 }
 
 /// First and second of each crossover of a group, in turn.
-std::vector<RegionInput> regions_of(const Group& group, const std::vector<CrossoverInput>& inputs) {
+std::vector<RegionInput> regions_of(const CrossoverGroup& group,
+                                    const std::vector<CrossoverInput>& inputs) {
     std::vector<RegionInput> regions;
     for (const std::size_t i : group.of) {
         regions.push_back(inputs[i].first);
@@ -48,7 +50,7 @@ std::vector<RegionInput> regions_of(const Group& group, const std::vector<Crosso
     return regions;
 }
 
-SeenRegions seen(const Stages& stages, const Group& group, const TemperatureField& field,
+SeenRegions seen(const Stages& stages, const CrossoverGroup& group, const TemperatureField& field,
                  int more_samples) {
     const Scene& scene = stages.scene().scene;
     return {stages.at(0), group.observer, regions_of(group, scene.crossovers),
@@ -105,8 +107,9 @@ CrossoverDay day_of(const SeenRegions& seen, const CrossoverInput& input, std::s
 
 /// How far each crossing of a group moves in another scene; `told` takes it.
 template <class Told>
-void follow(const SeenRegions& seen, const Group& group, const std::vector<CrossoverInput>& inputs,
-            std::vector<CrossoverReport>& reports, const Told& told) {
+void follow(const SeenRegions& seen, const CrossoverGroup& group,
+            const std::vector<CrossoverInput>& inputs, std::vector<CrossoverReport>& reports,
+            const Told& told) {
     struct Job {
         std::size_t crossover, pair, band, crossing;
     };
@@ -156,7 +159,7 @@ void check_crossovers(const Study& study, const SceneWith& scene_with) {
             check_settings(scene_with, {setting(one.key, one.one_sigma)}, one.where);
         }
     }
-    for (const Group& group : groups(scene.crossovers)) {
+    for (const CrossoverGroup& group : groups(scene.crossovers)) {
         filled_pixels(prepared, group.observer, regions_of(group, scene.crossovers),
                       scene.observers[group.observer].samples);
     }
@@ -167,10 +170,10 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
     const std::vector<CrossoverInput>& inputs = study.scene().crossovers;
     CrossoverAnswer answer{.report = std::vector<CrossoverReport>(inputs.size()), .notes = {}};
     std::vector<CrossoverReport>& reports = answer.report;
-    const std::vector<Group> all = groups(inputs);
+    const std::vector<CrossoverGroup> all = groups(inputs);
     Progress& progress = study.progress();
     progress.stage("contrast");
-    for (const Group& group : all) {
+    for (const CrossoverGroup& group : all) {
         const SeenRegions regions = seen(study.stages(), group, field, 1);
         const std::vector<Instant>& instant = field.instant;
         for_each_index(
@@ -192,7 +195,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
                 fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
         }
         progress.stage("crossings");
-        for (const Group& group : all) {
+        for (const CrossoverGroup& group : all) {
             if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
             follow(seen(other.stages, group, other.field, more_samples), group, inputs, reports,
                    told);

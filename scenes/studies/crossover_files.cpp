@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const std::string& warmer_after(const CrossoverInput& input, const TimedCrossing& crossing) {
     return crossing.first_warmer_after ? input.first.name : input.second.name;
@@ -29,7 +29,9 @@ std::string cell(const std::optional<double>& value, const char* format = "{:.1f
     return value ? fmt::format(fmt::runtime(format), *value) : "";
 }
 
-Json or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+OrderedJson or_null(const std::optional<double>& value) {
+    return value ? OrderedJson(*value) : OrderedJson(nullptr);
+}
 
 }  // namespace
 
@@ -89,23 +91,23 @@ std::string contrast_curves_csv(const CrossoverReport& report, double utc_offset
 std::string crossover_json(const CrossoverInput& input, const std::string& observer,
                            const CrossoverReport& report, const std::vector<std::string>& notes,
                            double utc_offset) {
-    Json json{{"study", "crossover"},
-              {"name", input.name},
-              {"first", input.first.name},
-              {"second", input.second.name},
-              {"observer", observer},
-              {"first_pixels", report.first_pixels},
-              {"second_pixels", report.second_pixels},
-              {"threshold_K", input.threshold},
-              {"touching_K", input.touching}};
+    OrderedJson json{{"study", "crossover"},
+                     {"name", input.name},
+                     {"first", input.first.name},
+                     {"second", input.second.name},
+                     {"observer", observer},
+                     {"first_pixels", report.first_pixels},
+                     {"second_pixels", report.second_pixels},
+                     {"threshold_K", input.threshold},
+                     {"touching_K", input.touching}};
     json["difference"] =
         "apparent temperature of the first less that of the second: of the black body of the mean "
         "radiance of the pixels that it fills alone, air included";
-    json["bands"] = Json::array();
+    json["bands"] = OrderedJson::array();
     for (const CrossoverDay& day : report.band) {
-        Json crossings = Json::array();
+        OrderedJson crossings = OrderedJson::array();
         for (const TimedCrossing& one : day.crossing) {
-            Json shifts = Json::object();
+            OrderedJson shifts = OrderedJson::object();
             for (std::size_t u = 0; u < one.shift.size(); ++u) {
                 shifts[input.uncertain[u].key] = or_null(one.shift[u]);
             }
@@ -126,12 +128,12 @@ std::string crossover_json(const CrossoverInput& input, const std::string& obser
              {"least_contrast_K", day.worst_least},
              {"crossings", crossings}});
     }
-    json["uncertain"] = Json::array();
+    json["uncertain"] = OrderedJson::array();
     for (const UncertainInput& one : input.uncertain) {
         json["uncertain"].push_back({{"key", one.key}, {"one_sigma", one.one_sigma}});
     }
     json["notes"] = notes;
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string crossover_svg(const CrossoverInput& input, const CrossoverReport& report,

@@ -20,7 +20,8 @@ namespace diurna {
 
 namespace {
 
-constexpr double wider = 1.5;  // the picture's half-width over the radius of the target's sphere
+constexpr double wider_detection =
+    1.5;  // the picture's half-width over the radius of the target's sphere
 constexpr int close_pixels = 192, close_samples = 16;
 constexpr int steps = 60;  // of ranges, evenly by ratio
 
@@ -31,7 +32,7 @@ Observer close_eye(const Observer& pose, const StudiedTarget& target) {
     eye.position = pose.position;
     eye.width = eye.height = close_pixels;
     const double range = (target.box.middle - pose.position).norm();
-    eye.horizontal_fov_deg = degrees(2.0 * std::atan(wider * target.radius / range));
+    eye.horizontal_fov_deg = degrees(2.0 * std::atan(wider_detection * target.radius / range));
     return looking_at(eye, target.box.middle);
 }
 
@@ -56,7 +57,7 @@ SeenTarget seen_target(const StudiedTarget& target, const Observer& pose, const 
                          fmt::format("nothing is seen of \"{}\" by the instrument's observer at {}",
                                      input.studied.object, format_local(when, utc_offset)));
     }
-    const double side = 2.0 * wider * target.radius / close_pixels;
+    const double side = 2.0 * wider_detection * target.radius / close_pixels;
     seen.area = figures.covered * side * side;
     seen.least_width = figures.least_width * side;
     seen.difference = figures.difference;

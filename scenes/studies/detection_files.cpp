@@ -14,14 +14,15 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 3> colours{"#1b7837", "#2166ac", "#b2182b"};
+constexpr std::array<const char*, 3> chance_colours{"#1b7837", "#2166ac", "#b2182b"};
 
-Json ranges_of(const DetectionInput& input, const std::array<std::vector<double>, 3>& range) {
-    Json all = Json::object();
+OrderedJson ranges_of(const DetectionInput& input,
+                      const std::array<std::vector<double>, 3>& range) {
+    OrderedJson all = OrderedJson::object();
     for (std::size_t t = 0; t < 3; ++t) {
-        Json of_task = Json::object();
+        OrderedJson of_task = OrderedJson::object();
         for (std::size_t p = 0; p < input.probabilities.size(); ++p) {
             of_task[fmt::format("{:g}", input.probabilities[p])] = range[t][p];
         }
@@ -61,7 +62,7 @@ Chart chart_of(const DetectionInput& input, const DetectionCurve& curve, double 
     for (std::size_t t = 0; t < 3; ++t) {
         for (const bool johnson : {false, true}) {
             ChartLine line{.name = fmt::format("{}, {}", tasks[t].name, johnson ? "N50" : "TTP"),
-                           .colour = colours[t],
+                           .colour = chance_colours[t],
                            .x = {},
                            .y = {},
                            .dashed = johnson};
@@ -87,7 +88,7 @@ Chart by_hour(const DetectionInput& input, const std::vector<DetectionCurve>& cu
     for (std::size_t t = 0; t < 3; ++t) {
         for (const bool johnson : {false, true}) {
             ChartLine line{.name = fmt::format("{}, {}", tasks[t].name, johnson ? "N50" : "TTP"),
-                           .colour = colours[t],
+                           .colour = chance_colours[t],
                            .x = {},
                            .y = {},
                            .dashed = johnson};
@@ -130,10 +131,10 @@ std::string detection_csv(const std::vector<DetectionCurve>& curves, double utc_
 std::string detection_json(const DetectionInput& input, const std::string& instrument,
                            const std::vector<DetectionCurve>& curves,
                            const std::vector<std::string>& notes, double utc_offset) {
-    Json json{{"study", "detection"},
-              {"name", input.name},
-              {"object", input.studied.object},
-              {"instrument", instrument}};
+    OrderedJson json{{"study", "detection"},
+                     {"name", input.name},
+                     {"object", input.studied.object},
+                     {"instrument", instrument}};
     json["johnson"] = {{"criterion", input.across ? "least width" : "root of the area"},
                        {"n50", input.n50},
                        {"exponent", "2.7 + 0.7 N/N50"},
@@ -154,7 +155,7 @@ std::string detection_json(const DetectionInput& input, const std::string& instr
          "likewise: Vollmerhausen & Jacobs, AMSEL-NV-TR-230, 2004; eye: Barten, Proc. SPIE 1077, "
          "1989, Overington 1976"}};
     json["notes"] = notes;
-    json["instants"] = Json::array();
+    json["instants"] = OrderedJson::array();
     for (const DetectionCurve& curve : curves) {
         const SeenTarget& seen = curve.target;
         json["instants"].push_back(

@@ -16,7 +16,7 @@ namespace diurna {
 
 namespace {
 
-using Figure = SensitivityOutput::Figure;
+using SensitivityFigure = SensitivityOutput::Figure;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Which of the span's crossings an output is about, as the scene has it; none where there is none.
@@ -39,17 +39,17 @@ double mean_temperature(const Prepared& prepared, const RegionInput& region,
 double figure_of(const SensitivityOutput& output, const Stages& stages,
                  const TemperatureField& field, bool base, std::optional<ZeroCrossing>& like) {
     const Prepared& prepared = stages.scene();
-    if (output.figure == Figure::temperature) {
+    if (output.figure == SensitivityFigure::temperature) {
         return mean_temperature(prepared, output.first, field, output.at);
     }
-    if (output.figure == Figure::crossover && !base && !like) return nan;
+    if (output.figure == SensitivityFigure::crossover && !base && !like) return nan;
     const SeenRegions seen(stages.at(0), output.observer, {output.first, output.second},
                            {output.band}, field, prepared.scene.observers[output.observer].samples);
     const auto contrast = [&](Instant when) {
         const std::vector<double>& kelvin = seen.apparent(when);
         return kelvin[0] - kelvin[1];
     };
-    if (output.figure == Figure::contrast) return contrast(output.at);
+    if (output.figure == SensitivityFigure::contrast) return contrast(output.at);
     const Instant start = field.instant.front();
     const Difference difference = [&](double seconds) { return contrast(later(start, seconds)); };
     if (!base) {
@@ -73,8 +73,8 @@ double figure_of(const SensitivityOutput& output, const Stages& stages,
 }
 
 /// (output)
-std::vector<double> figures_of(const SensitivityInput& input, const Stages& stages,
-                               const TemperatureField& field, bool base, Likes& likes) {
+std::vector<double> sensitivity_figures(const SensitivityInput& input, const Stages& stages,
+                                        const TemperatureField& field, bool base, Likes& likes) {
     std::vector<double> found;
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         found.push_back(figure_of(input.outputs[o], stages, field, base, likes[o]));
@@ -102,7 +102,7 @@ void check_output(const Prepared& prepared, const SensitivityOutput& output) {
         throw InputError(output.where,
                          "expected a scene in which nothing goes, found objects that go");
     }
-    if (output.figure == Figure::temperature) {
+    if (output.figure == SensitivityFigure::temperature) {
         if (!facets_of(prepared, output.first).empty()) return;
         throw InputError(output.first.where,
                          fmt::format("\"{}\" has no surface", output.first.name));
@@ -173,7 +173,7 @@ SensitivityReport sensitivity_of(Study& study, const SensitivityInput& input,
     SensitivityReport report{.output = std::vector<OutputSensitivity>(outputs)};
     Likes likes(outputs);
     study.progress().stage("sensitivity");
-    const std::vector<double> base = figures_of(input, study.stages(), field, true, likes);
+    const std::vector<double> base = sensitivity_figures(input, study.stages(), field, true, likes);
     const auto solved_with = [&](const std::vector<std::string>& settings) {
         const OtherScene other(scene_with(settings), study);
         ++report.scenes;
@@ -182,7 +182,7 @@ SensitivityReport sensitivity_of(Study& study, const SensitivityInput& input,
             report.notes.push_back(
                 fmt::format("with {}: {}", fmt::join(settings, ", "), other.not_converged));
         }
-        return figures_of(input, other.stages, other.field, false, likes);
+        return sensitivity_figures(input, other.stages, other.field, false, likes);
     };
     for (std::size_t o = 0; o < outputs; ++o) report.output[o].base = base[o];
     for (const RangedInput& one : input.uncertain) {

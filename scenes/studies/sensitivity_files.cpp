@@ -13,11 +13,13 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string field(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : ""; }
 
-Json or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+OrderedJson number_or_null(double value) {
+    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
 
 const char* word_of(SensitivityOutput::Figure figure) {
     switch (figure) {
@@ -31,11 +33,11 @@ const char* word_of(SensitivityOutput::Figure figure) {
     return "crossover";
 }
 
-Json effect_json(const ElementaryEffect& effect) {
-    return {{"mean", or_null(effect.mean)},
-            {"mean_size", or_null(effect.mean_size)},
-            {"size_error", or_null(effect.size_error)},
-            {"deviation", or_null(effect.deviation)},
+OrderedJson effect_json(const ElementaryEffect& effect) {
+    return {{"mean", number_or_null(effect.mean)},
+            {"mean_size", number_or_null(effect.mean_size)},
+            {"size_error", number_or_null(effect.size_error)},
+            {"deviation", number_or_null(effect.deviation)},
             {"count", effect.count}};
 }
 
@@ -48,7 +50,7 @@ std::string bar(double top, double end, const char* colour) {
         end, colour);
 }
 
-std::string words(double x, double y, double value) {
+std::string sensitivity_words(double x, double y, double value) {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\">{:.3g}</text>\n", x, y, value);
 }
 
@@ -85,37 +87,38 @@ std::string sensitivity_csv(const SensitivityInput& input, const SensitivityRepo
 
 std::string sensitivity_json(const SensitivityInput& input, const SensitivityReport& report,
                              const std::vector<std::string>& notes) {
-    Json json{{"study", "sensitivity"},
-              {"name", input.name},
-              {"scenes", report.scenes},
-              {"trajectories", input.trajectories},
-              {"levels", input.levels}};
+    OrderedJson json{{"study", "sensitivity"},
+                     {"name", input.name},
+                     {"scenes", report.scenes},
+                     {"trajectories", input.trajectories},
+                     {"levels", input.levels}};
     json["elementary_effects"] =
         "for a number's whole range (Morris 1991): mean is mu, mean_size mu*, deviation sigma";
     json["deviation"] =
         "to first order, of independent numbers that are as likely anywhere in their ranges";
-    json["outputs"] = Json::array();
+    json["outputs"] = OrderedJson::array();
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         const SensitivityOutput& output = input.outputs[o];
         const OutputSensitivity& one = report.output[o];
-        Json numbers = Json::array();
+        OrderedJson numbers = OrderedJson::array();
         for (std::size_t u = 0; u < input.uncertain.size(); ++u) {
             const OneAtATime& alone = one.alone[u];
-            Json number{{"key", input.uncertain[u].key},   {"low", input.uncertain[u].low},
-                        {"high", input.uncertain[u].high}, {"at_low", or_null(alone.low)},
-                        {"at_high", or_null(alone.high)},  {"slope", or_null(alone.slope)}};
+            OrderedJson number{
+                {"key", input.uncertain[u].key},         {"low", input.uncertain[u].low},
+                {"high", input.uncertain[u].high},       {"at_low", number_or_null(alone.low)},
+                {"at_high", number_or_null(alone.high)}, {"slope", number_or_null(alone.slope)}};
             if (!one.effect.empty()) number["effect"] = effect_json(one.effect[u]);
             numbers.push_back(std::move(number));
         }
         json["outputs"].push_back({{"name", output.name},
                                    {"figure", word_of(output.figure)},
                                    {"unit", unit_of(output)},
-                                   {"base", or_null(one.base)},
-                                   {"deviation", or_null(one.deviation)},
+                                   {"base", number_or_null(one.base)},
+                                   {"deviation", number_or_null(one.deviation)},
                                    {"uncertain", std::move(numbers)}});
     }
     json["notes"] = notes;
-    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string sensitivity_svg(const SensitivityInput& input, const SensitivityReport& report) {
@@ -154,7 +157,7 @@ std::string sensitivity_svg(const SensitivityInput& input, const SensitivityRepo
             const double alone = std::abs(one.alone[u].high - one.alone[u].low);
             if (most > 0.0 && std::isfinite(alone)) {
                 text += bar(y, length(alone), "#2166ac");
-                text += words(left + length(alone) + 6.0, y + 11.0, alone);
+                text += sensitivity_words(left + length(alone) + 6.0, y + 11.0, alone);
             }
             if (one.effect.empty() || !(most > 0.0) || !std::isfinite(one.effect[u].mean_size)) {
                 continue;
@@ -166,7 +169,7 @@ std::string sensitivity_svg(const SensitivityInput& input, const SensitivityRepo
             text += fmt::format(
                 "<path d=\"M{:.1f} {:.1f}H{:.1f}\" stroke=\"#053061\" stroke-width=\"2\"/>\n",
                 left + length(std::max(0.0, size - error)), y + 21.5, left + length(size + error));
-            text += words(left + length(size + error) + 6.0, y + 26.0, size);
+            text += sensitivity_words(left + length(size + error) + 6.0, y + 26.0, size);
         }
     }
     return text + "</svg>\n";

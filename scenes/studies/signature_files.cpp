@@ -15,7 +15,7 @@ namespace diurna {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Rows = std::span<const SignatureRow>;
 
 /// Rows of one instant and band, in the order of the report.
@@ -34,7 +34,7 @@ std::vector<Rows> discs_of(const SignatureReport& report) {
     return discs;
 }
 
-Json extremes(Rows rows, double SignatureRow::*what) {
+OrderedJson extremes(Rows rows, double SignatureRow::*what) {
     double least = INFINITY, most = -INFINITY, sum = 0.0;
     std::size_t count = 0;
     for (const SignatureRow& row : rows) {
@@ -54,7 +54,8 @@ std::string told(double value) { return std::isnan(value) ? "" : fmt::format("{:
 
 // The picture.
 
-constexpr double radius = 92.0, pitch = 250.0, row_pitch = 264.0, left = 120.0, top = 64.0;  // [px]
+constexpr double radius = 92.0, pitch = 250.0, row_pitch = 264.0, plot_left = 120.0,
+                 top = 64.0;  // [px]
 
 /// From white to a dark red, or to blue below nought.
 std::string colour(double share) {
@@ -89,13 +90,13 @@ std::string disc(Rows rows, double SignatureRow::*what, double x, double y) {
     return text;
 }
 
-std::string words(double x, double y, const std::string& text, const char* more = "") {
+std::string signature_words(double x, double y, const std::string& text, const char* more = "") {
     return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\"{}>{}</text>\n", x, y,
                        more, text);
 }
 
 std::string range_told(Rows rows, double SignatureRow::*what) {
-    const Json ends = extremes(rows, what);
+    const OrderedJson ends = extremes(rows, what);
     if (ends.is_null()) return "not known";
     return fmt::format("{:.3g} to {:.3g} W/sr", ends["least"].get<double>(),
                        ends["greatest"].get<double>());
@@ -118,8 +119,9 @@ std::string signature_csv(const SignatureReport& report, double utc_offset) {
 
 std::string signature_json(const SignatureInput& input, const SignatureReport& report,
                            const std::vector<std::string>& notes, double utc_offset) {
-    Json json{{"study", "signature"}, {"name", input.name}, {"object", input.studied.object}};
-    json["range_m"] = input.range > 0.0 ? Json(input.range) : Json(nullptr);
+    OrderedJson json{
+        {"study", "signature"}, {"name", input.name}, {"object", input.studied.object}};
+    json["range_m"] = input.range > 0.0 ? OrderedJson(input.range) : OrderedJson(nullptr);
     json["directions"] = input.directions;
     json["directions_below_the_level"] = report.below;
     json["pixels"] = input.pixels;
@@ -130,7 +132,7 @@ std::string signature_json(const SignatureInput& input, const SignatureReport& r
     json["contrast_intensity"] =
         "the same less the mean radiance of the picture around it times that area";
     json["notes"] = notes;
-    json["summary"] = Json::array();
+    json["summary"] = OrderedJson::array();
     for (const Rows rows : discs_of(report)) {
         json["summary"].push_back(
             {{"time", format_local(rows.front().when, utc_offset)},
@@ -145,38 +147,40 @@ std::string signature_json(const SignatureInput& input, const SignatureReport& r
 std::string signature_svg(const SignatureInput& input, const SignatureReport& report,
                           double utc_offset) {
     const std::size_t bands = input.bands.size();
-    const double width = left + 2.0 * pitch * double(bands);
+    const double width = plot_left + 2.0 * pitch * double(bands);
     const double height = top + row_pitch * double(input.studied.frames.size()) + 20.0;
     std::string text = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {:.0f} {:.0f}\" width=\"{:.0f}\" "
         "height=\"{:.0f}\" font-family=\"sans-serif\" font-size=\"12\">\n"
         "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
         width, height, width, height);
-    text +=
-        words(0.5 * width, 22.0,
-              escaped(fmt::format(
-                  "{}{}: its front up, level at the rim, above in the middle", input.studied.object,
-                  input.range > 0.0 ? fmt::format(" from {:g} m", input.range) : std::string())),
-              " font-size=\"15\"");
+    text += signature_words(
+        0.5 * width, 22.0,
+        escaped(fmt::format(
+            "{}{}: its front up, level at the rim, above in the middle", input.studied.object,
+            input.range > 0.0 ? fmt::format(" from {:g} m", input.range) : std::string())),
+        " font-size=\"15\"");
     std::size_t at = 0;
     for (const Rows rows : discs_of(report)) {
         const std::size_t band = at % bands, instant = at / bands;
         const double y = top + row_pitch * (double(instant) + 0.5);
-        double x = left + pitch * (2.0 * double(band) + 0.5);
+        double x = plot_left + pitch * (2.0 * double(band) + 0.5);
         if (band == 0) {
             const std::string when = format_local(rows.front().when, utc_offset);
-            text += words(0.5 * left, y, when.substr(0, 10));
-            text += words(0.5 * left, y + 16.0, when.size() > 16 ? when.substr(11, 5) : "");
+            text += signature_words(0.5 * plot_left, y, when.substr(0, 10));
+            text += signature_words(0.5 * plot_left, y + 16.0,
+                                    when.size() > 16 ? when.substr(11, 5) : "");
         }
         const std::array<std::pair<const char*, double SignatureRow::*>, 2> both{
             {{"intensity", &SignatureRow::intensity}, {"contrast", &SignatureRow::contrast}}};
         for (const auto& [name, what] : both) {
             if (instant == 0) {
-                text +=
-                    words(x, top - 14.0, escaped(fmt::format("{}, {}", rows.front().band, name)));
+                text += signature_words(x, top - 14.0,
+                                        escaped(fmt::format("{}, {}", rows.front().band, name)));
             }
             text += disc(rows, what, x, y);
-            text += words(x, y + radius + 32.0, range_told(rows, what), " font-size=\"11\"");
+            text +=
+                signature_words(x, y + radius + 32.0, range_told(rows, what), " font-size=\"11\"");
             x += pitch;
         }
         ++at;

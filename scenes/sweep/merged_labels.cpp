@@ -16,27 +16,27 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Of one variant, as label_frames() wrote it.
 struct Part {
     std::string variant, folder;
-    Json coco;
+    OrderedJson coco;
 };
 
-Json empty_set() {
+OrderedJson empty_set() {
     return {{"info", {{"description", made_by()}, {"version", "1.0"}, {"libraries", made_with()}}},
-            {"licenses", Json::array()},
-            {"images", Json::array()},
-            {"annotations", Json::array()},
-            {"categories", Json::array()}};
+            {"licenses", OrderedJson::array()},
+            {"images", OrderedJson::array()},
+            {"annotations", OrderedJson::array()},
+            {"categories", OrderedJson::array()}};
 }
 
 /// Names of all classes, in alphabetical order as in each part.
 std::vector<std::string> classes_of(const std::vector<Part>& parts, bool& alike) {
     std::set<std::string> names;
     for (const Part& part : parts) {
-        for (const Json& category : part.coco["categories"]) names.insert(category["name"]);
+        for (const OrderedJson& category : part.coco["categories"]) names.insert(category["name"]);
     }
     alike = std::all_of(parts.begin(), parts.end(), [&](const Part& part) {
         return part.coco["categories"].size() == names.size();
@@ -51,7 +51,7 @@ std::map<std::string, bool> drawn_split(const Sweep& sweep, const std::vector<Pa
     for (const Part& part : parts) {
         if (by == SweepSplit::variants) names.insert(part.variant);
         if (by == SweepSplit::variants) continue;
-        for (const Json& image : part.coco["images"]) names.insert(image["date_captured"]);
+        for (const OrderedJson& image : part.coco["images"]) names.insert(image["date_captured"]);
     }
     const std::vector<bool> chosen =
         validation_instants(names.size(), sweep.base.labels.validation_share, sweep.base.seed);
@@ -63,13 +63,13 @@ std::map<std::string, bool> drawn_split(const Sweep& sweep, const std::vector<Pa
 
 /// All sets with their ids run through: 0 training, 1 validation, 2 both.
 struct Sets {
-    Json coco[3] = {empty_set(), empty_set(), empty_set()};
+    OrderedJson coco[3] = {empty_set(), empty_set(), empty_set()};
     std::string list[2];
 
     void add(const Part& part, const std::map<std::string, bool>& split, SweepSplit by,
              const std::vector<std::string>& classes) {
         std::map<int, int> category;
-        for (const Json& c : part.coco["categories"]) {
+        for (const OrderedJson& c : part.coco["categories"]) {
             const std::string name = c["name"];
             category[c["id"]] =
                 1 + int(std::lower_bound(classes.begin(), classes.end(), name) - classes.begin());
@@ -78,11 +78,11 @@ struct Sets {
             std::size_t side, in_side, in_all;
         };
         std::map<int, At> at;
-        for (const Json& image : part.coco["images"]) {
+        for (const OrderedJson& image : part.coco["images"]) {
             const std::string instant = image["date_captured"];
             const bool validation = split.at(by == SweepSplit::variants ? part.variant : instant);
             const std::size_t side = validation ? 1 : 0;
-            Json moved = image;
+            OrderedJson moved = image;
             for (const char* key : {"file_name", "planes"}) {
                 moved[key] = part.folder + "/" + image[key].get<std::string>();
             }
@@ -95,9 +95,9 @@ struct Sets {
                 coco[set]["images"].push_back(moved);
             }
         }
-        for (const Json& annotation : part.coco["annotations"]) {
+        for (const OrderedJson& annotation : part.coco["annotations"]) {
             const At& image = at.at(annotation["image_id"]);
-            Json moved = annotation;
+            OrderedJson moved = annotation;
             moved["category_id"] = category.at(annotation["category_id"]);
             for (const std::size_t set : {image.side, std::size_t{2}}) {
                 moved["id"] = coco[set]["annotations"].size() + 1;
@@ -114,8 +114,9 @@ MergedLabels merge_labels(const Sweep& sweep, const fs::path& out) {
     std::vector<Part> parts;
     for (const Variant& variant : sweep.variants) {
         const std::string folder = "variants/" + variant.name;
-        parts.push_back({variant.name, folder,
-                         Json::parse(read_text(out / folder / "annotations.json", 1u << 30))});
+        parts.push_back(
+            {variant.name, folder,
+             OrderedJson::parse(read_text(out / folder / "annotations.json", 1u << 30))});
     }
     MergedLabels merged;
     SweepSplit by = sweep.base.sweep.split;

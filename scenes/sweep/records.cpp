@@ -14,33 +14,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json read_json(const fs::path& path) {
+OrderedJson read_json(const fs::path& path) {
     std::ifstream file(path);
-    Json json = Json::parse(file, nullptr, false);
-    return json.is_object() ? json : Json::object();
+    OrderedJson json = OrderedJson::parse(file, nullptr, false);
+    return json.is_object() ? json : OrderedJson::object();
 }
 
 /// {"observer.east.width": 320, ...}
-Json values_json(const SweepInput& sweep, const Variant& variant) {
-    Json values = Json::object();
+OrderedJson values_json(const SweepInput& sweep, const Variant& variant) {
+    OrderedJson values = OrderedJson::object();
     for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
         const SweepAxis& axis = sweep.axes[a];
         for (std::size_t k = 0; k < axis.keys.size(); ++k) {
-            values[axis.keys[k]] = Json::parse(axis.values[variant.choice[a]][k]);
+            values[axis.keys[k]] = OrderedJson::parse(axis.values[variant.choice[a]][k]);
         }
     }
     return values;
 }
 
-Json axes_json(const SweepInput& sweep) {
-    Json axes = Json::array();
+OrderedJson axes_json(const SweepInput& sweep) {
+    OrderedJson axes = OrderedJson::array();
     for (const SweepAxis& axis : sweep.axes) {
-        Json values = Json::array();
+        OrderedJson values = OrderedJson::array();
         for (const std::vector<std::string>& row : axis.values) {
-            Json each = Json::array();
-            for (const std::string& text : row) each.push_back(Json::parse(text));
+            OrderedJson each = OrderedJson::array();
+            for (const std::string& text : row) each.push_back(OrderedJson::parse(text));
             values.push_back(std::move(each));
         }
         axes.push_back({{"name", axis.name}, {"keys", axis.keys}, {"values", values}});
@@ -57,7 +57,7 @@ fs::path variant_folder(const fs::path& out, const std::string& variant) {
 }
 
 SweptHeat read_heat_record(const fs::path& folder) {
-    const Json json = read_json(folder / "done.json");
+    const OrderedJson json = read_json(folder / "done.json");
     if (!json.contains("key")) return {};
     return {.key = json.value("key", ""),
             .sha256 = json.value("temperatures_sha256", ""),
@@ -67,7 +67,7 @@ SweptHeat read_heat_record(const fs::path& folder) {
 }
 
 VariantRecord read_variant_record(const fs::path& folder) {
-    const Json json = read_json(folder / "variant.json");
+    const OrderedJson json = read_json(folder / "variant.json");
     if (!json.contains("key")) return {};
     return {.key = json.value("key", ""),
             .done = json.value("state", "") == "done",
@@ -76,24 +76,24 @@ VariantRecord read_variant_record(const fs::path& folder) {
 }
 
 void write_heat_record(const fs::path& folder, const SweptHeat& record) {
-    const Json json = {{"key", record.key},
-                       {"temperatures_sha256", record.sha256},
-                       {"start", record.start},
-                       {"not_converged", record.not_converged},
-                       {"notes", record.notes}};
+    const OrderedJson json = {{"key", record.key},
+                              {"temperatures_sha256", record.sha256},
+                              {"start", record.start},
+                              {"not_converged", record.not_converged},
+                              {"notes", record.notes}};
     write_whole_file(folder / "done.json",
                      json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 void write_variant_record(const fs::path& folder, const Sweep& sweep, const Variant& variant,
                           const VariantRecord& record) {
-    const Json json = {{"variant", variant.name},
-                       {"state", record.done ? "done" : "running"},
-                       {"key", record.key},
-                       {"heat", variant.heat},
-                       {"values", values_json(sweep.base.sweep, variant)},
-                       {"notes", record.notes},
-                       {"outputs", record.outputs}};
+    const OrderedJson json = {{"variant", variant.name},
+                              {"state", record.done ? "done" : "running"},
+                              {"key", record.key},
+                              {"heat", variant.heat},
+                              {"values", values_json(sweep.base.sweep, variant)},
+                              {"notes", record.notes},
+                              {"outputs", record.outputs}};
     write_whole_file(folder / "variant.json",
                      json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
@@ -101,7 +101,7 @@ void write_variant_record(const fs::path& folder, const Sweep& sweep, const Vari
 void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
                           const std::map<std::string, std::string>& outputs) {
     const SweepInput& input = sweep.base.sweep;
-    Json json;
+    OrderedJson json;
     json["program"] = made_by();
     json["libraries"] = made_with();
     json["scene"] = sweep.base.name;
@@ -111,20 +111,20 @@ void write_sweep_manifest(const fs::path& out, const Sweep& sweep,
                      {"combinations", std::uint64_t(input.grid())},
                      {"drawn", bool(input.draw)},
                      {"split", input.split == SweepSplit::instants ? "instants" : "variants"}};
-    json["heats"] = Json::array();
+    json["heats"] = OrderedJson::array();
     std::set<std::string> heats;
     for (const Variant& variant : sweep.variants) heats.insert(variant.heat);
     for (const std::string& heat : heats) {
         const SweptHeat record = read_heat_record(heat_folder(out, heat));
-        Json entry = {{"name", heat},
-                      {"temperatures", "heat/" + heat + "/temperatures.nc"},
-                      {"sha256", record.sha256},
-                      {"key", record.key},
-                      {"start", record.start}};
+        OrderedJson entry = {{"name", heat},
+                             {"temperatures", "heat/" + heat + "/temperatures.nc"},
+                             {"sha256", record.sha256},
+                             {"key", record.key},
+                             {"start", record.start}};
         if (!record.not_converged.empty()) entry["not_converged"] = record.not_converged;
         json["heats"].push_back(std::move(entry));
     }
-    json["variants"] = Json::array();
+    json["variants"] = OrderedJson::array();
     for (const Variant& variant : sweep.variants) {
         const VariantRecord record = read_variant_record(variant_folder(out, variant.name));
         json["variants"].push_back({{"name", variant.name},

@@ -61,9 +61,9 @@ std::vector<Eigen::Vector3d> places_on(const std::array<Eigen::Vector3d, 3>& cor
 }
 
 /// What rays find of a jet's way.
-class Way {
+class JetRay {
  public:
-    Way(const RayScene& rays, const FacetSet& facets, const Placed& jet)
+    JetRay(const RayScene& rays, const FacetSet& facets, const Placed& jet)
         : rays_(rays), facets_(facets), jet_(jet) {
         begin_ = jet.outlet + 0.3 * jet.jet.diameter * jet.direction;
         const Ray axis{.origin = begin_.cast<float>(),
@@ -107,7 +107,7 @@ struct Blown {
 };
 
 /// way  null: whatever may stand in it, now or later
-Blown blown(const FacetSet& facets, std::size_t f, const Placed& jet, const Way* way) {
+Blown blown(const FacetSet& facets, std::size_t f, const Placed& jet, const JetRay* way) {
     const Eigen::Vector3d middle = facets.centroid[f].cast<double>(),
                           normal = facets.normal[f].cast<double>();
     std::array<Eigen::Vector3d, 3> corner;
@@ -181,7 +181,7 @@ class Blowing {
     void add(std::size_t t, std::size_t j, const ObjectInput& input, const JetInput& told) {
         const FacetSet& facets = world_.surfaces();
         const Placed jet = placed(told, input, world_.targets[t], world_.sea_level_height);
-        const Way way(rays_, world_.facets, jet);
+        const JetRay way(rays_, world_.facets, jet);
         const bool goes = !input.trajectory.empty();
         const std::string who = fmt::format("the jet \"{}\" of \"{}\"", told.name, input.name);
         if (way.shut()) {

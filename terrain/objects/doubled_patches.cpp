@@ -14,7 +14,7 @@ namespace {
 
 using Edge = std::array<std::uint32_t, 2>;  // the vertices it goes from and to
 
-struct Side {
+struct PatchSide {
     Edge edge;  // ascending
     std::uint32_t triangle;
     bool turned;  // the triangle goes along it from the greater vertex to the lesser
@@ -38,7 +38,7 @@ class Sides {
             }
         }
         std::sort(side_.begin(), side_.end(),
-                  [](const Side& a, const Side& b) { return a.key() < b.key(); });
+                  [](const PatchSide& a, const PatchSide& b) { return a.key() < b.key(); });
     }
 
     /// Calls body(sides of an edge) for each edge.
@@ -56,14 +56,14 @@ class Sides {
         return facing(a, b) > 0.0 && normal_[a].cross(normal_[b]).norm() < 1e-4;
     }
     /// Whether two triangles lie on the same side of their common edge, in one plane.
-    bool are_folded(const Side& a, const Side& b) const {
+    bool are_folded(const PatchSide& a, const PatchSide& b) const {
         if (normal_[a.triangle].cross(normal_[b.triangle]).norm() >= 1e-4) return false;
         return (facing(a.triangle, b.triangle) > 0.0) == (a.turned == b.turned);
     }
 
  private:
     std::vector<Eigen::Vector3d> normal_;  // (triangle) unit
-    std::vector<Side> side_;
+    std::vector<PatchSide> side_;
 };
 
 /// (triangle) the least triangle of its patch.
@@ -74,12 +74,12 @@ std::vector<std::uint32_t> patches(const Sides& sides, const std::vector<std::ui
         while (up[t] != t) t = up[t] = up[up[t]];
         return t;
     };
-    sides.each_edge([&](std::span<const Side> edge) {
+    sides.each_edge([&](std::span<const PatchSide> edge) {
         // Of two layers the k-th one way goes with the k-th the other way.
         std::vector<std::uint32_t> taken;
-        for (const Side& a : edge) {
+        for (const PatchSide& a : edge) {
             if (a.turned) continue;
-            for (const Side& b : edge) {
+            for (const PatchSide& b : edge) {
                 if (!b.turned || !sides.are_level(a.triangle, b.triangle)) continue;
                 if (kind[a.triangle] != kind[b.triangle]) continue;
                 if (std::find(taken.begin(), taken.end(), b.triangle) != taken.end()) continue;
@@ -152,7 +152,7 @@ std::vector<DoubledPatch> doubled_patches(const MeshFile& mesh,
                                           std::span<const std::uint32_t> material) {
     const Sides sides(mesh);
     std::vector<std::uint8_t> folded(mesh.triangle.size(), 0);
-    sides.each_edge([&](std::span<const Side> edge) {
+    sides.each_edge([&](std::span<const PatchSide> edge) {
         for (std::size_t i = 0; i < edge.size(); ++i) {
             for (std::size_t j = i + 1; j < edge.size(); ++j) {
                 if (!sides.are_folded(edge[i], edge[j])) continue;

@@ -72,10 +72,10 @@ std::vector<double> rows_of(double height, double lowest_row, double side) {
 }
 
 /// One side of the walls.
-class Side {
+class WallSide {
  public:
-    Side(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Line& foot,
-         const WallsSpec& spec)
+    WallSide(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Line& foot,
+             const WallsSpec& spec)
         : from_(from), to_(to), foot_(foot), spec_(spec) {
         const double length = (to - from).norm();
         parts_ = std::max(1, static_cast<int>(std::ceil(length / spec.side - 1e-9)));
@@ -207,7 +207,7 @@ bool append_walls(const WallsSpec& spec, ObjectMesh& mesh) {
         rows_of(std::max(spec.top - lowest, least_height),
                 known ? std::min(spec.lowest_row, spec.side) : spec.side, spec.side);
     for (std::size_t i = 0; i < corners; ++i) {
-        Side(spec.ring[i], spec.ring[(i + 1) % corners], (*foot)[i], spec)
+        WallSide(spec.ring[i], spec.ring[(i + 1) % corners], (*foot)[i], spec)
             .build(rows, spec.material[i], mesh);
     }
     return known;

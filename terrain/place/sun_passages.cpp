@@ -10,7 +10,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double apart = 1200.0;  // [s] of samples: what passes is near enough a sine of a day
+constexpr double apart_by = 1200.0;  // [s] of samples: what passes is near enough a sine of a day
 
 Instant whole_second(Instant begin, double seconds) {
     return std::chrono::round<std::chrono::seconds>(later(begin, seconds));
@@ -46,7 +46,7 @@ void each_root(const Of& of, double duration, const Passed& passed) {
     };
     double before = 0.0, at = 0.0;
     while (at < duration) {
-        const double next = std::min(duration, at + apart);
+        const double next = std::min(duration, at + apart_by);
         // A summit between two samples may be above where both are below.
         if (at > before && of(at) < 0.0 && of(at) >= of(before) && of(at) >= of(next)) {
             const double top = summit(of, before, next);

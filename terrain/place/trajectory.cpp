@@ -10,7 +10,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double apart = 0.01;  // [m] nearer than that is one place
+constexpr double least_distance = 0.01;  // [m] nearer than that is one place
 
 /// Between which two seconds, and how far between them.
 struct Between {
@@ -26,7 +26,7 @@ Between between(const std::vector<double>& seconds, double at) {
 
 bool rests_after(const Trajectory& way, std::size_t i, double metres) {
     const Eigen::Vector3d step = way.place[i + 1] - way.place[i];
-    return std::hypot(metres * step.x(), metres * step.y(), step.z()) <= apart;
+    return std::hypot(metres * step.x(), metres * step.y(), step.z()) <= least_distance;
 }
 
 /// Velocity at a place of the curve: that of the parabola through it and its neighbours (Bessel's

@@ -19,7 +19,7 @@ namespace diurna {
 namespace {
 
 constexpr double most_cells = 5e8;
-const char* const drivers[] = {"GTiff", "AAIGrid", "ENVI", "netCDF", nullptr};
+const char* const class_drivers[] = {"GTiff", "AAIGrid", "ENVI", "netCDF", nullptr};
 
 /// Row by row; throws InputError for a class that is no whole number.
 std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& raster) {
@@ -58,7 +58,7 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
     const auto data =
-        open_gdal_file(file, GDAL_OF_RASTER, drivers,
+        open_gdal_file(file, GDAL_OF_RASTER, class_drivers,
                        "known formats: GeoTIFF, ESRI ASCII, ENVI, netCDF", gdal, gate);
     ClassRaster raster;
     raster.source = file.string();

@@ -11,7 +11,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_height = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -29,7 +29,7 @@ std::vector<Geodetic> geodetic_places(const Dem& dem, std::span<const Eigen::Vec
     const std::vector<int> good = transform(*projection.to_geodetic, x, y);
     std::vector<Geodetic> geodetic(place.size());
     for (std::size_t i = 0; i < place.size(); ++i) {
-        geodetic[i] = {good[i] ? y[i] : unknown, good[i] ? x[i] : unknown, height[i]};
+        geodetic[i] = {good[i] ? y[i] : no_height, good[i] ? x[i] : no_height, height[i]};
     }
     return geodetic;
 }
@@ -48,7 +48,7 @@ std::vector<Eigen::Vector2d> raster_places(const Dem& dem, std::span<const Geode
     std::vector<Eigen::Vector2d> raster(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!good[i]) {
-            raster[i].setConstant(unknown);
+            raster[i].setConstant(no_height);
             continue;
         }
         // Across the date line the same meridian has two numbers: take the one near the raster.

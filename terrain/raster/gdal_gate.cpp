@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array drivers{"GTiff", "DTED",   "SRTMHGT",       "USGSDEM", "AAIGrid",
-                             "ENVI",  "netCDF", "PNG",           "JPEG",    "GeoJSON",
-                             "GPKG",  "MEM",    "ESRI Shapefile"};
+constexpr std::array gate_drivers{"GTiff", "DTED",   "SRTMHGT",       "USGSDEM", "AAIGrid",
+                                  "ENVI",  "netCDF", "PNG",           "JPEG",    "GeoJSON",
+                                  "GPKG",  "MEM",    "ESRI Shapefile"};
 constexpr std::array file_systems{"/vsimem/", "/vsizip/", "/vsigzip/"};  // beside the disk
 
 thread_local GdalGate* gate = nullptr;
@@ -132,7 +132,8 @@ void prepare_gdal() {
         for (int i = manager.GetDriverCount(); i-- > 0;) {
             GDALDriver* driver = manager.GetDriver(i);
             const std::string_view name = driver->GetDescription();
-            if (std::find(drivers.begin(), drivers.end(), name) != drivers.end()) continue;
+            if (std::find(gate_drivers.begin(), gate_drivers.end(), name) != gate_drivers.end())
+                continue;
             manager.DeregisterDriver(driver);
             delete driver;
         }

@@ -19,7 +19,7 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t most_corners = 1'000'000;
-const char* const drivers[] = {"GeoJSON", "ESRI Shapefile", "GPKG", nullptr};
+const char* const shape_drivers[] = {"GeoJSON", "ESRI Shapefile", "GPKG", nullptr};
 
 struct NoPlace {
     std::string corner;
@@ -128,7 +128,7 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
     const auto data =
-        open_gdal_file(file, GDAL_OF_VECTOR, drivers,
+        open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers,
                        "known formats: GeoJSON, ESRI Shapefile, GeoPackage", gdal, gate);
     // A CRS that is to be fetched, or read of another file, would be WGS84 in place of it.
     if (!gdal.because().empty()) {

@@ -16,8 +16,8 @@ namespace diurna {
 namespace {
 
 constexpr double most_values = 1e9;
-const char* const drivers[] = {"GTiff", "PNG",     "JPEG",    "ENVI",   "AAIGrid",
-                               "DTED",  "SRTMHGT", "USGSDEM", "netCDF", nullptr};
+const char* const facts_drivers[] = {"GTiff", "PNG",     "JPEG",    "ENVI",   "AAIGrid",
+                                     "DTED",  "SRTMHGT", "USGSDEM", "netCDF", nullptr};
 
 BandFacts facts_of(GDALRasterBand& band, const std::string& where, const QuietGdal& gdal) {
     BandFacts facts{.name = band.GetDescription(),
@@ -62,7 +62,7 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
     const GdalGate gate(confines ? *confines : confines_of(file));
     const std::string where = file.string();
     const auto data = open_gdal_file(
-        file, GDAL_OF_RASTER, drivers,
+        file, GDAL_OF_RASTER, facts_drivers,
         "known formats: GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM HGT, USGS DEM, netCDF",
         gdal, gate);
     RasterFacts facts{.driver = data->GetDriverName(),

@@ -16,7 +16,8 @@ namespace diurna {
 namespace {
 
 constexpr double most_texels = 1e8;
-const char* const drivers[] = {"GTiff", "PNG", "JPEG", "ENVI", "netCDF", "AAIGrid", nullptr};
+const char* const texture_drivers[] = {"GTiff",  "PNG",     "JPEG", "ENVI",
+                                       "netCDF", "AAIGrid", nullptr};
 
 }  // namespace
 
@@ -27,7 +28,7 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel,
     TextureImage image;
     image.source = file.string();
     const auto data =
-        open_gdal_file(file, GDAL_OF_RASTER, drivers,
+        open_gdal_file(file, GDAL_OF_RASTER, texture_drivers,
                        "known formats: GeoTIFF, PNG, JPEG, ENVI, netCDF, ESRI ASCII", gdal, gate);
     image.columns = data->GetRasterXSize();
     image.rows = data->GetRasterYSize();

@@ -35,12 +35,12 @@ class Sets {
 };
 
 /// The facets of objects, counted from the first of them, and the places of their corners.
-struct Corners {
+struct PartCorners {
     const FacetSet& facets;
     std::size_t first;
     std::vector<std::array<std::uint32_t, 3>> place;  // (facet)
 
-    Corners(const FacetSet& all, std::size_t begin) : facets(all), first(begin) {
+    PartCorners(const FacetSet& all, std::size_t begin) : facets(all), first(begin) {
         std::map<std::array<float, 3>, std::uint32_t> known;
         for (std::size_t f = first; f < facets.size(); ++f) {
             auto& places = place.emplace_back();
@@ -62,7 +62,7 @@ struct Corners {
 };
 
 /// Facets of one object that share an edge and lie even (`flat`), or that share a corner.
-std::vector<std::uint32_t> connected(const Corners& corners, bool flat) {
+std::vector<std::uint32_t> connected(const PartCorners& corners, bool flat) {
     Sets sets(corners.size());
     std::map<std::array<std::uint32_t, 3>, std::uint32_t> last;  // object and places -> facet
     for (std::uint32_t f = 0; f < corners.size(); ++f) {
@@ -92,7 +92,8 @@ std::map<std::uint32_t, std::vector<std::uint32_t>> members(const std::vector<st
 }
 
 /// From least to most along an axis.
-std::pair<double, double> extent(const Corners& corners, const std::vector<std::uint32_t>& facets,
+std::pair<double, double> extent(const PartCorners& corners,
+                                 const std::vector<std::uint32_t>& facets,
                                  const Eigen::Vector3d& axis) {
     double least = 1e300, most = -1e300;
     for (const std::uint32_t f : facets) {
@@ -106,7 +107,7 @@ std::pair<double, double> extent(const Corners& corners, const std::vector<std::
 
 /// The longer side of the least rectangle about some facets, as seen along `from`; a unit vector.
 /// One of its sides lies along an edge.
-Eigen::Vector3d longer_side(const Corners& corners, const std::vector<std::uint32_t>& facets,
+Eigen::Vector3d longer_side(const PartCorners& corners, const std::vector<std::uint32_t>& facets,
                             const Eigen::Vector3d& from) {
     const Eigen::Vector3d east = from.unitOrthogonal(), north = from.cross(east);
     constexpr double fine = 1000.0;  // directions to a radian
@@ -136,7 +137,7 @@ Eigen::Vector3d longer_side(const Corners& corners, const std::vector<std::uint3
     return side;
 }
 
-void measure_even_part(const Corners& corners, const std::vector<std::uint32_t>& facets,
+void measure_even_part(const PartCorners& corners, const std::vector<std::uint32_t>& facets,
                        std::vector<PartSize>& size) {
     constexpr double level = 0.98;  // cosine of a slope without an up of its own
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -161,7 +162,7 @@ void measure_even_part(const Corners& corners, const std::vector<std::uint32_t>&
     }
 }
 
-BodyBox measure_body(const Corners& corners, const std::vector<std::uint32_t>& facets,
+BodyBox measure_body(const PartCorners& corners, const std::vector<std::uint32_t>& facets,
                      std::vector<PartSize>& size, std::uint32_t body) {
     const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d along = longer_side(corners, facets, up), across = up.cross(along);
@@ -188,7 +189,7 @@ BodyBox measure_body(const Corners& corners, const std::vector<std::uint32_t>& f
 }  // namespace
 
 ObjectBodies object_parts(const FacetSet& facets, std::size_t first) {
-    const Corners corners(facets, first);
+    const PartCorners corners(facets, first);
     ObjectBodies parts{.first = first, .size = std::vector<PartSize>(corners.size()), .body = {}};
     for (const auto& [root, part] : members(connected(corners, true))) {
         measure_even_part(corners, part, parts.size);

@@ -33,9 +33,9 @@ std::vector<std::uint8_t> closed_vertices(const FacetSet& facets) {
     return closed;
 }
 
-using Corners = std::array<Eigen::Vector2f, 3>;  // in plan, counterclockwise
+using CornersInPlan = std::array<Eigen::Vector2f, 3>;  // in plan, counterclockwise
 
-bool covers(const Corners& triangle, const Eigen::Vector2f& p) {
+bool covers(const CornersInPlan& triangle, const Eigen::Vector2f& p) {
     const auto& [a, b, c] = triangle;
     return turn(a, b, p) >= 0.0f && turn(b, c, p) >= 0.0f && turn(c, a, p) >= 0.0f;
 }
@@ -96,7 +96,7 @@ bool ReliefCells::fill(const FacetSet& facets) {
         const Eigen::Vector3f& n = facets.normal[f];
         const bool relief = n.z() > 0.05f && closed[i] && closed[j] && closed[k];
         const ByOctant slope = relief ? steepest_rise(-n.x() / n.z(), -n.y() / n.z()) : no_relief;
-        const Corners plan{a.head<2>(), b.head<2>(), c.head<2>()};
+        const CornersInPlan plan{a.head<2>(), b.head<2>(), c.head<2>()};
         for (int row = box.first_row; row <= box.last_row; ++row) {
             for (int column = box.first_column; column <= box.last_column; ++column) {
                 const std::size_t cell = std::size_t(row) * ground.columns + std::size_t(column);

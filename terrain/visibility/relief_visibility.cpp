@@ -20,7 +20,7 @@ namespace {
 
 constexpr int sky_azimuths = 32;
 constexpr float sky_reach = 1e-3f;  // objects that hide less sky are left to the rows' rays
-constexpr std::size_t facets_per_block = 1024;
+constexpr std::size_t relief_facets_per_block = 1024;
 
 /// A sun over a horizon given by its tangent.
 struct LowSun {
@@ -127,25 +127,26 @@ std::size_t ReliefVisibility::sun_fraction(const Eigen::Vector3d& direction,
     };
 
     std::vector<std::uint8_t> by_rays = always_;
-    for_each_block(points_.facets(), facets_per_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            if (by_rays[f] || is_known(f)) continue;
-            fraction[f] = 0.0f;
-            const float cosine = facets_.normal[f].dot(towards);
-            if (cosine <= -sun.radius) continue;
-            if (points_.coarse(f) && !objects_matter(f, horizons)) {
-                if (cosine > 0.0f) fraction[f] = mean_light(f) / cosine;
-                continue;
-            }
-            const Span horizon = around(f, horizons.relief);
-            if (horizon.low >= sun.no_disc) continue;
-            if (horizon.high <= sun.whole_disc && !objects_matter(f, horizons)) {
-                fraction[f] = disc(cosine / sun.radius);
-            } else {
-                by_rays[f] = 1;
-            }
-        }
-    });
+    for_each_block(points_.facets(), relief_facets_per_block,
+                   [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t f = begin; f < end; ++f) {
+                           if (by_rays[f] || is_known(f)) continue;
+                           fraction[f] = 0.0f;
+                           const float cosine = facets_.normal[f].dot(towards);
+                           if (cosine <= -sun.radius) continue;
+                           if (points_.coarse(f) && !objects_matter(f, horizons)) {
+                               if (cosine > 0.0f) fraction[f] = mean_light(f) / cosine;
+                               continue;
+                           }
+                           const Span horizon = around(f, horizons.relief);
+                           if (horizon.low >= sun.no_disc) continue;
+                           if (horizon.high <= sun.whole_disc && !objects_matter(f, horizons)) {
+                               fraction[f] = disc(cosine / sun.radius);
+                           } else {
+                               by_rays[f] = 1;
+                           }
+                       }
+                   });
     std::vector<std::uint32_t> chosen;
     for (std::size_t f = 0; f < by_rays.size(); ++f) {
         if (by_rays[f] && !is_known(f)) chosen.push_back(static_cast<std::uint32_t>(f));
@@ -167,21 +168,22 @@ ReliefVisibility::MarchedSky ReliefVisibility::marched_sky() const {
         const Eigen::Vector2f way = direction(azimuth_deg, 0.0).head<2>().cast<float>();
         horizon(relief_, azimuth_deg, horizons.relief);
         if (raised_) horizon(raised_->relief, azimuth_deg, horizons.raised);
-        for_each_block(points_.facets(), facets_per_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) {
-                if (always_[f]) continue;
-                const auto points = static_cast<float>(points_.of(f).size());
-                for (const ReliefPoint& p : points_.of(f)) {
-                    const Eigen::Vector3f normal =
-                        points_.coarse(f) ? points_.grid_normal(p) : facets_.normal[f];
-                    const auto slice = [&](const std::vector<float>& tangent) {
-                        return sky_slice(slope, normal, way, points_.at(p, tangent)) / points;
-                    };
-                    sky.seen[f] += slice(horizons.relief);
-                    if (raised_) sky.below_objects[f] += slice(horizons.raised);
+        for_each_block(
+            points_.facets(), relief_facets_per_block, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t f = begin; f < end; ++f) {
+                    if (always_[f]) continue;
+                    const auto points = static_cast<float>(points_.of(f).size());
+                    for (const ReliefPoint& p : points_.of(f)) {
+                        const Eigen::Vector3f normal =
+                            points_.coarse(f) ? points_.grid_normal(p) : facets_.normal[f];
+                        const auto slice = [&](const std::vector<float>& tangent) {
+                            return sky_slice(slope, normal, way, points_.at(p, tangent)) / points;
+                        };
+                        sky.seen[f] += slice(horizons.relief);
+                        if (raised_) sky.below_objects[f] += slice(horizons.raised);
+                    }
                 }
-            }
-        });
+            });
     }
     return sky;
 }
@@ -189,33 +191,35 @@ ReliefVisibility::MarchedSky ReliefVisibility::marched_sky() const {
 FacetViews ReliefVisibility::facet_views(const FacetViewOptions& options) const {
     FacetViews views = diurna::facet_views(facets_, rays_, options);
     const MarchedSky marched = marched_sky();
-    for_each_block(points_.facets(), facets_per_block, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            if (always_[f]) continue;
-            if (raised_ && marched.seen[f] - marched.below_objects[f] > sky_reach * sky_azimuths) {
-                continue;
+    for_each_block(
+        points_.facets(), relief_facets_per_block, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t f = begin; f < end; ++f) {
+                if (always_[f]) continue;
+                if (raised_ &&
+                    marched.seen[f] - marched.below_objects[f] > sky_reach * sky_azimuths) {
+                    continue;
+                }
+                const float sky = std::clamp(marched.seen[f] / sky_azimuths, 0.0f, 1.0f);
+                const float rest = 1.0f - views.sky[f];
+                views.shares[f] = with_sky_view(views.shares[f], facets_.normal[f],
+                                                double{views.sky[f]}, double{sky});
+                views.sky[f] = sky;
+                if (rest <= 0.0f) {
+                    views.below[f] = 1.0f - sky;
+                    continue;
+                }
+                const float scale = (1.0f - sky) / rest;
+                views.below[f] *= scale;
+                if (!views.hidden.empty()) views.hidden[f] *= scale;
+                for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
+                    views.others.factor[k] *= scale;
+                }
+                if (views.copied.row.empty()) continue;
+                for (auto k = views.copied.row[f]; k < views.copied.row[f + 1]; ++k) {
+                    views.copied.factor[k] *= scale;
+                }
             }
-            const float sky = std::clamp(marched.seen[f] / sky_azimuths, 0.0f, 1.0f);
-            const float rest = 1.0f - views.sky[f];
-            views.shares[f] = with_sky_view(views.shares[f], facets_.normal[f],
-                                            double{views.sky[f]}, double{sky});
-            views.sky[f] = sky;
-            if (rest <= 0.0f) {
-                views.below[f] = 1.0f - sky;
-                continue;
-            }
-            const float scale = (1.0f - sky) / rest;
-            views.below[f] *= scale;
-            if (!views.hidden.empty()) views.hidden[f] *= scale;
-            for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
-                views.others.factor[k] *= scale;
-            }
-            if (views.copied.row.empty()) continue;
-            for (auto k = views.copied.row[f]; k < views.copied.row[f + 1]; ++k) {
-                views.copied.factor[k] *= scale;
-            }
-        }
-    });
+        });
     return views;
 }
 

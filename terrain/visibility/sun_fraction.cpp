@@ -14,7 +14,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t facets_per_block = 128;
+constexpr std::size_t facets_per_sun_block = 128;
 
 /// A stream of uniform numbers in [0, 1) of one facet.
 class Uniform {
@@ -86,7 +86,7 @@ void sun_fraction(const FacetSet& facets, const RayScene& scene, const Eigen::Ve
     for (const std::uint32_t f : chosen) fraction[f] = 0.0f;
     if (direction.z() <= 0.0) return;
 
-    for_each_block(chosen.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
+    for_each_block(chosen.size(), facets_per_sun_block, [&](std::size_t begin, std::size_t end) {
         SunRays sun(facets, direction, options);
         for (std::size_t k = begin; k < end; ++k) sun.append(chosen[k]);
         std::vector<float> share(sun.rays.size());

@@ -8,7 +8,8 @@
 
 #include "render/view/place_in_picture.hpp"
 
-namespace diurna {
+using namespace diurna;
+
 namespace {
 
 /// An upright square to the north or south of the eye [m]: from -half to half east and up.
@@ -58,4 +59,3 @@ TEST_CASE("a box across a panorama's seam goes all the way round") {
 }
 
 }  // namespace
-}  // namespace diurna

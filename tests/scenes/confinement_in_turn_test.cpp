@@ -99,7 +99,7 @@ TEST_CASE("a glTF names no file beyond the scene's folder", "[confinement][mesh_
     place.refused("t.gltf");
     write_text(place.yard / "b.bin", bytes);
     gltf("b.bin");
-    CHECK(diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
+    CHECK(run_diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
 }
 
 TEST_CASE("what stands beside a raster leads to no file beyond the scene's folder",
@@ -120,16 +120,16 @@ TEST_CASE("what stands beside a raster leads to no file beyond the scene's folde
         fs::remove(sidecar);
         fs::copy_file(DIURNA_SOURCE_DIR "/scenes/crossover/level.prj", place.yard / "level.prj",
                       fs::copy_options::skip_existing);
-        CHECK(diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
+        CHECK(run_diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
     }
     // By the user's own name it may be a link; not so what GDAL finds beside it.
     fs::create_symlink(place.yard / "level.asc", place.outside / "mine.asc");
     fs::copy_file(place.yard / "level.prj", place.outside / "mine.prj");
     const std::string mesh = "mesh --tolerance-m 1 '" + (place.outside / "mine.asc").string() + "'";
-    CHECK(diurna(mesh).code == 0);
+    CHECK(run_diurna(mesh).code == 0);
     fs::remove(place.outside / "mine.prj");
     fs::create_symlink(place.yard / "level.prj", place.outside / "mine.prj");
-    CHECK(diurna(mesh).code == 2);
+    CHECK(run_diurna(mesh).code == 2);
 }
 
 TEST_CASE("a raster's metadata lead to no file beyond the scene's folder", "[confinement][dem]") {
@@ -138,12 +138,12 @@ TEST_CASE("a raster's metadata lead to no file beyond the scene's folder", "[con
     fs::copy_file(DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif", place.yard / tif);
     fs::copy_file(place.yard / tif, place.outside / "other.tif");
     place.write({.elevation = tif});
-    CHECK(diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
+    CHECK(run_diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
     for (const std::string name : {"elevation.tfw", "elevation.tif.ovr", "elevation.tif.msk",
                                    "elevation.tif.aux.xml", "elevation.aux"}) {
         CAPTURE(name);
         fs::create_symlink(place.outside / "other.tif", place.yard / name);
-        const Ran ran = diurna("check '" + (place.yard / "scene.toml").string() + "'");
+        const Ran ran = run_diurna("check '" + (place.yard / "scene.toml").string() + "'");
         CAPTURE(ran.out);
         CHECK((ran.code == 2) == (ran.out.find(beyond) != std::string::npos));
         fs::remove(place.yard / name);
@@ -166,7 +166,7 @@ TEST_CASE("a raster's metadata lead to no file beyond the scene's folder", "[con
                "<PAMDataset><Metadata domain=\"OVERVIEWS\"><MDI key=\"OVERVIEW_FILE\">" +
                    (place.outside / "other.tif").string() + "</MDI></Metadata></PAMDataset>");
     place.write({.elevation = tif});
-    const Ran ran = diurna("check '" + (place.yard / "scene.toml").string() + "'");
+    const Ran ran = run_diurna("check '" + (place.yard / "scene.toml").string() + "'");
     CAPTURE(ran.out);
     CHECK((ran.code == 0 || ran.out.find(beyond) != std::string::npos));
 }
@@ -184,7 +184,7 @@ TEST_CASE("shapes lead to no file beyond the scene's folder and to no network",
     };
     place.write(shapes);
     geojson("");
-    CHECK(diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
+    CHECK(run_diurna("check '" + (place.yard / "scene.toml").string() + "'").code == 0);
     const fs::path wkt = place.outside / "crs.prj";
     fs::copy_file(place.yard / "level.prj", wkt);
     for (const std::string& link : {std::string("http://127.0.0.1:9/c"), wkt.string()}) {

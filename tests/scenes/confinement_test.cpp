@@ -178,21 +178,23 @@ TEST_CASE("links that stay inside are followed, and with --allow-outside those t
     CHECK(place.ran().code == 0);
     place.write({});
     fs::create_directory_symlink(place.yard, place.folder.path / "other");
-    CHECK(diurna("check '" + (place.folder.path / "other/scene.toml").string() + "'").code == 0);
+    CHECK(run_diurna("check '" + (place.folder.path / "other/scene.toml").string() + "'").code ==
+          0);
     fs::create_symlink(place.yard / "scene.toml", place.yard / "inner/again.toml");
-    CHECK(diurna("check '" + (place.yard / "inner/again.toml").string() + "'").code == 2);
+    CHECK(run_diurna("check '" + (place.yard / "inner/again.toml").string() + "'").code == 2);
 }
 
 TEST_CASE("a scene named from its own folder has that folder", "[confinement]") {
     const Place place;
     place.write({});
     const std::string there = "cd '" + place.yard.string() + "' && ";
-    CHECK(diurna("check scene.toml", there).code == 0);
-    CHECK(diurna("check ./inner/../scene.toml", there).code == 0);
+    CHECK(run_diurna("check scene.toml", there).code == 0);
+    CHECK(run_diurna("check ./inner/../scene.toml", there).code == 0);
     place.write({.weather = "none.csv"});
-    CHECK_THAT(diurna("check scene.toml", there).out, Catch::Contains("no such file: none.csv"));
+    CHECK_THAT(run_diurna("check scene.toml", there).out,
+               Catch::Contains("no such file: none.csv"));
     place.write({.weather = "../outside/none.csv"});
-    CHECK_THAT(diurna("check scene.toml", there).out, Catch::Contains(beyond));
+    CHECK_THAT(run_diurna("check scene.toml", there).out, Catch::Contains(beyond));
 }
 
 TEST_CASE("a column reads no file beyond its folder", "[confinement]") {
@@ -208,7 +210,7 @@ TEST_CASE("a column reads no file beyond its folder", "[confinement]") {
         return place.yard / "column.toml";
     };
     const auto code = [](const fs::path& file, const std::string& more = "") {
-        return diurna("column '" + file.string() + "' " + more).code;
+        return run_diurna("column '" + file.string() + "' " + more).code;
     };
     const std::string grass = "name = \"grass\"\n";
     CHECK(code(column("weather.csv", grass)) == 0);

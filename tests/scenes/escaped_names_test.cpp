@@ -20,7 +20,7 @@ const PrivateTempFolder temp;
 TEST_CASE("names in files neither steer a terminal nor write into a report", "[confinement]") {
     const Place place;
     const auto check = [&] {
-        return diurna("check '" + (place.yard / "scene.toml").string() + "'");
+        return run_diurna("check '" + (place.yard / "scene.toml").string() + "'");
     };
     for (const std::string& name :
          {std::string(R"(a\u001b[31mb)"), std::string(R"(a\nb)"), std::string(R"(a\u009bb)"),
@@ -62,8 +62,8 @@ TEST_CASE("no name writes into a page, a chart or a JSON text", "[confinement][r
     text = with(text, "name = \"crate\"", "name = \"crate " + quoted.substr(1));
     write_text(place.yard / "scene.toml", text);
     const fs::path out = place.folder.path / "out";
-    const Ran ran = diurna("run '" + (place.yard / "scene.toml").string() +
-                           "' --progress json --out '" + out.string() + "'");
+    const Ran ran = run_diurna("run '" + (place.yard / "scene.toml").string() +
+                               "' --progress json --out '" + out.string() + "'");
     CAPTURE(ran.out);
     REQUIRE(ran.code == 0);
     std::istringstream lines(ran.out);

@@ -24,7 +24,7 @@ inline const std::string secret = "XYZZY7f3a";  // in files outside
 inline const std::string beyond = "lies outside the folder of the file that leads to it";
 
 /// 124: it took over 30 s.
-inline Ran diurna(const std::string& arguments, const std::string& first = "") {
+inline Ran run_diurna(const std::string& arguments, const std::string& first = "") {
     const std::string command =
         first + "timeout 30 '" DIURNA_BINARY "' " + arguments + " 2>&1 </dev/null";
     return ran(command);
@@ -94,8 +94,8 @@ mesh = ")" + more.mesh +
                more.object + more.tables;
     }
     Ran ran(const std::string& more = "") const {
-        return diurna("solve '" + (yard / "scene.toml").string() + "' --progress none --out '" +
-                      (yard / "t.nc").string() + "' " + more);
+        return run_diurna("solve '" + (yard / "scene.toml").string() + "' --progress none --out '" +
+                          (yard / "t.nc").string() + "' " + more);
     }
     /// Refused in one line that says so, and nothing else has happened.
     Ran refused(const std::string& says) const {

@@ -70,7 +70,7 @@ void append_ground(FacetSet& facets) {
     append_facets(facets, vertex, triangle, std::vector<MaterialId>(triangle.size()), ObjectId{0});
 }
 
-Yard yard(bool with_sheet) {
+Yard a_yard(bool with_sheet) {
     Yard yard;
     append_ground(yard.facets);
     yard.ground = yard.facets.size();
@@ -134,7 +134,7 @@ std::vector<Ray> rays_about(std::size_t count) {
 }  // namespace
 
 TEST_CASE("rays meet copies where the same facets built out stand", "[terrain][rays][copies]") {
-    const Yard yard = ::yard(true);
+    const Yard yard = a_yard(true);
     const RayScene scene(yard.facets, {}, yard.copies), all(yard.built_out);
     constexpr std::size_t count = 64'000;
     const std::vector<Ray> rays = rays_about(count);
@@ -193,7 +193,7 @@ TEST_CASE("rays meet copies where the same facets built out stand", "[terrain][r
 }
 
 TEST_CASE("sheets in copies' places show their backs and dim the beam", "[terrain][rays][copies]") {
-    const Yard yard = ::yard(true);
+    const Yard yard = a_yard(true);
     std::vector<PassedLight> passed(2);
     passed[1] = {.beam = {0.0f, 0.2f, 0.6f}, .heat = 0.4f, .sunlight = 0.4f};
     const RayScene scene(yard.facets, passed, yard.copies), all(yard.built_out, passed);
@@ -225,7 +225,7 @@ TEST_CASE("sheets in copies' places show their backs and dim the beam", "[terrai
 }
 
 TEST_CASE("copies cast shadows and hide the sky as if built out", "[terrain][sun][sky][copies]") {
-    const Yard yard = ::yard(false);
+    const Yard yard = a_yard(false);
     const RayScene scene(yard.facets, {}, yard.copies), all(yard.built_out);
     std::vector<float> lit(yard.facets.size()), expected(yard.built_out.size());
     const Eigen::Vector3d sun = Eigen::Vector3d(0.5, -0.4, 0.45).normalized();

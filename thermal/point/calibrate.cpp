@@ -14,8 +14,9 @@ namespace diurna {
 
 namespace {
 
-constexpr double coldest = 30.0, hottest = 3000.0;  // [K] that may have been measured
-constexpr double close = 0.95;                      // of correlations
+constexpr double coldest_measured = 30.0,
+                 hottest_measured = 3000.0;  // [K] that may have been measured
+constexpr double close = 0.95;               // of correlations
 
 double temperature_of(const PointRow& row, const Calibration& asked) {
     if (asked.depth > 0.0) return row.depth_temperature;
@@ -53,7 +54,7 @@ void read_curve(const PointJob& job, CalibrationReport& report) {
             continue;
         }
         const double kelvin = report.asked.factor * table.number(r, column) + report.asked.zero;
-        if (kelvin < coldest || kelvin > hottest) {
+        if (kelvin < coldest_measured || kelvin > hottest_measured) {
             throw InputError(
                 table.where(r, column),
                 fmt::format("found {} (that is {:.4g} K), expected a temperature", cell, kelvin),
@@ -79,8 +80,8 @@ void read_curve(const PointJob& job, CalibrationReport& report) {
 }
 
 /// The column's temperature at the instants of what was measured.
-std::vector<double> at_instants(const PointJob& job, const PointResult& result,
-                                const CalibrationReport& report) {
+std::vector<double> column_at_instants(const PointJob& job, const PointResult& result,
+                                       const CalibrationReport& report) {
     std::vector<double> values;
     for (const Instant when : report.when) {
         const double place = seconds_between(job.start, when) / job.step;
@@ -202,7 +203,7 @@ CalibrationReport calibrate(const std::string& file, const ColumnWith& column_wi
         const PointResult result = run_column(job);
         check_of(result, report.asked);
         report.heat_converged &= result.converged;
-        return at_instants(job, result, report);
+        return column_at_instants(job, result, report);
     };
     report.fit = fit(problem);
     for (std::size_t i = 0; i < sought.size(); ++i) {

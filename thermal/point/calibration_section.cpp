@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t most_sought = 4;
 
-struct Unit {
+struct KeyUnit {
     double factor, zero;
-    bool operator==(const Unit&) const = default;
+    bool operator==(const KeyUnit&) const = default;
 };
 
 std::vector<SoughtNumber> read_sought(const Section& section) {
@@ -67,10 +67,10 @@ std::optional<Calibration> read_calibration(const Section& root) {
         "measured", "CSV of time (instants with their offset) and a temperature; empty: missing");
     asked.column = section.text_or("column", "the temperature's name in its header",
                                    {std::string(), "the only one beside time"});
-    const Unit unit = section.choice_or("unit", "of that column", Unit{1.0, 0.0},
-                                        {{"K", {1.0, 0.0}},
-                                         {"degC", {1.0, zero_celsius}},
-                                         {"degF", {5.0 / 9.0, zero_celsius - 160.0 / 9.0}}});
+    const KeyUnit unit = section.choice_or("unit", "of that column", KeyUnit{1.0, 0.0},
+                                           {{"K", {1.0, 0.0}},
+                                            {"degC", {1.0, zero_celsius}},
+                                            {"degF", {5.0 / 9.0, zero_celsius - 160.0 / 9.0}}});
     asked.factor = unit.factor;
     asked.zero = unit.zero;
     asked.of = section.choice_or("of", "of the facet, or with a canopy of the ground or its leaves",

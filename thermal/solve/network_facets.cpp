@@ -12,11 +12,11 @@ namespace diurna {
 
 namespace {
 
-constexpr double longest_step = 300.0;   // [s]
-constexpr double repeats = 3e-3;         // [K] of a period that is found
-constexpr double usual_loss = 20.0;      // [W m⁻² K⁻¹] radiation and air together
-constexpr double about_alike = 5.0;      // [W m⁻²] of neighbours' heat
-constexpr double far_from_alike = 30.0;  // [W m⁻²] likewise: the march need not close
+constexpr double longest_step = 300.0;          // [s]
+constexpr double repeats = 3e-3;                // [K] of a period that is found
+constexpr double usual_loss_of_network = 20.0;  // [W m⁻² K⁻¹] radiation and air together
+constexpr double about_alike = 5.0;             // [W m⁻²] of neighbours' heat
+constexpr double far_from_alike = 30.0;         // [W m⁻²] likewise: the march need not close
 constexpr double soon_done = 1.0;  // [W m⁻²] of neighbours' heat, where a run may be the last
 
 /// Instants from step to step of a march that only has to tell neighbours of it: no more than a
@@ -93,7 +93,7 @@ double NetworkFacets::moved(const Target& target) const {
 /// [K] of a day from what many more would lead to, and of what neighbours' heat since is worth.
 double NetworkFacets::error(const Target& target) const {
     const double open = solve_.options.periodic ? target.move : 0.0;
-    return std::max(open, target.closed ? moved(target) / usual_loss : 0.0);
+    return std::max(open, target.closed ? moved(target) / usual_loss_of_network : 0.0);
 }
 
 bool NetworkFacets::rests(const Target& target) const {
@@ -175,7 +175,7 @@ void NetworkFacets::run(const Level& level, Target& target) const {
     const bool in_hours = level.stride > 1;
     // While neighbours still change, once each time, from the start that the time before has found.
     const bool once =
-        !target.kelvin.empty() && open > (in_hours ? about_alike : usual_loss * repeats);
+        !target.kelvin.empty() && open > (in_hours ? about_alike : usual_loss_of_network * repeats);
     const int most_marches = once ? 1 : 12;
     NetworkStepper stepper(target.object->network);
     target.closed = !in_hours && (open <= soon_done || solve_.excess.empty() || solve_.record);

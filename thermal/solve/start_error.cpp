@@ -10,9 +10,9 @@ namespace diurna {
 
 namespace {
 
-constexpr double day = 86400.0;       // [s]
-constexpr int most_days = 30;         // of a better start
-constexpr double followed = 2 * day;  // [s] of the span
+constexpr double seconds_of_day = 86400.0;       // [s]
+constexpr int most_days = 30;                    // of a better start
+constexpr double followed = 2 * seconds_of_day;  // [s] of the span
 
 /// A level triangle of each material that facets are of, all in the open.
 struct LevelGround {
@@ -66,10 +66,11 @@ TemperatureField through(const SolveInput& scene, const Weather& weather, const 
 /// many a day; 0 where they do not.
 std::size_t rows_a_day(const Weather& weather, std::size_t first, int days) {
     const auto& when = weather.instant;
-    const auto next = std::lower_bound(when.begin(), when.end(), later(when[first], day));
+    const auto next =
+        std::lower_bound(when.begin(), when.end(), later(when[first], seconds_of_day));
     const auto rows = static_cast<std::size_t>(next - when.begin()) - first;
     for (std::size_t i = first; i < first + rows * std::size_t(days - 1); ++i) {
-        if (i + rows >= when.size() || when[i + rows] != later(when[i], day)) return 0;
+        if (i + rows >= when.size() || when[i + rows] != later(when[i], seconds_of_day)) return 0;
     }
     return rows;
 }
@@ -78,8 +79,8 @@ std::size_t rows_a_day(const Weather& weather, std::size_t first, int days) {
 /// lies deep then begins in balance with their mean, not with the weather of one of them. As it is,
 /// where days are not of the same rows.
 Weather with_mean_day_before(const Weather& weather, Instant start, int days) {
-    const auto begin =
-        std::lower_bound(weather.instant.begin(), weather.instant.end(), later(start, -day * days));
+    const auto begin = std::lower_bound(weather.instant.begin(), weather.instant.end(),
+                                        later(start, -seconds_of_day * days));
     const auto first = static_cast<std::size_t>(begin - weather.instant.begin());
     const std::size_t rows = rows_a_day(weather, first, days);
     if (rows == 0) return weather;
@@ -95,7 +96,8 @@ Weather with_mean_day_before(const Weather& weather, Instant start, int days) {
             mean =
                 between(mean, weather.sample[first + row + std::size_t(k) * rows], 1.0 / (k + 1.0));
         }
-        result.instant.insert(result.instant.begin(), later(weather.instant[first + row], -day));
+        result.instant.insert(result.instant.begin(),
+                              later(weather.instant[first + row], -seconds_of_day));
         result.sample.insert(result.sample.begin(), mean);
         if (!weather.span.empty()) {
             result.span.insert(result.span.begin(), weather.span[first + row]);
@@ -179,11 +181,12 @@ std::string told(const StartError& error) {
             than = fmt::format("a start from the weather of {} days before", error.days);
             break;
         case StartError::Against::repeated_day:
-            than = "a start from its first day repeated";
+            than = "a start from its first seconds_of_day repeated";
             break;
         case StartError::Against::a_day_less:
-            than = fmt::format("a start from a day less, all that is known being {} day{}",
-                               error.days + 1, error.days == 0 ? "" : "s");
+            than = fmt::format(
+                "a start from a seconds_of_day less, all that is known being {} seconds_of_day{}",
+                error.days + 1, error.days == 0 ? "" : "s");
             break;
     }
     std::string line = fmt::format(

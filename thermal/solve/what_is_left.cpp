@@ -24,8 +24,8 @@ std::size_t furthest_of(const Block& block) {
 }
 
 /// What is furthest from a repeated span.
-std::string furthest(const SolveState& solve, const PointFacets& points,
-                     const NetworkFacets& targets) {
+std::string furthest_facets(const SolveState& solve, const PointFacets& points,
+                            const NetworkFacets& targets) {
     const double single = points.summary().residual, network = targets.summary().residual;
     const Block* worst = nullptr;
     for (const Block& block : solve.block) {
@@ -34,15 +34,17 @@ std::string furthest(const SolveState& solve, const PointFacets& points,
     }
     const double plain = worst == nullptr ? 0.0 : worst->residual;
     if (single > std::max(plain, network)) {
-        return fmt::format("the furthest among the {} facets of water, snow or freezing ground",
-                           points.size());
+        return fmt::format(
+            "the furthest_facets among the {} facets of water, snow or freezing ground",
+            points.size());
     }
     if (network > plain) {
-        return fmt::format("the furthest among the {} facets of targets", targets.summary().facets);
+        return fmt::format("the furthest_facets among the {} facets of targets",
+                           targets.summary().facets);
     }
     if (worst == nullptr) return "";
     const std::size_t facet = furthest_of(*worst);
-    return fmt::format("the furthest is facet {} of {}", facet,
+    return fmt::format("the furthest_facets is facet {} of {}", facet,
                        solve.input.materials[solve.input.facets.material[facet]].kind());
 }
 
@@ -59,7 +61,7 @@ std::string what_is_left(const SolveState& solve, const PointFacets& points,
     told += fmt::format(", neighbours worth {:.1e} K ({:.0e})", report.estimated_error,
                         options.settled);
     if (!options.periodic) return told;
-    return fmt::format("{}, {}", told, furthest(solve, points, targets));
+    return fmt::format("{}, {}", told, furthest_facets(solve, points, targets));
 }
 
 }  // namespace diurna

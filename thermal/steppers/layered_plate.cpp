@@ -54,19 +54,19 @@ struct Above {
     BackFace back;
 };
 /// [W m⁻²] into the two faces at a stage's end, and d/dT of the front's.
-struct FaceFluxes {
+struct PlateFaceFluxes {
     double front = 0.0, slope = 0.0, behind = 0.0;
     double taken = 0.0;  // [W m⁻²] through the front, by the column
 };
 /// surface  [K] a guess, then the root
-FaceFluxes solve_stage(const MaterialColumn& material, const Above& above, Sheet& sheet,
-                       double& surface, StepRecord& record) {
+PlateFaceFluxes solve_stage(const MaterialColumn& material, const Above& above, Sheet& sheet,
+                            double& surface, StepRecord& record) {
     constexpr double settled = 1e-9;  // [K] of the back's last correction
     constexpr int most_rounds = 60;
     const std::size_t n = material.grid.size();
     const double reference = material.reference;
     std::vector<double>& theta = sheet.theta;
-    FaceFluxes fluxes;
+    PlateFaceFluxes fluxes;
     for (int round = 0; round < most_rounds; ++round) {
         const double guess = theta[n - 1] + reference;
         const SurfaceFlux back = back_flux(above.air, above.natural, above.back, guess);
@@ -117,7 +117,7 @@ void advance_plate(const MaterialColumn& material, const std::array<AirFilm, 2>&
                 emissivity,
                 batch.behind[k] ? batch.behind[k][l] : absorbed_of_air(air[k], emissivity),
                 batch.wet_behind};
-            const FaceFluxes fluxes = solve_stage(
+            const PlateFaceFluxes fluxes = solve_stage(
                 material, {air[k], batch.natural[l], heat[k][l], back}, sheet, surface, record);
             record.slope[k] += fluxes.slope;
             batch.taken[l] = fluxes.taken;

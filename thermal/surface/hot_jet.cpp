@@ -16,7 +16,7 @@ constexpr double speed_spread = 0.107, warmth_spread = 0.127;
 constexpr double wall_way = 3.0;                       // of r, as so much of the way along the axis
 constexpr double least_warmth = 0.05;                  // fading from twice that
 constexpr double core = 2.5, fading = 15.0, end = 20;  // [diameters] from the stagnation point
-constexpr double nearest = 2.0, furthest = 12.0;       // [diameters] of Martin's outlets
+constexpr double nearest_plate = 2.0, furthest_plate = 12.0;  // [diameters] of Martin's outlets
 constexpr double gas_heat_capacity = 1050.0;  // [J kg⁻¹ K⁻¹] air at 500 K: 1030, 800: 1099
 
 double density(double pressure, double kelvin) {
@@ -29,10 +29,10 @@ double momentum_diameter(const HotJet& jet) {
 double bell(double off, double width) { return std::exp(-off * off / (width * width)); }
 
 /// Of the mean of gas and air.
-struct Gas {
+struct HotGas {
     double conductivity, kinematic, prandtl;
 };
-Gas mean_gas(const HotJet& jet) {
+HotGas mean_gas(const HotJet& jet) {
     const double kelvin = 0.5 * (jet.temperature + jet.air_temperature);
     const double viscosity = air_viscosity(kelvin), conductivity = air_conductivity(kelvin);
     return {conductivity, viscosity / density(jet.pressure, kelvin),
@@ -60,7 +60,7 @@ double sent_towards(double sine, double cosine, double downstream) {
     return std::min(most, sine * sine * sine / std::max(1e-9, less * less));
 }
 
-JetFilm head_on(const HotJet& jet, const Gas& gas, const Eigen::Vector3d& direction,
+JetFilm head_on(const HotJet& jet, const HotGas& gas, const Eigen::Vector3d& direction,
                 const Eigen::Vector3d& place, const Eigen::Vector3d& normal, bool met) {
     const double sine = -direction.dot(normal);
     if (!(sine > 1e-3)) return {};
@@ -68,7 +68,7 @@ JetFilm head_on(const HotJet& jet, const Gas& gas, const Eigen::Vector3d& direct
     if (!(height > 0.0)) return {};  // the plane lies behind the outlet
     const Eigen::Vector3d from = place - height * direction;
     const double r = from.norm();
-    const double diameter = std::max(jet.diameter, height / furthest);
+    const double diameter = std::max(jet.diameter, height / furthest_plate);
     double spread = 1.0;
     if (r > 0.0) {
         const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
@@ -78,7 +78,7 @@ JetFilm head_on(const HotJet& jet, const Gas& gas, const Eigen::Vector3d& direct
                           0.5 * std::min(1.0, r / (core * diameter)));
     }
     if (!(spread > 1e-6)) return {};
-    const double k = 0.1 * (std::clamp(height / diameter, nearest, furthest) - 6.0);
+    const double k = 0.1 * (std::clamp(height / diameter, nearest_plate, furthest_plate) - 6.0);
     const double reynolds = jet.speed * jet.diameter / gas.kinematic;
     const double of_reynolds = 2.0 * std::sqrt(reynolds * (1.0 + 0.005 * std::pow(reynolds, 0.55)));
     const double away = r / spread;
@@ -95,7 +95,7 @@ JetFilm head_on(const HotJet& jet, const Gas& gas, const Eigen::Vector3d& direct
     return wall;
 }
 
-JetFilm along_it(const HotJet& jet, const Gas& gas, const Eigen::Vector3d& direction,
+JetFilm along_it(const HotJet& jet, const HotGas& gas, const Eigen::Vector3d& direction,
                  const Eigen::Vector3d& place, const Eigen::Vector3d& normal) {
     constexpr double turned_away = 0.1;
     if (direction.dot(normal) > turned_away) return {};
@@ -131,7 +131,7 @@ FreeJet free_jet(const HotJet& jet, double along, double off) {
 
 JetFilm jet_film(const HotJet& jet, const Eigen::Vector3d& direction, const Eigen::Vector3d& place,
                  const Eigen::Vector3d& normal, bool met) {
-    const Gas gas = mean_gas(jet);
+    const HotGas gas = mean_gas(jet);
     const JetFilm wall = head_on(jet, gas, direction, place, normal, met),
                   beside = along_it(jet, gas, direction, place, normal);
     JetFilm film = wall.film * wall.warmth > beside.film * beside.warmth ? wall : beside;

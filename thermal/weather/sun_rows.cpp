@@ -13,11 +13,11 @@ namespace diurna {
 
 namespace {
 
-constexpr double least_sine = 0.0175;      // 1°: below, light over clear light says nothing
-constexpr double low_sine = 0.139;         // 8°
-constexpr double most_beyond_clear = 1.1;  // direct light over the clear sky's
-constexpr double most_diffuse = 50.0;      // the same of diffuse light
-constexpr double dark_noise = 10.0;        // [W m⁻²] of pyranometers by night
+constexpr double least_row_sine = 0.0175;     // 1°: below, light over clear light says nothing
+constexpr double low_sine = 0.139;            // 8°
+constexpr double most_beyond_clear = 1.1;     // direct light over the clear sky's
+constexpr double most_diffuse_of_row = 50.0;  // the same of diffuse light
+constexpr double dark_noise = 10.0;           // [W m⁻²] of pyranometers by night
 
 /// What a row was measured to bring, over its interval [J m⁻²]; NaN: not known.
 struct Measured {
@@ -70,7 +70,7 @@ SunRow survey(const Weather& weather, std::size_t i, ClearCourse& clear) {
     row.known_direct = light.has_direct() || light.has_global();
     row.known_diffuse = light.has_diffuse() || light.has_global();
     const bool dark = !row.lit || !(row.clear.global() > 0.0);
-    const bool grazing = span == 0.0 && row.clear.mean_sine() < least_sine;
+    const bool grazing = span == 0.0 && row.clear.mean_sine() < least_row_sine;
     row.lit = !dark && !grazing;
     row.skylight = std::fmax(light.global, light.diffuse) / seconds_of(weather, i);
     if (row.lit && row.clear.mean_sine() > low_sine && row.known_direct && row.known_diffuse) {
@@ -179,8 +179,9 @@ void divide(const Weather& weather, SunRow& row, ClearCourse& clear, Separation 
         row.direct = row.clear.horizontal > 0.0 ? direct / row.clear.horizontal : 0.0;
         light.diffuse = light.global - direct;
     }
-    row.diffuse =
-        row.clear.diffuse > 0.0 ? std::min(most_diffuse, light.diffuse / row.clear.diffuse) : 0.0;
+    row.diffuse = row.clear.diffuse > 0.0
+                      ? std::min(most_diffuse_of_row, light.diffuse / row.clear.diffuse)
+                      : 0.0;
     if (weather.span_of(row.sample) == 0.0) {
         row.direct_normal = row.direct * row.clear.direct;
         row.skylight = light.diffuse;

@@ -13,11 +13,11 @@ AirState on_line(const AirState& a, const AirState& b, double share) {
 }
 
 /// The samples before and after an instant, and how far it is on the way.
-struct Between {
+struct BetweenSamples {
     std::size_t before, after;
     double share;
 };
-Between place_of(const Weather& weather, Instant when) {
+BetweenSamples place_of(const Weather& weather, Instant when) {
     const auto& instant = weather.instant;
     const auto next = std::upper_bound(instant.begin(), instant.end(), when);
     if (next == instant.begin()) return {0, 0, 0.0};
@@ -46,13 +46,13 @@ Forcing between(const Forcing& a, const Forcing& b, double share) {
 }
 
 AirState Weather::air_at(Instant when) const {
-    const Between place = place_of(*this, when);
+    const BetweenSamples place = place_of(*this, when);
     if (place.share == 0.0) return sample[place.before].air;
     return on_line(sample[place.before].air, sample[place.after].air, place.share);
 }
 
 Forcing Weather::at(Instant when) const {
-    const Between place = place_of(*this, when);
+    const BetweenSamples place = place_of(*this, when);
     const Forcing &a = sample[place.before], &b = sample[place.after];
     Forcing now = place.share == 0.0 ? a : between(a, b, place.share);
     if (span_of(place.before) > 0.0 || span_of(place.after) > 0.0) {

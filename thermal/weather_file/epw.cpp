@@ -28,7 +28,7 @@ struct EpwColumn {
 };
 // Energies of an hour [Wh m⁻²] are mean fluxes; those of shorter intervals EnergyPlus takes for
 // such.
-constexpr std::array<EpwColumn, 9> columns{{
+constexpr std::array<EpwColumn, 9> epw_columns{{
     {6, 99.9, Quantity::air_temperature, 1.0, zero_celsius},
     {7, 99.9, Quantity::dew_point, 1.0, zero_celsius},
     {8, 999.0, Quantity::relative_humidity, 0.01},
@@ -90,7 +90,7 @@ double cell(const std::vector<std::string>& cells, std::size_t column, const std
 
 void put_epw(const std::vector<std::string>& cells, const std::string& where, WeatherTable& table,
              Zeros& zeros) {
-    for (const EpwColumn& c : columns) {
+    for (const EpwColumn& c : epw_columns) {
         const double value =
             unless_zero(c.quantity, unless_missing(cell(cells, c.column, where), c.missing), zeros);
         put(table, c.quantity, c.factor * value + c.offset,

@@ -18,7 +18,7 @@ struct SurfradColumn {
     Quantity quantity;
     double factor = 1.0, offset = 0.0;
 };
-constexpr std::array<SurfradColumn, 9> columns{{
+constexpr std::array<SurfradColumn, 9> surfrad_columns{{
     {8, Quantity::shortwave_down},
     {10, Quantity::shortwave_up},
     {12, Quantity::direct_normal},
@@ -46,7 +46,7 @@ struct Flagged {
 
 void put_surfrad(const std::vector<std::string_view>& words, const std::string& where,
                  WeatherTable& table, Flagged& flagged) {
-    for (const SurfradColumn& c : columns) {
+    for (const SurfradColumn& c : surfrad_columns) {
         const std::string place = fmt::format("{}:{}", where, c.column + 1);
         double value = number_in(words[c.column], place);
         const double flag = number_in(words[c.column + 1], place);

@@ -20,7 +20,7 @@ struct Tmy3Column {
     Quantity quantity;
     double factor = 1.0, offset = 0.0;
 };
-constexpr std::array<Tmy3Column, 9> columns{{
+constexpr std::array<Tmy3Column, 9> tmy3_columns{{
     {"GHI (W/m^2)", Quantity::shortwave_down},
     {"DNI (W/m^2)", Quantity::direct_normal},
     {"DHI (W/m^2)", Quantity::diffuse},
@@ -40,7 +40,7 @@ double cell(const CsvTable& csv, std::size_t row, std::size_t column) {
 
 /// Row `row` of the file, the last of the table.
 void put_tmy3(const CsvTable& csv, std::size_t row, WeatherTable& table) {
-    for (const Tmy3Column& c : columns) {
+    for (const Tmy3Column& c : tmy3_columns) {
         if (!csv.has(c.name)) continue;
         const std::size_t column = csv.column(c.name);
         put(table, c.quantity, c.factor * cell(csv, row, column) + c.offset,

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-void add_cab(Workpiece& work) {
+void add_tractor_cab(Workpiece& work) {
     constexpr double belt = 2.05;
     PanelBox cab{.part = "cab",
                  .low = {-1.22, 5.5, 1.12},
@@ -89,7 +89,7 @@ void add_trailer(Workpiece& work) {
 }  // namespace
 
 void make_tractor_and_trailer(Workpiece& work) {
-    add_cab(work);
+    add_tractor_cab(work);
     add_tractor_frame(work);
     add_trailer(work);
 }

@@ -85,8 +85,8 @@ OrderedJson value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& e
         case Key::Kind::texts:
             return array_of({{"type", "string"}}, 0);
         case Key::Kind::files: {
-            const Json text{{"type", "string"}};
-            return {{"anyOf", Json::array({text, array_of(text, 0)})}};
+            const OrderedJson text{{"type", "string"}};
+            return {{"anyOf", OrderedJson::array({text, array_of(text, 0)})}};
         }
         case Key::Kind::rows:
             return array_of(array_of(number, entry.count), 0);

@@ -45,10 +45,11 @@ LocalRow solar_anywhere_row(const std::string& text, const std::string& where) {
     row.seconds = 3600.0 * hour + 60.0 * minute;
     if (row.seconds > 0.0) return row;
     // The end of a day's last interval: a typical year has no next one.
-    using namespace std::chrono;
-    const year_month_day date{year(row.year), month(unsigned(row.month)), day(unsigned(row.day))};
+    const std::chrono::year_month_day date{std::chrono::year(row.year),
+                                           std::chrono::month(unsigned(row.month)),
+                                           std::chrono::day(unsigned(row.day))};
     if (!date.ok()) return row;
-    const year_month_day before(sys_days(date) - days(1));
+    const std::chrono::year_month_day before(std::chrono::sys_days(date) - std::chrono::days(1));
     return {.year = int(before.year()),
             .month = int(unsigned(before.month())),
             .day = int(unsigned(before.day())),

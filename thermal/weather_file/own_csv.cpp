@@ -38,6 +38,32 @@ std::vector<std::string> own_columns() {
     return known;
 }
 
+/// Mistakes of columns that no weather file has: each by itself, or many in one line.
+void add_unknown(const CsvTable& csv, const std::vector<std::size_t>& unknown,
+                 std::vector<Mistake>& mistakes) {
+    constexpr std::size_t most_by_themselves = 4;
+    const auto where = [&](std::size_t c) {
+        return fmt::format("{}:{}:{}: {}", csv.path.string(), csv.header_line, c + 1,
+                           csv.header[c]);
+    };
+    if (unknown.size() > most_by_themselves) {
+        mistakes.push_back(
+            {where(unknown.front()),
+             fmt::format("this and {} more columns are none of a weather file", unknown.size() - 1),
+             "[weather.columns] tells what those that count hold, and others are passed over"});
+        return;
+    }
+    for (const std::size_t c : unknown) {
+        const std::string near = did_you_mean(csv.header[c], own_columns());
+        mistakes.push_back({where(c), "is no column of a weather file",
+                            near.empty()
+                                ? fmt::format("[weather.columns] tells what it holds: {} = "
+                                              "\"air_temperature degC\", \"wind_speed kn\" ...",
+                                              csv.header[c])
+                                : near});
+    }
+}
+
 /// Throws InputError for columns that no weather file has, or that are declared and not there.
 Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declared) {
     Layout layout;
@@ -49,6 +75,7 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
                             did_you_mean(d.name, csv.header)});
     }
     bool has_time = false;
+    std::vector<std::size_t> unknown;
     std::array<bool, quantity_count> taken{};
     for (std::size_t c = 0; c < csv.header.size(); ++c) {
         const std::string& name = csv.header[c];
@@ -77,18 +104,12 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
             taken[index(*quantity)] = true;
             layout.used.push_back({c, *quantity, is_declared ? found->unit : Unit{}});
         } else if (declared.empty()) {
-            const std::string near = did_you_mean(name, own_columns());
-            mistakes.push_back({fmt::format("{}:{}:{}: {}", file, csv.header_line, c + 1, name),
-                                "is no column of a weather file",
-                                near.empty()
-                                    ? fmt::format("[weather.columns] tells what it holds: {} = "
-                                                  "\"air_temperature degC\", \"wind_speed kn\" ...",
-                                                  name)
-                                    : near});
+            unknown.push_back(c);
         } else {
             layout.unused.push_back(name);
         }
     }
+    add_unknown(csv, unknown, mistakes);
     if (!has_time) mistakes.push_back({file, "no column 'time' in the header", ""});
     if (!taken[index(Quantity::air_temperature)]) {
         mistakes.push_back({file, "no column 'air_temperature_K' in the header",

@@ -29,6 +29,7 @@ struct Profile {
     std::vector<double> pressure_hPa;
     std::vector<double> temperature;                              // [K]
     std::array<std::vector<double>, gas_count> mixing_ratio_ppm;  // by volume
+    std::vector<std::string> notes{};  // what was repaired in the file it comes from
 };
 
 /// The six AFGL models by name: TROP MLS MLW SAS SAW US76 (AFGL-TR-86-0110). Throws InputError with

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/air/sounding_levels.hpp"
 #include "materials/air/sounding_table.hpp"
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
@@ -130,6 +132,10 @@ void add_model_above(const Profile& model, Profile& sonde) {
 }  // namespace
 
 Profile read_radiosonde(const std::filesystem::path& file, const std::string& above) {
+    return read_sounding(file, above).profile;
+}
+
+Sounding read_sounding(const std::filesystem::path& file, const std::string& above) {
     const Profile model = afgl_profile(above);
     CsvTable table = read_sounding_table(file);
     if (table.rows.size() < 2 || table.rows.size() > 5000) {
@@ -140,12 +146,17 @@ Profile read_radiosonde(const std::filesystem::path& file, const std::string& ab
     sort_levels(table, columns.height);
     Profile sonde;
     sonde.name = above;
+    if (std::string note = leave_out_bounces(table, columns.height, columns.pressure);
+        !note.empty()) {
+        sonde.notes.push_back(std::move(note));
+    }
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         add_level(table, row, columns, model, sonde);
     }
+    const std::size_t levels = sonde.height_km.size();
     add_model_above(model, sonde);
     check(sonde);
-    return sonde;
+    return {std::move(sonde), levels};
 }
 
 Profile named_profile(const std::string& name) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
@@ -16,9 +17,16 @@ namespace diurna {
 /// temperature_C or temperature_K
 /// relative_humidity_percent, dew_point_C or mixing_ratio_g_kg; empty: as in `above` there
 ///
-/// Gases besides water, and everything above the last level, are those of the AFGL profile `above`;
-/// temperature and pressure join it over 5 km. Two levels or more, up to 5000.
-/// Throws InputError with file:line:column for what cannot be.
+/// Levels at which the pressure rises or the height falls for a moment are left out and noted
+/// (sounding_levels.hpp). Gases besides water, and everything above the last level, are those of
+/// the AFGL profile `above`; temperature and pressure join it over 5 km. Two levels or more, up to
+/// 5000. Throws InputError with file:line:column for what cannot be.
+struct Sounding {
+    Profile profile;
+    std::size_t levels = 0;  // of the profile, those that were measured
+};
+Sounding read_sounding(const std::filesystem::path& file, const std::string& above = "US76");
+/// Its profile.
 Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "US76");
 
 /// An AFGL name, or the path of a radiosonde file where the name ends in ".csv" or ".txt".

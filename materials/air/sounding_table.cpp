@@ -110,12 +110,17 @@ void thin_out(CsvTable& table) {
 
 }  // namespace
 
+bool is_sounding_list(const std::string& text) {
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) {
+        if (is_list_header(line)) return true;
+    }
+    return false;
+}
+
 CsvTable read_sounding_table(const std::filesystem::path& file) {
     const std::string text = read_text(file);
-    std::istringstream in(text);
-    std::string line;
-    while (std::getline(in, line)) {
-        if (!is_list_header(line)) continue;
+    if (is_sounding_list(text)) {
         CsvTable table = read_list(file, text);
         thin_out(table);
         return table;

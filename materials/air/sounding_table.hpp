@@ -19,4 +19,7 @@ namespace diurna {
 /// levels less than 5 m or 0.05 hPa above the one before are left out.
 CsvTable read_sounding_table(const std::filesystem::path& file);
 
+/// Whether a text has the list's line of columns.
+bool is_sounding_list(const std::string& text);
+
 }  // namespace diurna

@@ -107,13 +107,16 @@ double CsvTable::number(std::size_t row, std::size_t column) const {
 }
 
 CsvTable read_csv(const std::filesystem::path& path, int skip) {
-    const std::string text = read_text(path);
+    return csv_table(path, read_text(path), skip);
+}
+
+CsvTable csv_table(const std::filesystem::path& path, std::string_view text, int skip) {
     if (is_utf16(text)) throw InputError(path.string(), utf16_problem, utf16_hint);
     CsvTable table{.path = path, .header = {}, .rows = {}, .line = {}};
     int line_number = 0;
     for (std::size_t begin = 0; begin < text.size();) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
-        std::string_view line = unpadded(std::string_view(text).substr(begin, end - begin));
+        std::string_view line = unpadded(text.substr(begin, end - begin));
         begin = end + 1;
         if (++line_number == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
         if (line_number <= skip || line.empty() || line.front() == '#') continue;

@@ -27,6 +27,8 @@ struct CsvTable {
 };
 /// The first `skip` lines of the file are passed over.
 CsvTable read_csv(const std::filesystem::path& path, int skip = 0);
+/// The same of a text that is at hand; `path` names it in messages.
+CsvTable csv_table(const std::filesystem::path& path, std::string_view text, int skip = 0);
 
 /// The trimmed cells of a line; one may stand in double quotes, within which commas do not count.
 std::vector<std::string> csv_cells(std::string_view line);

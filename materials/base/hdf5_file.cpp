@@ -43,6 +43,20 @@ void begin_hdf5() {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
+/// Throws InputError of an open file that has values elsewhere; closes it.
+void check_and_close(hid_t id, const std::string& file) {
+    std::string name;
+    const bool link = H5Lvisit(id, H5_INDEX_NAME, H5_ITER_NATIVE, look_at_link, &name) == found;
+    const bool values = !link && H5Ovisit2(id, H5_INDEX_NAME, H5_ITER_NATIVE, look_at_object, &name,
+                                           H5O_INFO_BASIC) == found;
+    H5Fclose(id);
+    if (link || values) {
+        throw InputError(file,
+                         "\"" + plain(name).substr(0, 60) + "\" has its values in another file",
+                         "copy them into it");
+    }
+}
+
 }  // namespace
 
 std::vector<std::byte> hdf5_with_nothing_in_it() {
@@ -68,17 +82,18 @@ void check_values_are_its_own(const std::filesystem::path& file) {
     begin_hdf5();
     if (H5Fis_hdf5(file.c_str()) <= 0) return;
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-    if (id < 0) return;
-    std::string name;
-    const bool link = H5Lvisit(id, H5_INDEX_NAME, H5_ITER_NATIVE, look_at_link, &name) == found;
-    const bool values = !link && H5Ovisit2(id, H5_INDEX_NAME, H5_ITER_NATIVE, look_at_object, &name,
-                                           H5O_INFO_BASIC) == found;
-    H5Fclose(id);
-    if (link || values) {
-        throw InputError(file.string(),
-                         "\"" + plain(name).substr(0, 60) + "\" has its values in another file",
-                         "copy them into it");
-    }
+    if (id >= 0) check_and_close(id, file.string());
+}
+
+void check_values_are_its_own(std::span<const std::byte> bytes, const std::string& name) {
+    begin_hdf5();
+    const hid_t reached = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_fapl_core(reached, 1 << 16, false);
+    // The library copies the bytes, which it takes for writable.
+    H5Pset_file_image(reached, const_cast<std::byte*>(bytes.data()), bytes.size());
+    const hid_t id = H5Fopen("in memory", H5F_ACC_RDONLY, reached);
+    H5Pclose(reached);
+    if (id >= 0) check_and_close(id, name);
 }
 
 }  // namespace diurna

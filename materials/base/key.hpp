@@ -18,7 +18,7 @@ struct Range {
 /// What a reader said of a key when it asked a document for it (materials/base/section.hpp); of
 /// these scenes/KEYS.md and the schema are made.
 struct Key {
-    /// `tested`: asked only whether it is there.
+    /// `tested`: asked only whether it is there; `files`: a text or an array of texts.
     enum class Kind {
         tested,
         number,
@@ -30,6 +30,7 @@ struct Key {
         moment,
         numbers,
         texts,
+        files,
         rows,
         values,
         table,

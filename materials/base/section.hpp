@@ -86,6 +86,8 @@ class Section {
     /// The file that a text names, from the document's folder on. "" after a mistake: there is
     /// none, or it lies beyond the document's confines (materials/base/confines.hpp).
     std::filesystem::path file(const std::string& key, const char* says) const;
+    /// The files that a text or an array of texts names; empty after a mistake.
+    std::vector<std::filesystem::path> files(const std::string& key, const char* says) const;
     /// The same of a name that a key's value has.
     std::filesystem::path file_named(const std::string& key, const std::string& name) const;
     const Confines& confines() const;

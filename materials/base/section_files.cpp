@@ -7,6 +7,7 @@
 
 #include "materials/base/document_nodes.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/plain_text.hpp"
 #include "materials/base/section.hpp"
 
 namespace diurna {
@@ -31,6 +32,34 @@ std::string file_hint(const std::filesystem::path& file, const std::string& name
 
 std::filesystem::path Section::file(const std::string& key, const char* says) const {
     return file_named(key, text(key, says));
+}
+
+std::vector<std::filesystem::path> Section::files(const std::string& key, const char* says) const {
+    const toml::node* node = node_of(table_, key);
+    const toml::array* array = node != nullptr ? node->as_array() : nullptr;
+    const bool asked = ask(key, says, Key::Kind::files, {.required = true});
+    std::vector<std::filesystem::path> found;
+    if (!asked) {
+        missing(key, "a file's name in quotes, or an array of them");
+    } else if (array == nullptr) {
+        found.push_back(file_named(key, checked_text(key, "")));
+    } else if (array->empty() ||
+               !all_of_them(*array, [](const auto& one) { return one.is_string(); })) {
+        mistake(key, fmt::format("found {}, expected a file's name or an array of them",
+                                 array->empty() ? "an empty array" : shown(*node)));
+    } else {
+        for (const toml::node& one : *array) {
+            const std::string name = one.as_string()->get();
+            if (!is_plain(name)) {
+                mistake(key, fmt::format("found {}, expected a name without control characters",
+                                         shown(one)));
+                continue;
+            }
+            found.push_back(file_named(key, name));
+        }
+    }
+    std::erase_if(found, [](const auto& file) { return file.empty(); });
+    return found;
 }
 
 std::filesystem::path Section::file_named(const std::string& key, const std::string& name) const {

@@ -76,7 +76,10 @@ std::string take_along(const fs::path& file, const std::vector<FileRead>& opened
 /// The first midnight from which a day is covered, or what there is.
 void choose_span(const fs::path& file, FirstScene& scene) {
     const WeatherFormat format = weather_format(file);
-    if (format == WeatherFormat::epw || format == WeatherFormat::tmy3) return;  // of any year
+    if (format == WeatherFormat::epw || format == WeatherFormat::tmy3 ||
+        format == WeatherFormat::pvgis) {
+        return;  // of any year
+    }
     const Weather weather = read_weather(file);
     const Instant first = weather.instant.front(), last = weather.instant.back();
     const auto day = std::chrono::days(1);
@@ -151,6 +154,8 @@ void new_verb(const NewArguments& a) {
                    format_local(scene.start, scene.utc_offset), scene.duration_h,
                    scene.weather_made_up ? "; its weather is made up" : "");
         fmt::print("next: diurna run {} --out {}\n", file.string(), (a.folder / "out").string());
+        for (const Mistake& one : prepared.warnings)
+            fmt::print(stderr, "warning: {}\n", plain(one.line()));
         for (const std::string& note : prepared.notes)
             fmt::print(stderr, "note: {}\n", plain(note));
     } catch (...) {

@@ -23,6 +23,7 @@
 #include "materials/modtran/tape7.hpp"
 #include "materials/radiation/planck.hpp"
 #include "materials/radiation/spectrum.hpp"
+#include "scenes/commands/told_lines.hpp"
 
 namespace diurna {
 
@@ -125,6 +126,7 @@ void path_verb(const PathArguments& arguments) {
                           .co2_ppm = arguments.co2_ppm,
                           .ground_km = arguments.ground_km,
                           .rain_mm_h = arguments.rain_mm_h};
+    print_notes(model.profile.notes);
     check(model);
     const SightLine line = line_of(arguments.path, model);
     std::vector<Band> bands;

@@ -111,6 +111,9 @@ void visibility_verb(const VisibilityArguments& arguments) {
     const Dem dem = read_dem(
         arguments.dem, {.voids = VoidPolicy::leave, .confines = bounds(arguments.allow_outside)});
     if (!arguments.out.empty()) check_output_file(arguments.out, opened.files());
+    for (const Mistake& one : dem.warnings) {
+        fmt::print(stderr, "warning: {}\n", plain(one.line()));
+    }
     for (const std::string& note : dem.notes) fmt::print(stderr, "note: {}\n", plain(note));
     const Geodetic centre = dem_centre(dem);
     const HeightField field =

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
-#include "materials/base/csv.hpp"
+#include "materials/air/sounding_table.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "thermal/temperature_mesh.hpp"
@@ -48,21 +47,38 @@ Found inspect_netcdf(const fs::path& file, const InspectOptions& options) {
     }
 }
 
-/// Weather of any text format; of CSV what has a time and a column that weather has.
-bool is_weather(const fs::path& file) {
-    if (weather_format(file) != WeatherFormat::csv) return true;
-    const CsvTable table = read_csv(file);
-    return std::any_of(table.header.begin(), table.header.end(), [](const std::string& column) {
-        return quantity_of_column(column).has_value();
-    });
+/// Weather of a text format of its own, or a table in CSV.
+Found inspect_table(const fs::path& file) {
+    return weather_format(file) != WeatherFormat::csv ? inspect_weather(file) : inspect_csv(file);
 }
 
+/// Lists beside pictures, soundings, or a tape7 by such a name.
 Found inspect_text(const fs::path& file) {
-    if (is_weather(file)) return inspect_weather(file);
-    throw InputError(file.string(),
-                     fmt::format("is a table of {}: none of these is weather's",
-                                 fmt::format("{}", fmt::join(read_csv(file).header, ", "))),
-                     "a scene declares the columns of another's weather in [weather.columns]");
+    if (is_sounding_list(read_text(file))) return inspect_sounding(file);
+    try {
+        return inspect_label_lines(file);
+    } catch (const InputError& no_labels) {
+        try {
+            return inspect_tape7(file);
+        } catch (const InputError&) {
+            throw no_labels;
+        }
+    }
+}
+
+/// What has another name or none: a tape7 has the name that its user gave it.
+Found inspect_other(const fs::path& file) {
+    const std::string name = small_letters(file.filename().string());
+    try {
+        return inspect_tape7(file);
+    } catch (const InputError&) {
+        for (const char* part : {"tape7", "tp7", ".fl7", ".7sc", ".scn"}) {
+            if (name.find(part) != std::string::npos) throw;
+        }
+    }
+    throw InputError(file.string(), "is of no kind that is known here",
+                     "elevation, weather, soundings, tape7, spectra, shapes, meshes, OpenEXR, "
+                     "temperatures.nc, TOML, manifests, labels");
 }
 
 }  // namespace
@@ -85,18 +101,20 @@ Found inspect(const fs::path& file, const InspectOptions& options) {
     }
     if (ends == ".toml") return inspect_toml(file);
     if (is_one_of(ends, {".json", ".geojson"})) return inspect_json(file);
-    if (ends == ".txt") return inspect_label_lines(file);
-    if (is_one_of(ends, {".csv", ".epw", ".dat", ".tab"})) return inspect_text(file);
-    const bool raster = head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF") ||
+    if (ends == ".txt") return inspect_text(file);
+    if (is_one_of(ends, {".csv", ".epw", ".dat", ".tab"})) return inspect_table(file);
+    if (is_one_of(ends, {".shp", ".gpkg"})) return inspect_shapes(file, options);
+    if (ends == ".binary") return inspect_brdf(file);
+    if (is_era5_zip(file)) return inspect_weather(file);
+    const bool packed = head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b");
+    const bool raster = packed || head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF") ||
                         head.starts_with("II*") || head.starts_with("MM") ||
                         head.starts_with("II+");
     if (raster || is_one_of(ends, {".tif", ".tiff", ".asc", ".hgt", ".dem", ".dt0", ".dt1", ".dt2",
                                    ".img", ".bil"})) {
         return inspect_raster(file, options);
     }
-    throw InputError(file.string(), "is of no kind that is known here",
-                     "elevation, weather, meshes, OpenEXR, temperatures.nc, TOML, manifests, "
-                     "labels");
+    return inspect_other(file);
 }
 
 }  // namespace diurna

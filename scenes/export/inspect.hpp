@@ -11,14 +11,23 @@ struct InspectOptions {
 };
 
 /// What a file holds, told by its content and the end of its name: elevation and other rasters,
-/// weather of every format read here, meshes, OpenEXR pictures, temperatures and states of heat,
-/// scenes, columns, manifests and labels; a run's folder by its manifest. Throws InputError, one
-/// line, for what is none of these or cannot be read.
+/// weather of every format read here, soundings, tape7, spectra and other tables, shapes, meshes,
+/// OpenEXR pictures, temperatures and states of heat, scenes, columns, manifests and labels; a
+/// run's folder by its manifest. Throws InputError, one line, for what is none of these or cannot
+/// be read.
 Found inspect(const std::filesystem::path& file, const InspectOptions& options = {});
 
 /// Each of its kind; the same errors.
 Found inspect_raster(const std::filesystem::path& file, const InspectOptions& options);
 Found inspect_weather(const std::filesystem::path& file);
+/// A table in CSV by its header: sounding, weather, spectrum, response, refractive index, angles,
+/// trajectory, places.
+Found inspect_csv(const std::filesystem::path& file);
+/// A BRDF of the MERL database.
+Found inspect_brdf(const std::filesystem::path& file);
+Found inspect_sounding(const std::filesystem::path& file);
+Found inspect_tape7(const std::filesystem::path& file);
+Found inspect_shapes(const std::filesystem::path& file, const InspectOptions& options);
 Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& options);
 Found inspect_exr(const std::filesystem::path& file);
 Found inspect_temperatures(const std::filesystem::path& file);

@@ -4,6 +4,7 @@
 #include "materials/base/error.hpp"
 #include "scenes/export/inspect.hpp"
 #include "terrain/raster/dem_places.hpp"
+#include "terrain/raster/height_unit.hpp"
 #include "terrain/raster/raster_facts.hpp"
 #include "terrain/raster/read_dem.hpp"
 
@@ -22,6 +23,10 @@ void add_elevation(const std::filesystem::path& file, const Confines& confines, 
     found.fact.push_back({"centre_longitude_deg", {centre.longitude_deg}});
     found.fact.push_back({"centre_height_m", {centre.height}});
     found.fact.push_back({"voids", {static_cast<long long>(dem.voids)}});
+    if (!dem.warnings.empty()) {
+        found.fact.push_back({"warnings", {}});
+        for (const Mistake& one : dem.warnings) found.fact.back().value.push_back(one.line());
+    }
     if (!dem.notes.empty()) {
         found.fact.push_back({"notes", {dem.notes.begin(), dem.notes.end()}});
     }
@@ -32,8 +37,8 @@ void add_elevation(const std::filesystem::path& file, const Confines& confines, 
 bool may_be_elevation(const RasterFacts& facts) {
     if (facts.band.empty()) return true;  // variables of netCDF, one of which may be
     const BandFacts& band = facts.band.front();
-    return facts.band.size() == 1 && !facts.crs.empty() && band.unit != "K" &&
-           band.name != "sky view";
+    const bool one = facts.band.size() == 1 || (facts.band.size() == 2 && facts.band[1].alpha);
+    return one && !facts.crs.empty() && band.unit != "K" && band.name != "sky view";
 }
 
 }  // namespace
@@ -66,7 +71,10 @@ Found inspect_raster(const std::filesystem::path& file, const InspectOptions& op
         try {
             add_elevation(file, confines, found);
         } catch (const InputError& error) {
-            found.fact.push_back({"not_elevation_because", {error.mistakes().front().problem}});
+            const std::string& problem = error.mistakes().front().problem;
+            const bool heights = !facts.band.empty() && height_unit(facts.band.front().unit);
+            found.fact.push_back({heights ? "warnings" : "not_elevation_because",
+                                  {heights ? "not read as elevation: " + problem : problem}});
         }
     }
     return found;

@@ -6,11 +6,13 @@
 
 #include "scenes/export/inspect.hpp"
 #include "thermal/weather_file/read_weather.hpp"
+#include "thermal/weather_file/unused_columns.hpp"
 
 namespace diurna {
 
 Found inspect_weather(const std::filesystem::path& file) {
-    const WeatherTable table = read_weather_table(file, {});
+    WeatherTable table = read_weather_table(file, {});
+    warn_of_unused_columns(table);
     const double step = usual_interval(table.stamp);
     Found found{.kind = "weather"};
     found.fact = {{"format", {table.format}},
@@ -50,6 +52,10 @@ Found inspect_weather(const std::filesystem::path& file) {
     found.fact.push_back({"gaps_in_time", {static_cast<long long>(gaps.row.size())}});
     found.table.push_back(std::move(columns));
     if (!gaps.row.empty()) found.table.push_back(std::move(gaps));
+    if (!table.warnings.empty()) {
+        found.fact.push_back({"warnings", {}});
+        for (const Mistake& one : table.warnings) found.fact.back().value.push_back(one.line());
+    }
     if (!table.notes.empty()) {
         found.fact.push_back({"notes", {table.notes.begin(), table.notes.end()}});
     }

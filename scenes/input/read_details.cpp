@@ -11,14 +11,17 @@ DemOptions read_posts(const Section& section, bool geoid) {
     options.voids =
         section.choice_or("voids", "posts without elevation in the file", VoidPolicy::refuse,
                           {{"refuse", VoidPolicy::refuse}, {"fill", VoidPolicy::fill}});
-    options.unit = section.choice_or("height_unit", "of the posts; file: what the raster says",
-                                     std::optional<double>{},
-                                     {{"file", std::nullopt},
-                                      {"m", 1.0},
-                                      {"dm", 0.1},
-                                      {"cm", 0.01},
-                                      {"ft", 0.3048},
-                                      {"us_ft", 1200.0 / 3937.0}});
+    options.unit = section.choice_or(
+        "height_unit", "of the posts; file: what the raster says; geopotential: m2 s-2",
+        std::optional<double>{},
+        {{"file", std::nullopt},
+         {"m", 1.0},
+         {"dm", 0.1},
+         {"cm", 0.01},
+         {"km", 1000.0},
+         {"ft", 0.3048},
+         {"us_ft", 1200.0 / 3937.0},
+         {"geopotential", 1.0 / 9.80665}});
     options.geoid = section.choice_or(
         "vertical_datum",
         "egm96: the heights are above that geoid, the sea; file: taken as they are", geoid,

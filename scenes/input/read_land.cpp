@@ -13,7 +13,10 @@ void read_buildings(const Section& section, const Reading& reading, ShapesInput&
         section.name_or("roof", "of their flat roofs", {input.wall, "wall"}, reading.materials);
     input.kind = class_of(section, "building");
     input.height_field = section.text_or(
-        "height_field", "field of the file that holds a building's height in metres", "");
+        "height_field",
+        "field of the file that holds a building's height: metres, or a text with its unit "
+        "(\"12.5 m\", \"41 ft\")",
+        "");
     input.default_height =
         section.number_or("height_m", "of buildings without a height_field; else they are left out",
                           input.default_height, {0.5, 1000.0});

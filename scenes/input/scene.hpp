@@ -37,7 +37,8 @@
 namespace diurna {
 
 struct WeatherInput {
-    std::filesystem::path file;
+    std::filesystem::path file;                  // the first of `files`
+    std::vector<std::filesystem::path> files{};  // of one format, joined
     WeatherOptions options;       // but for place and span, which are those of the scene
     std::string measured_over{};  // a material; "": the only one
     HeightKeys by_height{};

@@ -37,7 +37,9 @@ std::optional<Site> read_site(const Section& section) {
 }
 
 WeatherInput read_weather_input(const Section& section, const Reading& reading) {
-    return {.file = section.file("file", weather_file_says),
+    const std::vector<std::filesystem::path> files = section.files("file", weather_file_says);
+    return {.file = files.empty() ? std::filesystem::path() : files.front(),
+            .files = files,
             .options = read_weather_options(section, 0.5),
             .measured_over = read_measured_over(section, reading.materials.known)};
 }

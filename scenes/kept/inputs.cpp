@@ -32,9 +32,9 @@ std::vector<fs::path> rasters_on_ground(const Scene& scene) {
 
 /// Those that the scene names itself, opened yet or not.
 std::vector<fs::path> named_files(const Scene& scene) {
-    std::vector<fs::path> files{
-        scene.file,           scene.terrain.elevation.file, scene.weather.file,
-        scene.air.table_file, scene.air.sounding_file,      scene.time.state};
+    std::vector<fs::path> files{scene.file, scene.terrain.elevation.file, scene.air.table_file,
+                                scene.air.sounding_file, scene.time.state};
+    files.insert(files.end(), scene.weather.files.begin(), scene.weather.files.end());
     files.insert(files.end(), scene.terrain.elevation.tiles.begin(),
                  scene.terrain.elevation.tiles.end());
     for (const fs::path& file : rasters_on_ground(scene)) files.push_back(file);

@@ -52,6 +52,8 @@ std::string type_of(const KeyEntry& entry) {
             return entry.count == 0 ? "numbers" : fmt::format("{} numbers", entry.count);
         case Key::Kind::texts:
             return "texts";
+        case Key::Kind::files:
+            return "text or texts";
         case Key::Kind::rows:
             return fmt::format("rows of {} numbers", entry.count);
         case Key::Kind::values:

@@ -84,6 +84,10 @@ OrderedJson value_schema(const std::vector<KeyEntry>& entries, const KeyEntry& e
             return array_of(number, entry.count);
         case Key::Kind::texts:
             return array_of({{"type", "string"}}, 0);
+        case Key::Kind::files: {
+            const OrderedJson text{{"type", "string"}};
+            return {{"anyOf", OrderedJson::array({text, array_of(text, 0)})}};
+        }
         case Key::Kind::rows:
             return array_of(array_of(number, entry.count), 0);
         case Key::Kind::values:

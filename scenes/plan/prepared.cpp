@@ -123,8 +123,9 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         motion = {places(-reach), places(reach)};
     }
     RayScene rays(world.facets, passed_light(prepared.scene.materials), world.copies, motion);
-    return {prepared.scene, std::move(world), std::move(rays), prepared.weather, prepared.sequences,
-            prepared.plan,  prepared.plumes,  prepared.notes,  prepared.movement};
+    return {prepared.scene,     std::move(world), std::move(rays), prepared.weather,
+            prepared.sequences, prepared.plan,    prepared.plumes, prepared.notes,
+            prepared.movement,  prepared.warnings};
 }
 
 Prepared prepare(Scene scene) {
@@ -161,6 +162,10 @@ Prepared prepare(Scene scene) {
     for (std::string& note : notes_on_grey(scene)) notes.push_back(std::move(note));
     Plan plan = make_plan(scene, world, weather);
     for (std::string& note : table_notes(scene)) notes.push_back(std::move(note));
+    if (scene.air.sounding) {
+        const std::vector<std::string>& repaired = scene.air.sounding->notes;
+        notes.insert(notes.end(), repaired.begin(), repaired.end());
+    }
     if (world.filled_facets > 0) {
         std::size_t voids = dem.voids;
         for (const DemDetail& detail : dem.detail) voids += detail.raster.voids;
@@ -182,10 +187,12 @@ Prepared prepare(Scene scene) {
     if (std::string note = measured_albedo(scene, world, weather).note; !note.empty()) {
         notes.push_back(std::move(note));
     }
+    std::vector<Mistake> warnings = dem.warnings;
     scene.files = merged(scene.files, opened.files());
     return {std::move(scene),   std::move(world),    std::move(rays),
             std::move(weather), std::move(pictures), std::move(plan),
-            std::move(plumes),  std::move(notes),    std::move(movement_of_objects)};
+            std::move(plumes),  std::move(notes),    std::move(movement_of_objects),
+            std::move(warnings)};
 }
 
 }  // namespace diurna

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "render/rays/plume.hpp"
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/plan.hpp"
@@ -25,6 +26,7 @@ struct Prepared {
     std::vector<Plume> plumes;       // placed likewise
     std::vector<std::string> notes;  // what a reader should know of elevation and weather data
     Movement movement;               // of objects that go
+    std::vector<Mistake> warnings;   // of the files read: what is implausible in them
 };
 
 /// The same with the objects that go in other places.

@@ -83,11 +83,15 @@ GivenHeat given_heat(const Prepared& prepared, const fs::path& file) {
     const std::vector<RunInput> inputs = run_inputs(prepared.scene);
     const std::vector<std::string> changed =
         changed_since(temperatures_made_of(file), heat_made_of(prepared.scene, inputs));
-    const fs::path weather = prepared.scene.weather.file.lexically_normal();
+    const std::vector<fs::path>& weather = prepared.scene.weather.files;
+    const auto is_weather = [&](const fs::path& path) {
+        return std::any_of(weather.begin(), weather.end(),
+                           [&](const fs::path& one) { return one.lexically_normal() == path; });
+    };
     for (const RunInput& input : inputs) {
         const bool differs = std::find(changed.begin(), changed.end(), input.name) != changed.end();
-        if (differs && input.path == weather) {
-            refuse(file, fmt::format("found those of another content of {}", weather.string()));
+        if (differs && is_weather(input.path)) {
+            refuse(file, fmt::format("found those of another content of {}", input.path.string()));
         }
     }
     if (!changed.empty()) {

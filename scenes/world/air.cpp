@@ -155,7 +155,7 @@ Weather scene_weather(const Scene& scene, const World& world) {
     options.elevation = world.sea_level_height;
     options.site = world.site;
     options.asked = used_span(scene.time);
-    Weather weather = read_weather(scene.weather.file, options);
+    Weather weather = read_weather(scene.weather.files, options);
     const double height = weather.height;
     const SkySeries series(std::move(weather), world.site, height, scene.sky, scene.time.start,
                            scene.time.end());

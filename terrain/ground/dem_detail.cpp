@@ -193,6 +193,7 @@ void lay_detail(Dem& dem, Dem fine, const DetailOptions& options) {
             detail.raster.source, std::abs(step), step > 0.0 ? "above" : "below", dem.source));
     }
     for (const std::string& note : detail.raster.notes) dem.notes.push_back(note);
+    for (const Mistake& one : detail.raster.warnings) dem.warnings.push_back(one);
     dem.detail.push_back(std::move(detail));
     sample_detail(dem);
 }

@@ -9,6 +9,7 @@
 
 #include "materials/base/error.hpp"
 #include "terrain/raster/ascii_grid.hpp"
+#include "terrain/raster/band_mask.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
@@ -25,6 +26,8 @@ std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& 
     std::vector<double> row(std::size_t(raster.columns));
     int declared = 0;
     const double nodata = band.GetNoDataValue(&declared);
+    std::vector<std::uint8_t> valid(row.size());
+    BandMask mask(band, raster.source);
     std::vector<std::int32_t> value;
     value.reserve(std::size_t(raster.columns) * raster.rows);
     for (int r = 0; r < raster.rows; ++r) {
@@ -32,8 +35,10 @@ std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& 
                           GDT_Float64, 0, 0) != CE_None) {
             throw InputError(raster.source, "is damaged");
         }
-        for (const double x : row) {
-            if (std::isnan(x) || (declared && x == nodata)) {
+        mask.read(0, r, valid);
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            const double x = row[column];
+            if (std::isnan(x) || (declared && x == nodata) || valid[column] == 0) {
                 value.push_back(no_class);
             } else if (x != std::round(x) || std::abs(x) > 2e9) {
                 throw InputError(raster.source,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "terrain/raster/geotransform.hpp"
 #include "terrain/raster/lattice_map.hpp"
 
@@ -30,6 +31,7 @@ struct Dem {
     std::size_t voids = 0;              // posts without elevation in the file
     std::vector<std::uint8_t> is_void;  // (row, column) 1 there; empty where there is none
     std::vector<std::string> notes;     // what a reader should know: doubtful datum, seams
+    std::vector<Mistake> warnings;      // what is implausible: heights of a unit that is not known
     std::vector<DemDetail> detail;  // finer rasters on it, later ones on top (ground/dem_detail)
 };
 

@@ -7,35 +7,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <limits>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
 #include "materials/base/hdf5_file.hpp"
 #include "terrain/raster/ascii_grid.hpp"
 #include "terrain/raster/crs.hpp"
+#include "terrain/raster/dem_heights.hpp"
 #include "terrain/raster/dem_notes.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/dem_window.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/geotransform.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
+#include "terrain/raster/zip_archive.hpp"
 
 namespace diurna {
 
 namespace {
 
-constexpr double lowest = -12e3, highest = 10e3;  // heights on Earth [m], with some room
-
 const char* const allowed_drivers[] = {"GTiff",   "DTED", "SRTMHGT", "USGSDEM",
                                        "AAIGrid", "ENVI", "netCDF",  nullptr};
-
-/// An absolute path, so that no name is ever taken for one of GDAL's connection strings.
-std::string gdal_name(const std::filesystem::path& file) {
-    const std::string path = std::filesystem::absolute(file).lexically_normal().string();
-    const bool zipped_hgt = path.ends_with(".hgt.zip") || path.ends_with(".HGT.zip");
-    return zipped_hgt ? "/vsizip/" + path + "/" + file.stem().string() : path;
-}
 
 GDALDatasetUniquePtr open(const std::string& name) {
     return GDALDatasetUniquePtr(
@@ -74,7 +66,7 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     if (std::filesystem::file_size(file, problem) == 0) throw InputError(where, "is empty");
     note_file_read(file);
     check_values_are_its_own(file);
-    auto raster = open(gdal_name(file));
+    auto raster = open(gdal_raster_name(file));
     gate.check();
     if (!raster) {
         throw InputError(where, "cannot be read as elevation" + gdal.because(),
@@ -157,48 +149,6 @@ void check_corners(const Dem& dem) {
         if (!std::isfinite(place.longitude_deg) || !(std::abs(place.latitude_deg) <= 90.0) ||
             std::abs(place.longitude_deg) > 540.0) {
             throw InputError(dem.source, "its georeference puts it outside the Earth");
-        }
-    }
-}
-
-double metres_per_unit(GDALRasterBand& band, const DemOptions& options) {
-    if (options.unit) return *options.unit;
-    const std::string unit = band.GetUnitType();
-    if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
-    if (unit == "US survey foot" || unit == "ftUS") return 1200.0 / 3937.0;
-    if (unit == "cm" || unit == "centimetre") return 0.01;
-    if (unit == "dm") return 0.1;
-    return 1.0;
-}
-
-void read_heights(GDALDataset& raster, const PostWindow& window, const DemOptions& options,
-                  Dem& dem, const QuietGdal& gdal) {
-    GDALRasterBand& band = *raster.GetRasterBand(1);
-    dem.height.resize(std::size_t(window.columns) * window.rows);
-    if (band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows,
-                      dem.height.data(), window.columns, window.rows, GDT_Float32, 0,
-                      0) != CE_None) {
-        throw InputError(dem.source, "is damaged" + gdal.because());
-    }
-    int declared = 0;
-    const auto nodata = static_cast<float>(band.GetNoDataValue(&declared));
-    const double unit = metres_per_unit(band, options);
-    const double scale = band.GetScale() * unit, offset = band.GetOffset() * unit;
-    for (float& height : dem.height) {
-        const bool is_void = !std::isfinite(height) || (declared && height == nodata) ||
-                             height == -32768.0f || height == -32767.0f || height == 32767.0f ||
-                             height == -9999.0f || scale * height + offset < lowest;
-        if (is_void) {
-            height = std::numeric_limits<float>::quiet_NaN();
-        } else {
-            height = static_cast<float>(scale * height + offset);
-            if (height > highest) {
-                throw InputError(dem.source,
-                                 fmt::format("found a height of {:.0f} m; nothing on Earth is so "
-                                             "high",
-                                             height),
-                                 "say which unit its heights have");
-            }
         }
     }
 }

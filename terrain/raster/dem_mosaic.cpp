@@ -93,6 +93,7 @@ Dem joined(std::vector<Dem> tiles) {
         Dem& tile = tiles[i];
         const Seam seam = lay_down(tile, place[i][0] - low[0], place[i][1] - low[1], dem);
         dem.notes.insert(dem.notes.end(), tile.notes.begin(), tile.notes.end());
+        dem.warnings.insert(dem.warnings.end(), tile.warnings.begin(), tile.warnings.end());
         if (seam.differing > 0) {
             dem.notes.push_back(
                 fmt::format("{}: {} posts shared with other tiles differ, by up to "

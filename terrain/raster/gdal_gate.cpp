@@ -24,7 +24,7 @@ namespace {
 constexpr std::array gate_drivers{"GTiff", "DTED",   "SRTMHGT",       "USGSDEM", "AAIGrid",
                                   "ENVI",  "netCDF", "PNG",           "JPEG",    "GeoJSON",
                                   "GPKG",  "MEM",    "ESRI Shapefile"};
-constexpr std::array file_systems{"/vsimem/", "/vsizip/"};  // beside the disk
+constexpr std::array file_systems{"/vsimem/", "/vsizip/", "/vsigzip/"};  // beside the disk
 
 thread_local GdalGate* gate = nullptr;
 
@@ -148,6 +148,7 @@ void prepare_gdal() {
         }
         CSLDestroy(prefixes);
         VSIFileManager::InstallHandler("", new GuardedDisk(VSIFileManager::GetHandler("")));
+        CPLSetConfigOption("CPL_VSIL_GZIP_WRITE_PROPERTIES", "NO");  // beside the archive
         CPLSetConfigOption("SQLITE_USE_OGR_VFS", "YES");  // else SQLite opens files by itself
         CPLHTTPSetFetchCallback(fetch_nothing, nullptr);
         OSRSetPROJEnableNetwork(FALSE);

@@ -32,7 +32,8 @@ class GdalGate {
 };
 
 /// Registers the drivers that readers here use and no others, closes GDAL's file systems but those
-/// of the disk, of memory and of zip archives, and keeps it off the network. Once in the process.
+/// of the disk, of memory and of zip and gzip archives, and keeps it off the network. Once in the
+/// process.
 void prepare_gdal();
 
 }  // namespace diurna

@@ -12,6 +12,7 @@
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
+#include "terrain/raster/written_height.hpp"
 
 namespace diurna {
 
@@ -100,6 +101,25 @@ int field_index(OGRLayer& layer, const std::string& field, const std::string& wh
                      hint.empty() ? fmt::format("fields: {}", fmt::join(names, ", ")) : hint);
 }
 
+/// [m]; NaN where the field is empty. Throws InputError(where) for a text that is no height.
+double height_of(const OGRFeature& feature, int field, const std::string& where) {
+    if (!feature.IsFieldSetAndNotNull(field)) return std::nan("");
+    if (feature.GetFieldDefnRef(field)->GetType() != OFTString) {
+        return feature.GetFieldAsDouble(field);
+    }
+    const std::string text = feature.GetFieldAsString(field);
+    if (text.find_first_not_of(" \t") == std::string::npos) return std::nan("");
+    const auto height = written_height(text);
+    if (!height) {
+        throw InputError(where,
+                         fmt::format("found '{}', expected a height such as 12.5, \"12.5 m\" or "
+                                     "\"41 ft\"",
+                                     plain(text.substr(0, 40))),
+                         "correct it in the file, or leave it empty to have height_m");
+    }
+    return *height;
+}
+
 }  // namespace
 
 std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std::string& kind_field,
@@ -133,8 +153,10 @@ std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std:
             LandShape like;
             like.feature = features;
             if (kind >= 0) like.kind = plain(feature->GetFieldAsString(kind));
-            if (height >= 0 && feature->IsFieldSetAndNotNull(height)) {
-                like.height = feature->GetFieldAsDouble(height);
+            if (height >= 0) {
+                like.height = height_of(
+                    *feature, height,
+                    fmt::format("{}: feature {}: {}", file.string(), features, height_field));
             }
             const std::size_t before = shapes.size();
             try {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "materials/base/error.hpp"
+#include "terrain/raster/band_mask.hpp"
 #include "terrain/raster/gdal_file.hpp"
 
 namespace diurna {
@@ -30,13 +31,18 @@ BandFacts facts_of(GDALRasterBand& band, const std::string& where, const QuietGd
     facts.most = -facts.least;
     double sum = 0.0;
     std::vector<double> row(static_cast<std::size_t>(band.GetXSize()));
+    std::vector<std::uint8_t> valid(row.size());
+    BandMask mask(band, where);
+    facts.alpha = band.GetColorInterpretation() == GCI_AlphaBand;
     for (int y = 0; y < band.GetYSize(); ++y) {
         if (band.RasterIO(GF_Read, 0, y, band.GetXSize(), 1, row.data(), band.GetXSize(), 1,
                           GDT_Float64, 0, 0) != CE_None) {
             throw InputError(where, "cannot be read" + gdal.because());
         }
-        for (const double v : row) {
-            if (!std::isfinite(v) || (declared && v == no_data)) continue;
+        mask.read(0, y, valid);
+        for (std::size_t x = 0; x < row.size(); ++x) {
+            const double v = row[x];
+            if (!std::isfinite(v) || (declared && v == no_data) || valid[x] == 0) continue;
             facts.least = std::min(facts.least, v);
             facts.most = std::max(facts.most, v);
             sum += v;

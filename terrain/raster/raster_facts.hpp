@@ -12,11 +12,13 @@ namespace diurna {
 
 /// One band (channel) of a raster file, as its file declares it.
 struct BandFacts {
-    std::string name, unit, type;    // "Float32"; name and unit may be empty
-    std::optional<double> no_data;   // as declared
-    double least = 0.0, most = 0.0;  // of what is finite and not `no_data`; NaN where nothing is
+    std::string name, unit, type;   // "Float32"; name and unit may be empty
+    std::optional<double> no_data;  // as declared
+    double least = 0.0,
+           most = 0.0;  // of what is finite and valid by its mask; NaN where nothing is
     double mean = 0.0;
     long long valid = 0;  // pixels
+    bool alpha = false;   // says which pixels of the other bands are valid
 };
 
 /// What any raster file holds, be it elevation, classes, temperatures or a picture.

@@ -43,6 +43,11 @@ TEST_CASE("inspect tells texts apart and what to call next", "[scenes][inspect]"
              {"shapes.geojson", R"({"type": "FeatureCollection", "features": [{}, {}]})"},
              {"annotations.json", R"({"images": [{}], "annotations": [{}, {}, {}],
                  "categories": [{"id": 1, "name": "truck"}]})"},
+             {"sonde.csv",
+              "height_m,pressure_hPa,temperature_C,relative_humidity_percent\n320,975,24,40\n"
+              "1320,870,14,40\n"},
+             {"grey.csv", "wavelength_um,reflectance\n8,0.05\n12,0.06\n"},
+             {"way.csv", "time_s,east_m,north_m\n0,1,2\n10,3,4\n"},
              {"manifest.json", R"({"program": "diurna 0.1.0", "scene": "s", "state": "done"})"}}) {
         write_text(folder.path / name, text);
     }
@@ -53,6 +58,9 @@ TEST_CASE("inspect tells texts apart and what to call next", "[scenes][inspect]"
              {folder.path / "train.txt", "list of pictures\npictures: 1\n"},
              {folder.path / "shapes.geojson", "shapes (GeoJSON)\nfeatures: 2\n"},
              {folder.path / "annotations.json", "labels (COCO)\nimages: 1\nannotations: 3\n"},
+             {folder.path / "sonde.csv", "sounding\nlevels: 2\nlowest_height_m: 320\n"},
+             {folder.path / "grey.csv", "spectrum\nrows: 2\n"},
+             {folder.path / "way.csv", "trajectory\nrows: 2\n"},
              {folder.path / "manifest.json", "manifest of a run\n"},
              {folder.path, "next: diurna verify "},
              {place / "scene.toml", "scene\nnext: diurna check "},

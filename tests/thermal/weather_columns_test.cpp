@@ -97,9 +97,59 @@ TEST_CASE("ERA5 netCDF: packed values, time since an epoch, one point", "[therma
     CHECK(w.sample[1].shortwave_down == Approx(100.0));
     CHECK(w.sample[1].air.pressure == Approx(98000.0));  // filled from the hour before
     // 10° of latitude and of longitude at 45° N: 1112 and 787 km.
-    CHECK(has(w.note, "the station is 13"));
+    REQUIRE(w.warnings.size() == 1);
+    CHECK(has(w.warnings.front().line(), "is 13"));
     write(2);
     CHECK_THROWS_WITH(read_weather(file), Catch::Contains("extract one point"));
+}
+
+TEST_CASE("ERA5 netCDF: of final and preliminary values the one that is there counts",
+          "[thermal][weather_file]") {
+    const ScratchFolder folder("expver");
+    const auto file = folder.path / "expver.nc";
+    int nc = 0, time = 0, version = 0, v_time = 0, t2m = 0;
+    REQUIRE(nc_create(file.c_str(), NC_CLOBBER, &nc) == NC_NOERR);
+    nc_def_dim(nc, "time", 3, &time);
+    nc_def_dim(nc, "expver", 2, &version);
+    const int over_time[]{time}, over_both[]{time, version};
+    nc_def_var(nc, "time", NC_INT, 1, over_time, &v_time);
+    const std::string units = "hours since 2022-01-01 00:00:00.0";
+    nc_put_att_text(nc, v_time, "units", units.size(), units.c_str());
+    nc_def_var(nc, "t2m", NC_FLOAT, 2, over_both, &t2m);
+    nc_enddef(nc);
+    const int hours[]{0, 1, 2};
+    const float nan = std::nanf("");
+    const float kelvin[]{280.0f, nan, 281.0f, 999.0f, nan, 282.0f};
+    nc_put_var_int(nc, v_time, hours);
+    nc_put_var_float(nc, t2m, kelvin);
+    nc_close(nc);
+    const WeatherTable table = read_weather_table(file, {});
+    CHECK(table.of(Quantity::air_temperature) == std::vector<double>{280.0, 281.0, 282.0});
+}
+
+TEST_CASE("ERA5: instantaneous and accumulated variables in two files are one series",
+          "[thermal][weather_file]") {
+    const ScratchFolder folder("era5_parts");
+    write_text(folder.path / "instant.csv",
+               "valid_time,t2m,latitude,longitude\n2022-07-01 11:00:00,290,50,10\n"
+               "2022-07-01 12:00:00,292,50,10\n");
+    write_text(folder.path / "accum.csv",
+               "valid_time,ssrd,fdir,latitude,longitude\n2022-07-01 12:00:00,1800000,1080000,50,"
+               "10\n2022-07-01 13:00:00,2160000,1440000,50,10\n");
+    const std::vector<std::filesystem::path> files{folder.path / "instant.csv",
+                                                   folder.path / "accum.csv"};
+    const WeatherTable table = read_weather_tables(files, {});
+    REQUIRE(table.stamp.size() == 3);
+    CHECK(table.of(Quantity::shortwave_down)[1] == 500.0);  // 1.8 MJ in an hour
+    CHECK(table.of(Quantity::diffuse)[1] == 200.0);
+    CHECK(table.of(Quantity::air_temperature)[1] == 292.0);
+    CHECK(std::isnan(table.of(Quantity::air_temperature)[2]));
+    write_text(folder.path / "far.csv",
+               "valid_time,t2m,latitude,longitude\n2022-07-02 11:00:00,290,60,10\n");
+    CHECK_THROWS_WITH(
+        read_weather_tables(std::vector<std::filesystem::path>{files[0], folder.path / "far.csv"},
+                            {}),
+        Catch::Contains("one place"));
 }
 
 TEST_CASE("columns of other names are read in the units they are declared in",

@@ -150,7 +150,8 @@ PointJob read_column_job(const Document& document) {
     read_wind(facet, job);
     job.clear_sky = read_sky(root.section("sky", sky_says));
     const Section weather = root.required_section("weather", "what drives the heat balance");
-    const std::filesystem::path weather_file = weather.file("file", weather_file_says);
+    const std::vector<std::filesystem::path> weather_files =
+        weather.files("file", weather_file_says);
     WeatherOptions options = read_weather_options(weather, 0.1);
     options.elevation = job.elevation;
     options.site = job.site;
@@ -162,7 +163,7 @@ PointJob read_column_job(const Document& document) {
     if (job.calibrate) job.depth = job.calibrate->depth;
     document.finish();
     options.asked = {job.start, job.end};
-    job.weather = read_weather(weather_file, options);
+    job.weather = read_weather(weather_files, options);
     if (!measured_over.empty() && measured_over != read.name) {
         forget_albedo(measured_over, read.name, job.weather);
     }

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/base/error.hpp"
 #include "terrain/place/instant.hpp"
+#include "terrain/place/site.hpp"
 
 namespace diurna {
 
@@ -47,6 +50,12 @@ struct Weather {
     double air_height = 2.0;       // [m] of temperature and humidity
     double height = 0.0;           // [m] above the sea, of the ground where it was measured
     std::string note{};            // what is absent and therefore modelled, one line; or empty
+    std::vector<Mistake> warnings{};    // what is implausible of the file or its station
+    std::optional<Geodetic> station{};  // where it was measured, if the file says so
+    /// Whether the file's columns may be declared in [weather.columns], its stamps in
+    /// weather.interval: what warnings advise.
+    bool declarable = true;
+    bool carried = true;  // to the height of each facet, from that of weather.height_m: scenes
 
     Forcing at(Instant when) const;
     AirState air_at(Instant when) const;

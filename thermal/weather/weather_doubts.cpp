@@ -20,7 +20,7 @@ constexpr double about = 5.0 * 86400.0;    // [s] before and behind the middle, 
 
 /// A kind of doubt: how many samples it is of, and which comes first.
 struct Kind {
-    const char* hint;
+    std::string hint;
     std::string first{};
     std::size_t count = 0;
 
@@ -37,6 +37,26 @@ struct Kind {
         doubts.push_back({where, first + more, hint});
     }
 };
+
+/// What to do about another unit: declare it, where the file's format has columns to declare.
+std::string other_unit(const Weather& weather, const std::string& problem,
+                       const std::string& declaration) {
+    return weather.declarable
+               ? fmt::format("{}is the column's unit another? [weather.columns] takes {}", problem,
+                             declaration)
+               : problem + "the file's format has one unit for it: was it converted wrongly?";
+}
+
+/// Where the sun is to be looked at from: the station, where it is far from the site.
+Site place_measured(const Weather& weather, const Site& site) {
+    if (!weather.station) return site;
+    const Geodetic& station = *weather.station;
+    constexpr double near_deg = 1.0;
+    const bool near =
+        std::abs(station.latitude_deg - site.latitude_deg) < near_deg &&
+        std::abs(std::remainder(station.longitude_deg - site.longitude_deg, 360.0)) < near_deg;
+    return near ? site : Site{station.latitude_deg, station.longitude_deg, site.height};
+}
 
 /// The highest sun of a sample's interval: sine of its elevation, and the elevation.
 struct HighestSun {
@@ -60,20 +80,21 @@ bool within(Instant when, Instant begin, Instant end) { return when >= begin && 
 void doubt_states(const Weather& weather, Instant begin, Instant end, const std::string& where,
                   std::vector<Mistake>& doubts) {
     Kind air{
-        "never measured at the ground: is the column's unit another? [weather.columns] takes "
-        "\"air_temperature degC\" or degF"};
-    Kind wind{"is the column's unit another? [weather.columns] takes \"wind_speed km/h\" or kn"};
-    Kind rain{"is the column's unit another? [weather.columns] takes \"rain mm\" of an interval"};
+        other_unit(weather, "never measured at the ground: ", "\"air_temperature degC\" or degF")};
+    Kind wind{other_unit(weather, "", "\"wind_speed km/h\" or kn")};
+    Kind rain{other_unit(weather, "", "\"rain mm\" of an interval")};
     Kind sky{"BSRN's limits: is it net or upward radiation, or of another unit?"};
     Kind over_air{
         "of 0.4 to 1 black bodies of the air and 25 W/m2 (BSRN): is it net or upward "
         "radiation, or the air's temperature of another unit?"};
     const std::string weight = fmt::format(
         "it is that at the station, {:.0f} m above the sea (the standard atmosphere has {:.0f}), "
-        "not reduced to the sea: is weather.height_m another, or the elevation in feet "
-        "(terrain.height_unit = \"ft\")?",
-        weather.height, standard_pressure(weather.height));
-    Kind pressure{weight.c_str()};
+        "not reduced to the sea: {}",
+        weather.height, standard_pressure(weather.height),
+        weather.carried ? "is weather.height_m another, or the elevation in feet "
+                          "(terrain.height_unit = \"ft\")?"
+                        : "is site.elevation_m another?");
+    Kind pressure{weight};
     double most_humid = -1.0;
     for (std::size_t i = 0; i < weather.sample.size(); ++i) {
         const Instant when = weather.instant[i];
@@ -105,7 +126,13 @@ std::string hours(double seconds) {
 }
 
 /// What would mend the times, from how far they are off [s].
-std::string mend_of(double lag, double longitude_deg) {
+std::string mend_of(double lag, double longitude_deg, bool declarable) {
+    if (!declarable) {
+        return fmt::format(
+            "is the time zone in the file's header right, or is it "
+            "site.longitude_deg = {:g}?",
+            longitude_deg);
+    }
     const long quarters = std::lround(lag / 900.0);
     const long minutes = 15 * std::abs(quarters);
     return fmt::format(
@@ -162,25 +189,31 @@ bool doubt_times(const Weather& weather, const Site& site, Instant begin, Instan
                          "(correlation {:.2f}), not as it stands ({:.2f}){}",
                          hours(lag->seconds), lag->seconds > 0.0 ? "early" : "late", lag->fit,
                          lag->as_it_is, night.empty() ? "" : "; " + night),
-             mend_of(lag->seconds, site.longitude_deg)});
+             mend_of(lag->seconds, site.longitude_deg, weather.declarable)});
     } else if (dark > 0) {
         doubts.push_back({where, night + fmt::format(" ({} samples)", dark),
-                          "is the time column's offset from UTC right, or site.longitude_deg?"});
+                          weather.declarable ? "is the time column's offset from UTC right, or "
+                                               "site.longitude_deg?"
+                                             : "is the time zone in the file's header right, or "
+                                               "site.longitude_deg?"});
     } else if (low_light > 2 && lit == 0) {
         doubts.push_back({where,
                           fmt::format("no sunlight was measured from {} to {}, with the sun up to "
                                       "{:.0f} degrees high",
                                       format_instant(begin), format_instant(end), highest),
-                          "a column of zeros is darkness: leave it out to have sunlight modelled"});
+                          weather.declarable
+                              ? "a column of zeros is darkness: leave it out to have sunlight "
+                                "modelled"
+                              : "zeros are darkness: where nothing was measured, the format has a "
+                                "code for missing values"});
     }
     return off || dark > 0;
 }
 
 void doubt_sunlight(const Weather& weather, const Site& site, Instant begin, Instant end,
                     const std::string& where, std::vector<Mistake>& doubts) {
-    Kind global{
-        "more than BSRN holds possible: is its unit another? [weather.columns] takes "
-        "\"shortwave_down kJ/m2\" and others"};
+    Kind global{other_unit(
+        weather, "more than BSRN holds possible: ", "\"shortwave_down kJ/m2\" and others")};
     Kind direct{"more than the sun sends: is it of another unit, or global?"};
     Kind diffuse{"more than BSRN holds possible: is it of another unit, or global?"};
     Kind up{"more than BSRN holds possible: is its unit another?"};
@@ -202,9 +235,10 @@ void doubt_sunlight(const Weather& weather, const Site& site, Instant begin, Ins
 
 }  // namespace
 
-std::vector<Mistake> weather_doubts(const Weather& weather, const Site& site, Instant begin,
+std::vector<Mistake> weather_doubts(const Weather& weather, const Site& place, Instant begin,
                                     Instant end, const std::string& where) {
-    std::vector<Mistake> doubts;
+    const Site site = place_measured(weather, place);
+    std::vector<Mistake> doubts = weather.warnings;
     doubt_states(weather, begin, end, where, doubts);
     if (!doubt_times(weather, site, begin, end, where, doubts)) {
         doubt_sunlight(weather, site, begin, end, where, doubts);

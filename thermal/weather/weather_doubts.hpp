@@ -25,8 +25,11 @@ namespace diurna {
 /// course
 ///   of light that is more than 40 minutes off the sun's (sun_lag.hpp), within 5 days of the middle
 ///
+/// The weather's own warnings come first. The sun is that of its station, where the file names one
+/// more than a degree from the site. Hints advise what the file's format allows.
+///
 /// where: "scene.toml: weather.file"
-std::vector<Mistake> weather_doubts(const Weather& weather, const Site& site, Instant begin,
+std::vector<Mistake> weather_doubts(const Weather& weather, const Site& place, Instant begin,
                                     Instant end, const std::string& where);
 
 }  // namespace diurna

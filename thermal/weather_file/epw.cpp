@@ -4,10 +4,13 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "thermal/weather_file/epw_times.hpp"
 #include "thermal/weather_file/text_lines.hpp"
 
 namespace diurna {
@@ -38,15 +41,58 @@ constexpr std::array<EpwColumn, 9> epw_columns{{
 }};
 constexpr std::size_t total_cover = 22, opaque_cover = 23, rain_depth = 33, rain_hours = 34;
 
+/// Values that are zero where files have none: no sky above air sends nothing, no ground has no
+/// pressure.
+struct Zeros {
+    long long infrared = 0, pressure = 0;
+};
+
+/// NaN for such a zero, which is counted.
+double unless_zero(Quantity quantity, double value, Zeros& zeros) {
+    if (!(value <= 0.0)) return value;
+    if (quantity == Quantity::longwave_down) {
+        ++zeros.infrared;
+        return not_measured;
+    }
+    if (quantity == Quantity::pressure) {
+        ++zeros.pressure;
+        return not_measured;
+    }
+    return value;
+}
+
+/// Hours from a row's stamp to the instant of its sunlight, which PVGIS writes into a comment:
+/// "COMMENTS 2,Irradiance Time Offset (h):-0.8239" (JRC, PVGIS user manual). None: the sunlight is
+/// of the row's hour.
+std::optional<double> irradiance_offset(const TextLines& lines) {
+    for (std::size_t i = 0; i < header_lines; ++i) {
+        const std::string line = small_letters(lines.line[i]);
+        const std::size_t at = line.find("irradiance time offset");
+        if (at == std::string::npos) continue;
+        const std::size_t colon = line.find_first_of(":=", at);
+        if (colon == std::string::npos) continue;
+        std::string_view number = std::string_view(line).substr(colon + 1);
+        number = number.substr(0, number.find_first_of(",;\""));
+        const auto words = words_of(number);
+        const std::string where = lines.where(i);
+        const double hours = number_in(words.empty() ? "" : words.front(), where);
+        check_within(where + ": irradiance time offset [h]", hours, -24.0, 24.0);
+        return hours;
+    }
+    return std::nullopt;
+}
+
 /// A line's numbers; columns that are not there are NaN.
 double cell(const std::vector<std::string>& cells, std::size_t column, const std::string& where) {
     if (column >= cells.size() || cells[column].empty()) return not_measured;
     return number_in(cells[column], fmt::format("{}:{}", where, column + 1));
 }
 
-void put_epw(const std::vector<std::string>& cells, const std::string& where, WeatherTable& table) {
+void put_epw(const std::vector<std::string>& cells, const std::string& where, WeatherTable& table,
+             Zeros& zeros) {
     for (const EpwColumn& c : epw_columns) {
-        const double value = unless_missing(cell(cells, c.column, where), c.missing);
+        const double value =
+            unless_zero(c.quantity, unless_missing(cell(cells, c.column, where), c.missing), zeros);
         put(table, c.quantity, c.factor * value + c.offset,
             fmt::format("{}:{}", where, c.column + 1));
     }
@@ -80,7 +126,8 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
     };
     table.place = {of_place(6), of_place(7), of_place(9)};
     const double offset_h = of_place(8);
-    std::vector<LocalRow> rows;
+    std::vector<EpwTime> times;
+    std::vector<std::string> places;
     std::vector<std::vector<std::string>> cells;
     for (std::size_t i = header_lines; i < lines.line.size(); ++i) {
         if (lines.line[i].find_first_not_of(" ,\t") == std::string_view::npos) continue;
@@ -93,13 +140,33 @@ WeatherTable read_epw(const std::filesystem::path& file, const AskedSpan& asked)
         for (std::size_t k = 0; k < 5; ++k) {
             time[k] = int(std::lround(number_in(row[k], fmt::format("{}:{}", where, k + 1))));
         }
-        const double minute = time[4] == 0 ? 60.0 : time[4];
-        rows.push_back({time[0], time[1], time[2], 3600.0 * (time[3] - 1) + 60.0 * minute, where});
+        times.push_back({time[0], time[1], time[2], time[3], time[4]});
+        places.push_back(where);
         cells.push_back(std::move(row));
     }
-    if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    if (times.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    const std::vector<double> ends =
+        epw_ends(times, epw_rows_per_hour(lines.line[header_lines - 1]), table.notes);
+    std::vector<LocalRow> rows;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        rows.push_back({times[i].year, times[i].month, times[i].day, ends[i], places[i]});
+    }
+    Zeros zeros;
     add_local_rows(rows, offset_h, asked, table,
-                   [&](std::size_t i) { put_epw(cells[i], rows[i].where, table); });
+                   [&](std::size_t i) { put_epw(cells[i], rows[i].where, table, zeros); });
+    for (const auto& [count, what] : {std::pair{zeros.infrared, "infrared of 0 W/m2"},
+                                      std::pair{zeros.pressure, "pressure of 0 Pa"}}) {
+        if (count == 0) continue;
+        table.notes.push_back(fmt::format("{} in {} rows is taken as missing", what, count));
+    }
+    if (const auto hours = irradiance_offset(lines)) {
+        table.stamps = Stamp::instant;
+        table.light_offset = 3600.0 * *hours;
+        table.notes.push_back(
+            fmt::format("sunlight is of the instants {:.0f} min {} the rows' stamps, as the file's "
+                        "comment says",
+                        std::abs(60.0 * *hours), *hours < 0.0 ? "before" : "after"));
+    }
     return table;
 }
 

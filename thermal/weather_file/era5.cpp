@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "materials/base/error.hpp"
+#include "thermal/weather_file/joined_rows.hpp"
 
 namespace diurna {
 
@@ -26,12 +28,74 @@ void check_hourly(const WeatherTable& table, const std::string& name, double flu
 }  // namespace
 
 const std::vector<std::string>& era5_names() {
-    static const std::vector<std::string> names{"t2m",  "d2m",  "u10",  "v10", "sp",
+    static const std::vector<std::string> names{"t2m",  "d2m",  "u10",  "v10", "si10", "sp",
                                                 "ssrd", "strd", "fdir", "tp",  "tcc"};
     return names;
 }
 
-void put_era5(const Era5Values& values, WeatherTable& table) {
+bool is_era5_name(const std::string& name) {
+    return std::find(era5_names().begin(), era5_names().end(), name) != era5_names().end();
+}
+
+void add_stamp(Era5Series& series, Instant stamp, const std::string& where) {
+    if (!series.stamp.empty() && stamp <= series.stamp.back()) {
+        throw InputError(
+            where, fmt::format("{} does not come after the row before it", format_instant(stamp)));
+    }
+    series.stamp.push_back(stamp);
+    series.where.push_back(where);
+}
+
+void join_era5(Era5Series& all, const Era5Series& more) {
+    constexpr double same_place_deg = 0.01;
+    if (all.place && more.place &&
+        (std::abs(all.place->latitude_deg - more.place->latitude_deg) > same_place_deg ||
+         std::abs(all.place->longitude_deg - more.place->longitude_deg) > same_place_deg)) {
+        throw InputError(
+            more.file.string(),
+            fmt::format("is of {:.2f} N {:.2f} E, {} of {:.2f} N {:.2f} E",
+                        more.place->latitude_deg, more.place->longitude_deg, all.file.string(),
+                        all.place->latitude_deg, all.place->longitude_deg),
+            "files of one list are of one place");
+    }
+    if (!all.place) all.place = more.place;
+    const JoinedRows rows = joined_rows(all.stamp, more.stamp);
+    std::vector<std::string> where;
+    for (std::size_t i = 0; i < rows.stamp.size(); ++i) {
+        where.push_back(rows.first[i] != no_row ? all.where[rows.first[i]]
+                                                : more.where[rows.second[i]]);
+    }
+    Era5Values values;
+    for (const std::string& name : era5_names()) {
+        const auto a = std::as_const(all.values).find(name);
+        const auto b = more.values.find(name);
+        if (a == all.values.cend() && b == more.values.end()) continue;
+        std::vector<double>& column = values[name];
+        for (std::size_t i = 0; i < rows.stamp.size(); ++i) {
+            double value = not_measured;
+            if (a != all.values.cend() && rows.first[i] != no_row) value = a->second[rows.first[i]];
+            if (std::isnan(value) && b != more.values.end() && rows.second[i] != no_row) {
+                value = b->second[rows.second[i]];
+            }
+            column.push_back(value);
+        }
+    }
+    all.stamp = rows.stamp;
+    all.where = std::move(where);
+    all.values = std::move(values);
+    all.notes.insert(all.notes.end(), more.notes.begin(), more.notes.end());
+    all.unused.insert(all.unused.end(), more.unused.begin(), more.unused.end());
+}
+
+WeatherTable era5_table(const Era5Series& series) {
+    const Era5Values& values = series.values;
+    WeatherTable table{.file = series.file, .format = series.format};
+    for (std::size_t i = 0; i < series.stamp.size(); ++i) {
+        add_row(table, series.stamp[i], series.where[i]);
+    }
+    table.place = series.place;
+    table.notes = series.notes;
+    table.unused = series.unused;
     table.stamps = Stamp::end;
     table.states_at_stamp = true;
     const auto take = [&](const char* name, Quantity quantity, double factor) {
@@ -57,6 +121,7 @@ void put_era5(const Era5Values& values, WeatherTable& table) {
             table.of(Quantity::wind_speed).push_back(std::hypot(u->second[i], v->second[i]));
         }
     }
+    if (!table.has(Quantity::wind_speed)) take("si10", Quantity::wind_speed, 1.0);
     const auto beam = values.find("fdir");
     if (beam != values.end() && table.has(Quantity::shortwave_down)) {
         for (std::size_t i = 0; i < beam->second.size(); ++i) {
@@ -66,8 +131,8 @@ void put_era5(const Era5Values& values, WeatherTable& table) {
     }
     if (!table.has(Quantity::air_temperature)) {
         throw InputError(table.file.string(), "no t2m, the air's temperature, in it",
-                         "ask for 2m_temperature as well; files of accumulated variables alone "
-                         "must be joined with those of instantaneous ones");
+                         "the store puts accumulated and instantaneous variables into two files: "
+                         "weather.file takes both, [\"instant.nc\", \"accum.nc\"], or its zip");
     }
     const double usual = usual_interval(table.stamp);
     if (usual > 1.5 * hour &&
@@ -76,6 +141,7 @@ void put_era5(const Era5Values& values, WeatherTable& table) {
             "ERA5's radiation is of the last hour of each {:g} h, taken for all of them",
             usual / hour));
     }
+    return table;
 }
 
 }  // namespace diurna

@@ -10,17 +10,39 @@
 namespace diurna {
 
 /// Values by ERA5's short names, (row), NaN where missing, in ERA5's units: t2m and d2m [K], u10
-/// and v10 [m s⁻¹], sp [Pa], tcc, and sums over the hour that ends at the stamp: ssrd, fdir and
-/// strd [J m⁻²], tp [m].
+/// and v10 or si10 [m s⁻¹], sp [Pa], tcc, and sums over the hour that ends at the stamp: ssrd, fdir
+/// and strd [J m⁻²], tp [m].
 using Era5Values = std::map<std::string, std::vector<double>>;
+
+/// What one file of ERA5 holds, or several joined.
+struct Era5Series {
+    std::filesystem::path file;
+    std::string format;                // "ERA5 netCDF"
+    std::vector<Instant> stamp{};      // (row) ascending
+    std::vector<std::string> where{};  // (row)
+    Era5Values values{};
+    std::optional<Geodetic> place{};
+    std::vector<std::string> notes{};
+    std::vector<std::string> unused{};  // variables that were passed over
+};
 
 /// The short names that are read.
 const std::vector<std::string>& era5_names();
 
-/// Fills a table whose stamps are there. Sums are those of one hour whatever lies between the rows
-/// (ECMWF, ERA5 data documentation: "accumulations are over the hour ending at the validity
-/// date/time"); fdir is the direct light on the horizontal, so the rest of ssrd is diffuse. A sum
-/// since midnight, as ERA5-Land's own files hold, is refused. Wind at 10 m, air at 2 m.
-void put_era5(const Era5Values& values, WeatherTable& table);
+bool is_era5_name(const std::string& name);
+
+/// Adds a row's stamp. Throws InputError(where) unless it comes after the one before.
+void add_stamp(Era5Series& series, Instant stamp, const std::string& where);
+
+/// Adds the rows and variables of another file: the store parts instantaneous from accumulated
+/// ones, users months from each other. Of a value in both the first counts. Throws InputError for
+/// another place.
+void join_era5(Era5Series& all, const Era5Series& more);
+
+/// The table of a series. Sums are those of one hour whatever lies between the rows (ECMWF, ERA5
+/// data documentation: "accumulations are over the hour ending at the validity date/time"); fdir is
+/// the direct light on the horizontal, so the rest of ssrd is diffuse. A sum since midnight, as
+/// ERA5-Land's own files hold, is refused. Wind at 10 m, air at 2 m.
+WeatherTable era5_table(const Era5Series& series);
 
 }  // namespace diurna

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
-#include "thermal/weather_file/weather_table.hpp"
+#include "thermal/weather_file/era5.hpp"
 
 namespace diurna {
 
 /// ERA5 at a point as CSV, as the Climate Data Store's time-series service writes it: valid_time
 /// (UTC, "2022-01-01 00:00:00"), short names (thermal/weather_file/era5.hpp), latitude, longitude;
 /// other columns are passed over. Throws InputError for more than one place.
-WeatherTable read_era5_csv(const std::filesystem::path& file);
+Era5Series read_era5_csv(const std::filesystem::path& file);
+/// The same of a text that is at hand; `file` names it.
+Era5Series era5_csv_series(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace diurna

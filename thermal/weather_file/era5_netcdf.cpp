@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <netcdf.h>
+#include <netcdf_mem.h>
 
 #include <cmath>
 #include <sstream>
@@ -24,6 +25,15 @@ class NetcdfFile {
         check_values_are_its_own(file);
         check(nc_open(path_.c_str(), NC_NOWRITE, &id_), "cannot be opened");
     }
+    /// One in memory, named by `file`.
+    NetcdfFile(const std::filesystem::path& file, std::span<const std::byte> bytes)
+        : path_(file.string()) {
+        check_values_are_its_own(bytes, path_);
+        // The library only reads what it takes for writable.
+        check(nc_open_mem(path_.c_str(), NC_NOWRITE, bytes.size(),
+                          const_cast<std::byte*>(bytes.data()), &id_),
+              "cannot be opened");
+    }
     ~NetcdfFile() { nc_close(id_); }
     NetcdfFile(const NetcdfFile&) = delete;
     NetcdfFile& operator=(const NetcdfFile&) = delete;
@@ -33,36 +43,52 @@ class NetcdfFile {
         int id = -1;
         return nc_inq_varid(id_, name.c_str(), &id) == NC_NOERR ? id : -1;
     }
-    /// All its values, unpacked; NaN where filled. Of `count` of them, else InputError.
+    /// The values of a variable at each of `count` instants, unpacked; NaN where filled. Along
+    /// expver, which has the final and the preliminary value, the first that is there counts.
+    /// Throws InputError for other dimensions longer than one.
     std::vector<double> values(const std::string& name, std::size_t count) const {
         const int id = variable(name);
-        if (const std::size_t found = size_of(id); found != count) {
+        std::size_t versions = 1, size = 1, apart = 1, version_apart = 1;
+        const std::vector<Dimension> dimensions = dimensions_of(id);
+        for (auto d = dimensions.rbegin(); d != dimensions.rend(); ++d) {
+            if (d->name == "expver") {
+                versions = d->length;
+                version_apart = size;
+            } else if (d->length == count && (d->name == "time" || d->name == "valid_time")) {
+                apart = size;
+            }
+            size *= d->length;
+        }
+        constexpr std::size_t most_versions = 100;
+        if (versions == 0 || versions > most_versions || size != count * versions) {
             throw InputError(path_ + ": " + name,
-                             fmt::format("holds {} values for {} instants", found, count),
+                             fmt::format("holds {} values for {} instants", size, count),
                              "extract one point");
         }
-        std::vector<double> raw(count);
-        check(nc_get_var_double(id_, id, raw.data()), name + " cannot be read");
-        const double scale = attribute(id, "scale_factor", 1.0);
-        const double offset = attribute(id, "add_offset", 0.0);
-        const double fill = attribute(id, "_FillValue", not_measured);
-        const double missing = attribute(id, "missing_value", not_measured);
-        for (double& value : raw) {
-            value = value == fill || value == missing ? not_measured : scale * value + offset;
+        const std::vector<double> all = unpacked(id, name, size);
+        std::vector<double> chosen(count, not_measured);
+        for (std::size_t i = 0; i < count; ++i) {
+            for (std::size_t v = 0; v < versions && std::isnan(chosen[i]); ++v) {
+                chosen[i] = all[i * apart + v * version_apart];
+            }
         }
-        return raw;
+        return chosen;
+    }
+    /// The names of all variables.
+    std::vector<std::string> variables() const {
+        int count = 0;
+        check(nc_inq_nvars(id_, &count), "cannot be read");
+        std::vector<std::string> names;
+        for (int id = 0; id < count; ++id) {
+            char name[NC_MAX_NAME + 1] = {};
+            check(nc_inq_varname(id_, id, name), "cannot be read");
+            names.emplace_back(name);
+        }
+        return names;
     }
     std::size_t size_of(int variable) const {
-        int dimensions = 0;
-        check(nc_inq_varndims(id_, variable, &dimensions), "cannot be read");
-        std::vector<int> ids(std::size_t(dimensions), 0);
-        check(nc_inq_vardimid(id_, variable, ids.data()), "cannot be read");
         std::size_t size = 1;
-        for (const int dimension : ids) {
-            std::size_t length = 0;
-            check(nc_inq_dimlen(id_, dimension, &length), "cannot be read");
-            size *= length;
-        }
+        for (const Dimension& dimension : dimensions_of(variable)) size *= dimension.length;
         return size;
     }
     std::string text(int variable, const char* name) const {
@@ -77,6 +103,36 @@ class NetcdfFile {
     }
 
  private:
+    struct Dimension {
+        std::string name;
+        std::size_t length;
+    };
+    std::vector<Dimension> dimensions_of(int variable) const {
+        int count = 0;
+        check(nc_inq_varndims(id_, variable, &count), "cannot be read");
+        std::vector<int> ids(std::size_t(count), 0);
+        check(nc_inq_vardimid(id_, variable, ids.data()), "cannot be read");
+        std::vector<Dimension> dimensions;
+        for (const int id : ids) {
+            char name[NC_MAX_NAME + 1] = {};
+            std::size_t length = 0;
+            check(nc_inq_dim(id_, id, name, &length), "cannot be read");
+            dimensions.push_back({name, length});
+        }
+        return dimensions;
+    }
+    std::vector<double> unpacked(int id, const std::string& name, std::size_t count) const {
+        std::vector<double> raw(count);
+        check(nc_get_var_double(id_, id, raw.data()), name + " cannot be read");
+        const double scale = attribute(id, "scale_factor", 1.0);
+        const double offset = attribute(id, "add_offset", 0.0);
+        const double fill = attribute(id, "_FillValue", not_measured);
+        const double missing = attribute(id, "missing_value", not_measured);
+        for (double& value : raw) {
+            value = value == fill || value == missing ? not_measured : scale * value + offset;
+        }
+        return raw;
+    }
     void check(int status, const std::string& what) const {
         if (status == NC_NOERR) return;
         throw InputError(path_, what + ": " + nc_strerror(status));
@@ -107,34 +163,43 @@ std::pair<Instant, double> time_units(const std::string& units, const std::strin
     return {stamp_in(date + "T" + clock, 0.0, where), seconds};
 }
 
-}  // namespace
-
-WeatherTable read_era5_netcdf(const std::filesystem::path& file) {
-    const NetcdfFile netcdf(file);
+Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::path& file) {
     const std::string time = netcdf.variable("valid_time") >= 0 ? "valid_time" : "time";
     const std::string where = file.string() + ": " + time;
     if (netcdf.variable(time) < 0) {
         throw InputError(file.string(), "neither valid_time nor time in it");
     }
-    WeatherTable table{.file = file, .format = "ERA5 netCDF"};
+    Era5Series series{.file = file, .format = "ERA5 netCDF"};
     const auto [start, step] = time_units(netcdf.text(netcdf.variable(time), "units"), where);
     const std::size_t count = netcdf.size_of(netcdf.variable(time));
     if (count == 0) throw InputError(where, "holds no instants");
     for (const double value : netcdf.values(time, count)) {
-        add_row(table, later(start, value * step),
-                fmt::format("{}[{}]", where, table.stamp.size()));
+        add_stamp(series, later(start, value * step),
+                  fmt::format("{}[{}]", where, series.stamp.size()));
     }
-    Era5Values values;
-    for (const std::string& name : era5_names()) {
-        if (netcdf.variable(name) >= 0) values[name] = netcdf.values(name, count);
+    for (const std::string& name : netcdf.variables()) {
+        if (is_era5_name(name)) {
+            series.values[name] = netcdf.values(name, count);
+        } else if (name != time) {
+            series.unused.push_back(name);
+        }
     }
-    put_era5(values, table);
     if (netcdf.variable("latitude") >= 0 && netcdf.variable("longitude") >= 0) {
         double east = netcdf.values("longitude", 1).front();
         if (east > 180.0) east -= 360.0;
-        table.place = {netcdf.values("latitude", 1).front(), east, not_measured};
+        series.place = {netcdf.values("latitude", 1).front(), east, not_measured};
     }
-    return table;
+    return series;
+}
+
+}  // namespace
+
+Era5Series read_era5_netcdf(const std::filesystem::path& file) {
+    return netcdf_series_of(NetcdfFile(file), file);
+}
+
+Era5Series era5_netcdf_series(const std::filesystem::path& file, std::span<const std::byte> bytes) {
+    return netcdf_series_of(NetcdfFile(file, bytes), file);
 }
 
 }  // namespace diurna

@@ -23,6 +23,8 @@ struct UsedColumn {
 
 struct Layout {
     std::size_t time = 0;
+    std::vector<std::size_t> part_column;  // of a time in several columns; else empty
+    std::vector<TimePart> part;
     double offset_h = not_measured;
     std::vector<UsedColumn> used;
     std::vector<std::string> unused;
@@ -36,6 +38,32 @@ std::vector<std::string> own_columns() {
     return known;
 }
 
+/// Mistakes of columns that no weather file has: each by itself, or many in one line.
+void add_unknown(const CsvTable& csv, const std::vector<std::size_t>& unknown,
+                 std::vector<Mistake>& mistakes) {
+    constexpr std::size_t most_by_themselves = 4;
+    const auto where = [&](std::size_t c) {
+        return fmt::format("{}:{}:{}: {}", csv.path.string(), csv.header_line, c + 1,
+                           csv.header[c]);
+    };
+    if (unknown.size() > most_by_themselves) {
+        mistakes.push_back(
+            {where(unknown.front()),
+             fmt::format("this and {} more columns are none of a weather file", unknown.size() - 1),
+             "[weather.columns] tells what those that count hold, and others are passed over"});
+        return;
+    }
+    for (const std::size_t c : unknown) {
+        const std::string near = did_you_mean(csv.header[c], own_columns());
+        mistakes.push_back({where(c), "is no column of a weather file",
+                            near.empty()
+                                ? fmt::format("[weather.columns] tells what it holds: {} = "
+                                              "\"air_temperature degC\", \"wind_speed kn\" ...",
+                                              csv.header[c])
+                                : near});
+    }
+}
+
 /// Throws InputError for columns that no weather file has, or that are declared and not there.
 Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declared) {
     Layout layout;
@@ -47,6 +75,7 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
                             did_you_mean(d.name, csv.header)});
     }
     bool has_time = false;
+    std::vector<std::size_t> unknown;
     std::array<bool, quantity_count> taken{};
     for (std::size_t c = 0; c < csv.header.size(); ++c) {
         const std::string& name = csv.header[c];
@@ -57,9 +86,15 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
             is_declared ? found->quantity : quantity_of_column(name);
         if (is_declared ? !found->quantity : name == "time") {
             if (has_time && !is_declared) continue;
-            layout.time = c;
-            layout.offset_h = is_declared ? found->offset_h : not_measured;
+            if (is_declared && !std::isnan(found->offset_h)) layout.offset_h = found->offset_h;
             has_time = true;
+            if (is_declared && found->part != TimePart::whole) {
+                if (layout.part.empty()) layout.time = c;
+                layout.part_column.push_back(c);
+                layout.part.push_back(found->part);
+                continue;
+            }
+            layout.time = c;
         } else if (quantity) {
             if (taken[index(*quantity)]) {
                 mistakes.push_back(
@@ -69,24 +104,26 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
             taken[index(*quantity)] = true;
             layout.used.push_back({c, *quantity, is_declared ? found->unit : Unit{}});
         } else if (declared.empty()) {
-            const std::string near = did_you_mean(name, own_columns());
-            mistakes.push_back({fmt::format("{}:{}:{}: {}", file, csv.header_line, c + 1, name),
-                                "is no column of a weather file",
-                                near.empty()
-                                    ? fmt::format("[weather.columns] tells what it holds: {} = "
-                                                  "\"air_temperature degC\", \"wind_speed kn\" ...",
-                                                  name)
-                                    : near});
+            unknown.push_back(c);
         } else {
             layout.unused.push_back(name);
         }
     }
+    add_unknown(csv, unknown, mistakes);
     if (!has_time) mistakes.push_back({file, "no column 'time' in the header", ""});
     if (!taken[index(Quantity::air_temperature)]) {
         mistakes.push_back({file, "no column 'air_temperature_K' in the header",
                             "columns of other names or units: [weather.columns]"});
     }
     if (!mistakes.empty()) throw InputError(mistakes);
+    if (layout.part.empty()) return layout;
+    check_time_parts(layout.part, file);
+    if (std::isnan(layout.offset_h)) {
+        throw InputError(file, "the times of its columns have no offset from UTC",
+                         fmt::format("write it once: [weather.columns] {} = \"{} -07:00\"",
+                                     csv.header[layout.time],
+                                     time_part_names()[std::size_t(layout.part.front())]));
+    }
     return layout;
 }
 
@@ -96,13 +133,34 @@ bool missing(const std::string& cell, bool foreign) {
            (cell == "M" || cell == "NA" || cell == "null" || cell == "nan" || cell == "NaN");
 }
 
+/// The instant of a row's stamp.
+Instant stamp_of(const CsvTable& csv, std::size_t row, const Layout& layout,
+                 const std::string& where) {
+    if (layout.part.empty()) return stamp_in(csv.rows[row][layout.time], layout.offset_h, where);
+    std::vector<TimeCell> cells;
+    for (std::size_t k = 0; k < layout.part.size(); ++k) {
+        cells.push_back({layout.part[k], csv.rows[row][layout.part_column[k]]});
+    }
+    return instant_of_parts(cells, layout.offset_h, where);
+}
+
+/// What counts as nothing measured.
+struct Missing {
+    bool foreign;                     // words too
+    const std::vector<double>& code;  // as the file has it
+};
+
 /// A cell in SI; NaN where it is missing. A trace of rain ("T") is none.
-double value_of(const CsvTable& csv, std::size_t row, const UsedColumn& c, bool foreign,
+double value_of(const CsvTable& csv, std::size_t row, const UsedColumn& c, const Missing& none,
                 double interval) {
     const std::string& cell = csv.rows[row][c.column];
-    if (missing(cell, foreign)) return not_measured;
-    if (foreign && c.quantity == Quantity::rain && cell == "T") return 0.0;
-    const double value = c.unit.factor * csv.number(row, c.column) + c.unit.offset;
+    if (missing(cell, none.foreign)) return not_measured;
+    if (none.foreign && c.quantity == Quantity::rain && cell == "T") return 0.0;
+    const double read = csv.number(row, c.column);
+    if (std::find(none.code.begin(), none.code.end(), read) != none.code.end()) {
+        return not_measured;
+    }
+    const double value = c.unit.factor * read + c.unit.offset;
     if (!c.unit.per_interval) return value;
     return interval > 0.0 ? value / interval : not_measured;
 }
@@ -116,7 +174,8 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
     const std::string word = says.substr(0, blank);
     std::string unit = blank == std::string::npos ? "" : says.substr(blank + 1);
     std::erase_if(unit, [](char c) { return c == ' ' || c == '[' || c == ']'; });
-    if (word == "time") {
+    if (const auto part = time_part_named(word)) {
+        column.part = *part;
         if (!unit.empty() && !offset_in(unit, column.offset_h)) {
             throw InputError(
                 where, fmt::format("found offset '{}', expected UTC or such as -05:00", unit));
@@ -126,7 +185,8 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
     column.quantity = quantity_named(word);
     if (!column.quantity) {
         std::vector<std::string> known = quantity_names();
-        known.insert(known.begin(), "time");
+        const std::vector<std::string> times = time_part_names();
+        known.insert(known.begin(), times.begin(), times.end());
         refuse_word(where, word, known);
     }
     const std::optional<Unit> found = unit_named(*column.quantity, unit);
@@ -136,27 +196,31 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
 }
 
 WeatherTable read_own_csv(const std::filesystem::path& file,
-                          const std::vector<DeclaredColumn>& declared) {
+                          const std::vector<DeclaredColumn>& declared,
+                          const std::vector<double>& missing_codes) {
     const CsvTable csv = read_csv(file);
     const bool foreign = !declared.empty();
     const Layout layout = layout_of(csv, declared);
     if (csv.rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
     WeatherTable table{.file = file, .format = "CSV"};
+    table.declarable = true;
     for (std::size_t row = 0; row < csv.rows.size(); ++row) {
         const std::string where = csv.where(row, layout.time);
-        add_row(table, stamp_in(csv.rows[row][layout.time], layout.offset_h, where), where);
+        add_row(table, stamp_of(csv, row, layout, where), where);
     }
     const double interval = usual_interval(table.stamp);
+    const Missing none{foreign, missing_codes};
     for (const UsedColumn& c : layout.used) {
         for (std::size_t row = 0; row < csv.rows.size(); ++row) {
-            const double value = value_of(csv, row, c, foreign, interval);
-            check_range(c.quantity, value, csv.where(row, c.column));
+            const double value = value_of(csv, row, c, none, interval);
+            check_range(c.quantity, value, csv.where(row, c.column), true);
             table.of(c.quantity).push_back(value);
         }
     }
     if (!layout.unused.empty()) {
         table.notes.push_back(fmt::format("columns not used: {}", fmt::join(layout.unused, ", ")));
     }
+    table.unused = layout.unused;
     return table;
 }
 

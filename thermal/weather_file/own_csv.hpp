@@ -6,20 +6,23 @@
 #include <string>
 #include <vector>
 
+#include "thermal/weather_file/time_parts.hpp"
 #include "thermal/weather_file/weather_table.hpp"
 
 namespace diurna {
 
-/// What a column of somebody's CSV holds: a quantity in a unit, or the time.
+/// What a column of somebody's CSV holds: a quantity in a unit, or the time or a part of it.
 struct DeclaredColumn {
     std::string name;                    // in the file's header
     std::optional<Quantity> quantity{};  // none: the time
     Unit unit{};
+    TimePart part = TimePart::whole;                             // of the time
     double offset_h = std::numeric_limits<double>::quiet_NaN();  // from UTC, of the time; NaN: its
                                                                  // cells say it
 };
 
-/// "air_temperature degC", "time UTC": a quantity and its unit as [weather.columns] declares them.
+/// "air_temperature degC", "time UTC", "year -07:00", "hour": a quantity and its unit, or the time
+/// or a part of it with its offset, as [weather.columns] declares them.
 /// Throws InputError(where) with the words it may be.
 DeclaredColumn declared_column(const std::string& name, const std::string& says,
                                const std::string& where);
@@ -27,8 +30,11 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
 /// A CSV file with the program's own columns (thermal/weather_file/README.md) and those declared
 /// besides. Where columns are declared, others are passed over and named in a note, and cells "M",
 /// "NA", "null" and "nan" are missing as empty ones are; where none are, unknown columns are
-/// mistakes.
+/// mistakes. A time may stand in several columns (time_parts.hpp).
+///
+/// missing  numbers that mean that nothing was measured, as the file has them: -9999
 WeatherTable read_own_csv(const std::filesystem::path& file,
-                          const std::vector<DeclaredColumn>& declared);
+                          const std::vector<DeclaredColumn>& declared,
+                          const std::vector<double>& missing = {});
 
 }  // namespace diurna

@@ -31,6 +31,15 @@ constexpr std::array<SurfradColumn, 9> surfrad_columns{{
 }};
 constexpr std::size_t column_count = 48;
 
+/// Throws InputError unless two stations are one.
+void check_same_place(const std::vector<std::string_view>& one,
+                      const std::vector<std::string_view>& other, const std::string& where) {
+    for (std::size_t k = 0; k < 2; ++k) {
+        if (std::abs(number_in(one.at(k), where) - number_in(other.at(k), where)) < 0.01) continue;
+        throw InputError(where, "is another station than the file begins with");
+    }
+}
+
 struct Flagged {
     long long bad = 0, questionable = 0;
 };
@@ -55,6 +64,11 @@ void put_surfrad(const std::vector<std::string_view>& words, const std::string& 
 
 }  // namespace
 
+bool is_surfrad_place(std::string_view line) {
+    const std::vector<std::string_view> words = words_of(line);
+    return words.size() >= 4 && words[3] == "m" && line.find("version") != std::string_view::npos;
+}
+
 WeatherTable read_surfrad(const std::filesystem::path& file) {
     const TextLines lines(file);
     WeatherTable table{.file = file, .format = "SURFRAD"};
@@ -69,6 +83,11 @@ WeatherTable read_surfrad(const std::filesystem::path& file) {
         const std::vector<std::string_view> words = words_of(lines.line[i]);
         if (words.empty()) continue;
         const std::string where = lines.where(i);
+        if (i + 1 < lines.line.size() && is_surfrad_place(lines.line[i + 1])) {
+            check_same_place(words_of(lines.line[i + 1]), place, lines.where(i + 1));
+            ++i;  // the head of another day
+            continue;
+        }
         if (words.size() != column_count) {
             throw InputError(
                 where, fmt::format("found {} words, expected {}", words.size(), column_count));

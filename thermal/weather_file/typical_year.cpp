@@ -50,14 +50,15 @@ int local_year(Instant instant, double offset_h) {
 }  // namespace
 
 void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const AskedSpan& asked,
-                    WeatherTable& table, const std::function<void(std::size_t)>& put_values) {
+                    WeatherTable& table, const std::function<void(std::size_t)>& put_values,
+                    bool declared_typical) {
     const auto add = [&](std::size_t i, int year, int day) {
         const LocalRow& row = rows[i];
         add_row(table, local_instant(year, row.month, day, row.seconds, offset_h, row.where),
                 row.where);
         put_values(i);
     };
-    if (!typical(rows)) {
+    if (!declared_typical && !typical(rows)) {
         for (std::size_t i = 0; i < rows.size(); ++i) add(i, rows[i].year, rows[i].day);
         return;
     }

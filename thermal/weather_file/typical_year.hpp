@@ -20,7 +20,7 @@ struct AskedSpan {
     Instant last() const { return later(end, behind); }
 };
 
-/// A row of a calendar kept in local standard time. Its hour ends at `seconds` of the day.
+/// A row of a calendar kept in local standard time. Its stamp is `seconds` of the day.
 struct LocalRow {
     int year = 0, month = 0, day = 0;
     double seconds = 0.0;
@@ -34,7 +34,10 @@ struct LocalRow {
 /// change otherwise than at New Year, the rows stand for every year that the span asked for
 /// touches (without one: for the year of the first row), and a note says so. Such years have no 29
 /// February; in a leap year the 28th stands for it too.
+///
+/// declared_typical  the file says that it is one, whatever its years
 void add_local_rows(const std::vector<LocalRow>& rows, double offset_h, const AskedSpan& asked,
-                    WeatherTable& table, const std::function<void(std::size_t)>& put_values);
+                    WeatherTable& table, const std::function<void(std::size_t)>& put_values,
+                    bool declared_typical = false);
 
 }  // namespace diurna

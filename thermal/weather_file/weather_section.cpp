@@ -20,8 +20,9 @@ std::vector<DeclaredColumn> read_columns(const Section& columns) {
         const std::string says = columns.text(
             name,
             "what the file's column of this name holds, and its unit: \"time UTC\", "
-            "\"air_temperature degC\", \"wind_speed kn\"; quantities and units stand in "
-            "thermal/weather_file/README.md");
+            "\"air_temperature degC\", \"wind_speed kn\"; a time in several columns: "
+            "\"year UTC\", \"month\", \"day\", \"hour\", \"minute\"; quantities and units are "
+            "listed in thermal/weather_file/README.md");
         try {
             declared.push_back(declared_column(name, says, columns.where(name)));
         } catch (const InputError& error) {
@@ -58,6 +59,10 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
         {{"refuse", OnGap::refuse},
          {"interpolate", OnGap::interpolate},
          {"clear_sky", OnGap::clear_sky}});
+    options.missing = section.numbers_or(
+        "missing", "numbers that a CSV file has where nothing was measured, such as [-9999]",
+        {std::vector<double>{}, "none"});
+    if (!options.missing.empty()) options.where_missing = section.where("missing");
     options.columns =
         read_columns(section.section("columns", "of a CSV file with names and units of its own"));
     options.change = read_weather_change(section);
@@ -73,7 +78,9 @@ HeightKeys read_height_keys(const Section& section, bool sounded, WeatherOptions
         section, "height_m",
         "above the sea, of the ground where the weather was measured: air, sky and sun "
         "are taken from there to the height of each facet",
-        "the file's (EPW, TMY3, SURFRAD, BSRN), else the ground's at the site", {-500.0, 9000.0});
+        "the file's (EPW, TMY3, NSRDB, SolarAnywhere, PVGIS, SURFRAD, BSRN), else the ground's "
+        "at the site",
+        {-500.0, 9000.0});
     const auto lapse = section.number_or_word(
         "lapse",
         "of the air along the ground and along lines of sight, K per km upward, or \"profile\": as "

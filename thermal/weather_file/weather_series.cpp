@@ -29,7 +29,10 @@ double interval_at(const std::vector<Instant>& stamp, std::size_t row, Stamp sta
 /// The instants that rows stand for.
 std::vector<Instant> placed(const WeatherTable& table, Stamp stamps) {
     std::vector<Instant> instant = table.stamp;
-    if (stamps == Stamp::instant) return instant;
+    if (stamps == Stamp::instant) {
+        for (Instant& one : instant) one = later(one, table.light_offset);
+        return instant;
+    }
     const double usual = usual_interval(table.stamp);
     const double way = stamps == Stamp::end ? -0.5 : 0.5;
     for (std::size_t i = 0; i < instant.size(); ++i) {
@@ -124,6 +127,9 @@ CoveredSpan covered_span(const WeatherTable& table, Stamp stamps) {
     const double usual = usual_interval(table.stamp);
     const std::vector<Instant>& stamp = table.stamp;
     CoveredSpan span{stamp.front(), stamp.back()};
+    if (stamps == Stamp::instant && table.light_offset != 0.0) {
+        span = {later(span.begin, table.light_offset), later(span.end, table.light_offset)};
+    }
     if (stamps == Stamp::end) span.begin = later(span.begin, -interval_at(stamp, 0, stamps, usual));
     if (stamps == Stamp::start) {
         span.end = later(span.end, interval_at(stamp, stamp.size() - 1, stamps, usual));
@@ -146,6 +152,9 @@ Weather weather_series(const WeatherTable& table, Stamp stamps, double elevation
     for (std::size_t row = 0; row < weather.instant.size(); ++row) {
         weather.sample.push_back(forcing_of(columns, row, elevation));
     }
+    weather.warnings = table.warnings;
+    weather.station = table.place;
+    weather.declarable = table.declarable;
     weather.note = tell_absent(table);
     for (const std::string& note : table.notes) {
         weather.note += (weather.note.empty() ? "" : "; ") + note;

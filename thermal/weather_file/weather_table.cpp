@@ -54,22 +54,26 @@ bool stands_for_none(double value) {
 
 }  // namespace
 
-void check_range(Quantity quantity, double value, const std::string& where) {
+void check_range(Quantity quantity, double value, const std::string& where, bool declarable) {
     const QuantityFacts& f = facts(quantity);
     if (!(value < f.least || value > f.most)) return;
     const std::string unit = likely_unit(quantity, value);
     throw InputError(
         where,
         fmt::format("found {:g}; {} lies between {:g} and {:g}", value, f.column, f.least, f.most),
-        stands_for_none(value) ? "where nothing was measured, leave the cell empty"
-        : unit.empty()         ? ""
-                               : fmt::format("looks like another unit: [weather.columns] takes "
-                                                     "a column as \"{} {}\"",
-                                             f.name, unit));
+        stands_for_none(value) && declarable
+            ? fmt::format("where nothing was measured, leave the cell empty, or name the code: "
+                          "missing = [{:g}] in [weather]",
+                          value)
+        : unit.empty() || !declarable
+            ? ""
+            : fmt::format("looks like another unit: [weather.columns] takes "
+                          "a column as \"{} {}\"",
+                          f.name, unit));
 }
 
 void put(WeatherTable& table, Quantity quantity, double value, const std::string& where) {
-    check_range(quantity, value, where);
+    check_range(quantity, value, where, table.declarable);
     std::vector<double>& column = table.of(quantity);
     column.resize(table.stamp.size(), not_measured);
     column.back() = value;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "materials/base/error.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 #include "thermal/weather/weather.hpp"
@@ -27,7 +28,14 @@ struct WeatherTable {
     bool states_at_stamp = false;
     double wind_height = 10.0, air_height = 2.0;  // [m]
     std::optional<Geodetic> place{};              // of the station
-    std::vector<std::string> notes{};             // what a reader of the report should know
+    /// [s] from a row's stamp to the instant of its sunlight, where the file says that (PVGIS);
+    /// `stamps` is then instant, and states of the stamps are taken from the line between them.
+    double light_offset = 0.0;
+    std::vector<std::string> notes{};  // what a reader of the report should know
+    std::vector<Mistake> warnings{};   // what is implausible of the file or its place
+    /// Columns that were passed over; one that looks like a quantity that is absent is warned of.
+    std::vector<std::string> unused{};
+    bool declarable = false;  // [weather.columns] may say what the columns are
 
     bool has(Quantity quantity) const { return !value[index(quantity)].empty(); }
     std::vector<double>& of(Quantity quantity) { return value[index(quantity)]; }
@@ -40,7 +48,9 @@ void add_row(WeatherTable& table, Instant stamp, const std::string& where);
 /// range.
 void put(WeatherTable& table, Quantity quantity, double value, const std::string& where);
 /// Throws InputError for a value [SI] that no instrument has ever read.
-void check_range(Quantity quantity, double value, const std::string& where);
+/// declarable  the hint may advise [weather.columns], where columns of another unit are declared
+void check_range(Quantity quantity, double value, const std::string& where,
+                 bool declarable = false);
 
 /// The interval between most rows [s]: the median; 0 for a lone row.
 double usual_interval(const std::vector<Instant>& stamp);

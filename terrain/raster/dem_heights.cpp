@@ -1,0 +1,136 @@
+#include "terrain/raster/dem_heights.hpp"
+
+#include <fmt/format.h>
+#include <ogr_spatialref.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "materials/base/error.hpp"
+#include "terrain/raster/band_mask.hpp"
+#include "terrain/raster/height_unit.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double lowest = -12e3, highest = 10e3;  // heights on Earth [m], with some room
+
+constexpr const char* unit_hint =
+    "terrain.height_unit says what they are: m, dm, cm, km, ft, us_ft or geopotential";
+
+/// The unit that a band's file names; "" if it names none.
+std::string named_unit(GDALRasterBand& band) {
+    if (const std::string unit = band.GetUnitType(); !unit.empty()) return unit;
+    for (const char* key : {"units", "Units", "UNITS", "unit", "GRIB_UNIT"}) {
+        if (const char* unit = band.GetMetadataItem(key)) return unit;
+    }
+    for (const char* key : {"standard_name", "long_name"}) {
+        const char* name = band.GetMetadataItem(key);
+        if (name != nullptr && small_letters(name) == "geopotential") return "m2 s-2";
+    }
+    return "";
+}
+
+/// The unit of heights that a CRS has as a vertical axis; 0 if it has none.
+double vertical_unit(const OGRSpatialReference* reference) {
+    if (reference == nullptr || reference->IsVertical() == 0) return 0.0;
+    return reference->GetTargetLinearUnits("VERT_CS");
+}
+
+/// "US survey foot" of a map in feet; "" of one in metres or degrees.
+std::string map_unit(const OGRSpatialReference* reference) {
+    if (reference == nullptr || reference->IsProjected() == 0) return "";
+    const char* name = nullptr;
+    const double metres = reference->GetLinearUnits(&name);
+    return metres == 1.0 || name == nullptr ? "" : name;
+}
+
+/// What a raster's heights are multiplied by, and the unit for messages.
+struct TakenUnit {
+    double metres;
+    std::string name;
+};
+
+/// The unit of the heights; notes what is converted.
+TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOptions& options,
+                          Dem& dem) {
+    const auto converted = [&](double metres, const std::string& name) {
+        if (metres != 1.0) {
+            dem.notes.push_back(
+                fmt::format("{}: heights have the unit {}, multiplied by {:.7g} "
+                            "to metres",
+                            dem.source, name, metres));
+        }
+        return TakenUnit{metres, name};
+    };
+    if (options.unit) return converted(*options.unit, "that height_unit names");
+    if (const std::string named = named_unit(band); !named.empty()) {
+        const auto unit = height_unit(named);
+        if (!unit) {
+            throw InputError(dem.source,
+                             fmt::format("its heights have the unit '{}', expected metre, foot, "
+                                         "US survey foot, km or m2 s-2",
+                                         named.substr(0, 40)),
+                             unit_hint);
+        }
+        return converted(unit->metres, unit->name);
+    }
+    const OGRSpatialReference* reference = raster.GetSpatialRef();
+    if (const double metres = vertical_unit(reference); metres > 0.0) {
+        return converted(metres, "of the vertical axis of its CRS");
+    }
+    if (const std::string map = map_unit(reference); !map.empty()) {
+        dem.warnings.push_back({dem.source,
+                                fmt::format("its map is in {} and its heights have no unit: they "
+                                            "are taken as metres",
+                                            map),
+                                unit_hint});
+    }
+    return {1.0, "metre"};
+}
+
+}  // namespace
+
+void read_heights(GDALDataset& raster, const PostWindow& window, const DemOptions& options,
+                  Dem& dem, const QuietGdal& gdal) {
+    GDALRasterBand& band = *raster.GetRasterBand(1);
+    const TakenUnit unit = unit_of_heights(raster, band, options, dem);
+    const double scale = band.GetScale() * unit.metres, offset = band.GetOffset() * unit.metres;
+    const std::size_t columns = static_cast<std::size_t>(window.columns);
+    dem.height.resize(columns * window.rows);
+    std::vector<std::uint8_t> valid(columns);
+    if (band.RasterIO(GF_Read, window.column, window.row, window.columns, window.rows,
+                      dem.height.data(), window.columns, window.rows, GDT_Float32, 0,
+                      0) != CE_None) {
+        throw InputError(dem.source, "is damaged" + gdal.because());
+    }
+    int declared = 0;
+    const auto nodata = static_cast<float>(band.GetNoDataValue(&declared));
+    BandMask mask(band, dem.source);
+    for (int row = 0; row < window.rows; ++row) {
+        mask.read(window.column, window.row + row, valid);
+        for (std::size_t column = 0; column < columns; ++column) {
+            float& height = dem.height[columns * std::size_t(row) + column];
+            const bool is_void = !std::isfinite(height) || valid[column] == 0 ||
+                                 (declared && height == nodata) || height == -32768.0f ||
+                                 height == -32767.0f || height == 32767.0f || height == -9999.0f ||
+                                 scale * height + offset < lowest;
+            if (is_void) {
+                height = std::numeric_limits<float>::quiet_NaN();
+                continue;
+            }
+            height = static_cast<float>(scale * height + offset);
+            if (height > highest) {
+                throw InputError(dem.source,
+                                 fmt::format("found a height of {:.0f} m, with the unit {}; "
+                                             "nothing on Earth is so high",
+                                             height, unit.name),
+                                 unit_hint);
+            }
+        }
+    }
+}
+
+}  // namespace diurna

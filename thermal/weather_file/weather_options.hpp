@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "terrain/place/site.hpp"
+#include "thermal/weather/weather.hpp"
+#include "thermal/weather_file/changed_weather.hpp"
+#include "thermal/weather_file/gaps.hpp"
+#include "thermal/weather_file/own_csv.hpp"
+#include "thermal/weather_file/typical_year.hpp"
+
+namespace diurna {
+
+struct WeatherOptions {
+    /// What a time stamp means; none: as the format has it, or of CSV the end of an interval.
+    std::optional<Stamp> interval{};
+    std::optional<double> wind_height{};  // [m]; none: the format's, else 10
+    std::optional<double> air_height{};   // [m]; none: the format's, else 2
+    double elevation = 0.0;               // [m] above the sea, of the place it is to stand for
+    /// [m] above the sea, of the ground below the instruments; none: what the file says of its
+    /// station if `at_station`, else `elevation`. Pressure that the file lacks is that height's.
+    std::optional<double> height{};
+    bool at_station = false;
+    std::vector<DeclaredColumn> columns{};
+    std::vector<double> missing{};  // of CSV: numbers that mean that nothing was measured
+    OnGap on_gap = OnGap::refuse;
+    WeatherChange change{};
+    AskedSpan asked{};           // what must be covered; none: nothing in particular
+    std::optional<Site> site{};  // tells night from day, and whether the station is far away
+    std::string where_file = "weather.file";
+    std::string where = "weather.interval";  // of `interval`: "scene.toml:12:1: weather.interval"
+    std::string where_changed = "weather.changed";
+    std::string where_missing = "weather.missing";
+};
+
+}  // namespace diurna

@@ -54,7 +54,7 @@ Found inspect_weather(const std::filesystem::path& file) {
     if (!gaps.row.empty()) found.table.push_back(std::move(gaps));
     if (!table.warnings.empty()) {
         found.fact.push_back({"warnings", {}});
-        for (const Mistake& one : table.warnings) found.fact.back().value.push_back(one.line());
+        for (const Mistake& one : table.warnings) found.fact.back().value.emplace_back(one.line());
     }
     if (!table.notes.empty()) {
         found.fact.push_back({"notes", {table.notes.begin(), table.notes.end()}});

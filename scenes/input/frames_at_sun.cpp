@@ -68,8 +68,7 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
         elevation = sun.number("elevation_deg",
                                "of the sun, above the horizon, without refraction; or azimuth_deg",
                                {-20.0, 90.0});
-        half = sun.choice_or("half", "of the day: before noon, after it, or both",
-                             DayHalf::both,
+        half = sun.choice_or("half", "of the day: before noon, after it, or both", DayHalf::both,
                              {{"morning", DayHalf::morning},
                               {"afternoon", DayHalf::afternoon},
                               {"both", DayHalf::both}});

@@ -27,16 +27,16 @@ struct ObjectInput {
     bool at_any_height = false;  // however far from the ground it is
     bool angles_given = false;   // its pitch and roll are those of its placing
     std::vector<Eigen::Vector3d> contact;  // where it touches the ground, in its own frame [m]
-    std::string trajectory;                           // that it goes: its place and height
-    double ground_edge = 0.0;                         // [m] of the ground round it; 0: by its size
-    double airspeed = 0.0;                            // [m s⁻¹] along its heading; 0: it stands
-    std::vector<std::string> material;                // (part of the mesh)
-    TargetInput target;                               // as one body of heat
-    std::vector<std::string> notes;                   // on the mesh: what was left out of it
-    std::string where;                                // its height or place in the scene file
-    std::string copy_of;                // the name that copies have in common; "": none
-    std::filesystem::path copies_file;  // where their places stand; "": in the scene
-    double alike_within = 0.0;          // [K] copies that share temperatures; 0: each has its own
+    std::string trajectory;                // that it goes: its place and height
+    double ground_edge = 0.0;              // [m] of the ground round it; 0: by its size
+    double airspeed = 0.0;                 // [m s⁻¹] along its heading; 0: it stands
+    std::vector<std::string> material;     // (part of the mesh)
+    TargetInput target;                    // as one body of heat
+    std::vector<std::string> notes;        // on the mesh: what was left out of it
+    std::string where;                     // its height or place in the scene file
+    std::string copy_of;                   // the name that copies have in common; "": none
+    std::filesystem::path copies_file;     // where their places stand; "": in the scene
+    double alike_within = 0.0;  // [K] copies that share temperatures; 0: each has its own
 };
 
 }  // namespace diurna

@@ -64,12 +64,11 @@ std::vector<ClockHours::Window> windows_of(const Section& section, const char* k
         if (const auto window = hours_window(text)) {
             hours.push_back(*window);
         } else {
-            section.mistake(
-                key,
-                fmt::format("found '{}', expected hours and a share as "
-                            "05:30-06:10 0.3",
-                            text.substr(0, 60)),
-                "hours of a day to 24:00, a share from 0 to 1, 1 unless told");
+            section.mistake(key,
+                            fmt::format("found '{}', expected hours and a share as "
+                                        "05:30-06:10 0.3",
+                                        text.substr(0, 60)),
+                            "hours of a day to 24:00, a share from 0 to 1, 1 unless told");
         }
     }
     for (std::size_t i = 0; i < hours.size() && hours.size() == texts.size(); ++i) {

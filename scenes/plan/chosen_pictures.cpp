@@ -52,10 +52,10 @@ FrameRange frames_named(const std::string& text) {
     try {
         return {.from = parse_instant(first, option), .to = parse_instant(last, option)};
     } catch (const InputError&) {
-        throw InputError(
-            option, fmt::format("found 'frames={}', expected hours of the day as 05:00..09:00 "
-                                "or instants as 2026-07-15T06:00:00-04:00",
-                                text.substr(0, 60)));
+        throw InputError(option,
+                         fmt::format("found 'frames={}', expected hours of the day as 05:00..09:00 "
+                                     "or instants as 2026-07-15T06:00:00-04:00",
+                                     text.substr(0, 60)));
     }
 }
 

@@ -14,12 +14,12 @@ struct MeshFile {
         std::string node;      // or group (OBJ); may be empty
         std::string material;  // as named in the file; may be empty
     };
-    std::vector<Eigen::Vector3d> vertex;  // the file's own axes and unit
-    std::vector<std::array<std::uint32_t, 3>> triangle;
-    std::vector<std::uint16_t> part_of;  // (triangle)
-    std::vector<Part> part;
-    std::vector<std::string> notes;     // what was repaired or skipped
-    std::vector<std::string> warnings;  // what may be wrong in the file
+    std::vector<Eigen::Vector3d> vertex{};  // the file's own axes and unit
+    std::vector<std::array<std::uint32_t, 3>> triangle{};
+    std::vector<std::uint16_t> part_of{};  // (triangle)
+    std::vector<Part> part{};
+    std::vector<std::string> notes{};     // what was repaired or skipped
+    std::vector<std::string> warnings{};  // what may be wrong in the file
 };
 
 }  // namespace diurna

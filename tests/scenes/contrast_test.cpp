@@ -175,7 +175,7 @@ TEST_CASE("contrast at another range is that of the same bodies behind the air t
           "[scenes][contrast][by_reciprocity]") {
     // Apparent temperatures of black bodies of 310 and 294 K, summed wavelength by wavelength
     // behind 100 m of air, lead to those behind 500 m to 5 km.
-    const BandModel air{.profile = afgl_profile("MLS"), .aerosol = "rural"};
+    const Atmosphere air = BandModel{.profile = afgl_profile("MLS"), .aerosol = "rural"};
     const double target = 310.0, behind = 294.0, spread = 0.5;
     for (const char* const name : {"3-5", "8-12"}) {
         const Band band = parse_band(name, bin_edges_um());

@@ -36,7 +36,7 @@ std::string box_mesh() {
 
 std::string box(const std::string& name, const std::string& rest) {
     return "[[object]]\nname = \"" + name + "\"\nmesh = \"" + box_mesh() +
-           "\"\nmaterial = \"painted_sheet\"\n" + rest + "\n";
+           "\"\nmaterial = \"painted_sheet\"\nstands = \"upright\"\n" + rest + "\n";
 }
 
 Scene scene_of(const std::string& text) {

@@ -47,6 +47,8 @@ Shadow shadow_at(const Prepared& prepared, Instant when) {
     const FacetSet& facets = prepared.world.facets;
     Shadow shadow;
     for (std::size_t f = 0; f < prepared.world.ground_facets; ++f) {
+        // Shares are floats: of ground of 10⁶ m² far away their last digit is a tenth of a m².
+        if (facets.centroid[f].head<2>().norm() > 150.0f) continue;
         const double lost = double(facets.area[f]) * (1.0 - double(sun.fraction[f]));
         shadow.area += lost;
         shadow.middle += lost * facets.centroid[f].head<2>().cast<double>();

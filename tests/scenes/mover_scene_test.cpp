@@ -33,6 +33,7 @@ mesh = "crate.obj"
 up = "z"
 material = "painted_sheet"
 largest_edge_m = 2.0
+stands = "upright"
 )" + stands;
 }
 

@@ -37,7 +37,7 @@ Prepared prepared(const std::string& more) {
 std::string a_crate(const std::string& name, const std::string& stands) {
     return "[[object]]\nname = \"" + name +
            "\"\nmesh = \"crate.obj\"\nup = \"z\"\nmaterial = \"painted_sheet\"\nlargest_edge_m = "
-           "2.0\n" +
+           "2.0\nstands = \"upright\"\n" +
            stands + "\n";
 }
 

@@ -150,11 +150,16 @@ TEST_CASE("along a trajectory an object leans as the ground does", "[scenes][sta
     // Level to the west, rising to the east by 15 degrees.
     const double rise = std::tan(radians(15.0));
     const Ground ground = [&](double east, double) { return 500.0 + rise * std::max(0.0, east); };
-    const Prepared scene = prepared(
-        folder, ground,
+    const auto file = written(
+        folder.path, ground,
         crate("trajectory = \"road\"") +
             "[[trajectory]]\nname = \"road\"\nwaypoints_m = [[-40.0, 2.0, 0.0], [40.0, 2.0, "
             "0.0]]\ntimes_s = [0.0, 3600.0]\n");
+    std::string text = read_text(file);
+    const std::string steady = "spin_up = \"steady\"";
+    REQUIRE(text.find(steady) != std::string::npos);  // which moving objects do not have
+    write_text(file, text.replace(text.find(steady), steady.size(), "spin_up = \"periodic\""));
+    const Prepared scene = prepare(read_scene(file));
     // At the end of the hour at 40 m east, its front up the slope.
     const auto& end = scene.movement.poses_at(scene.scene.observers[0].frames[0]).at(0);
     const Eigen::Vector3d front = end.linear().col(1);

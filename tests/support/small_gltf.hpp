@@ -52,18 +52,18 @@ inline std::vector<std::uint16_t> box_indices() {
 
 /// An array of bytes, and what an accessor says of it.
 struct Data {
-    std::string bytes;
+    std::string bytes{};
     int component = 5126;  // float
     std::size_t count = 0;
     std::string type = "VEC3";
-    std::string more;  // of the accessor, with a comma before it
+    std::string more{};  // of the accessor, with a comma before it
     std::size_t stride = 0;
 };
 
 struct Parts {
     std::string nodes = R"([{"mesh":0}])", top = "[0]";
     std::string primitive = R"({"attributes":{"POSITION":0},"indices":1})";
-    std::string more;  // at the top level, with a comma before it
+    std::string more{};  // at the top level, with a comma before it
     std::vector<Data> data{{bytes_of(box_places()), 5126, 8},
                            {bytes_of(box_indices()), 5123, 36, "SCALAR"}};
 };

@@ -186,7 +186,7 @@ TEST_CASE("columns of other names are read in the units they are declared in",
     CHECK(w.sample[0].air.pressure == Approx(83430.0).epsilon(2e-3));
     CHECK(has(w.note, "columns not used: station, skyc1"));
 
-    CHECK(has(message_of(file, text), "is no column of a weather file"));
+    CHECK(has(message_of(file, text), "more columns are none of a weather file"));
     CHECK(has(message_of(file, text, {.columns = {declared("tmpc", "air_temperature degC")}}),
               "did you mean 'tmpf'?"));
     CHECK_THROWS_WITH(declared("x", "air_temprature degC"), Catch::Contains("air_temperature"));

@@ -231,8 +231,9 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
             options.tell(what_is_left(solve, points, targets, report));
         }
     }
-    // Where passes no longer bring it nearer, the error that temperatures may have decides.
-    report.converged = report.within_error;
+    // Where passes no longer bring it nearer, the error that temperatures may have decides; a
+    // column that only gathers heat has no such estimate, but its residual stays.
+    report.converged = report.within_error && report.periodic_residual <= options.settled;
     points.put(solve);
     targets.put(solve);
 }

@@ -8,7 +8,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t W = enthalpy_lanes;
+constexpr std::size_t lying_width = enthalpy_lanes;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ double albedo_of(const EnthalpyBatch& batch, std::size_t l, double wet, double c
 Covered begin_lying(const EnthalpyForcing& f, const EnthalpyBatch& batch) {
     Covered covered;
     covered.rates = batch.rates;
-    for (std::size_t l = 0; l < W; ++l) {
+    for (std::size_t l = 0; l < lying_width; ++l) {
         Lying& lying = covered.lying[l];
         lying.middle = batch.standing[l];
         const double fallen =
@@ -39,7 +39,7 @@ void lie(const EnthalpyBatch& batch, const EnthalpyForcing& f, Covered& covered)
     const ThermalSurface& surface = *batch.surface;
     EnthalpyBatch::Met& met = covered.met;
     met.covered = false;
-    for (std::size_t l = 0; l < W; ++l) {
+    for (std::size_t l = 0; l < lying_width; ++l) {
         if (covered.bare[l]) {
             met.wet_share[l] = met.frost_heat[l] = met.water_heat[l] = 0.0;
             met.cover[l] = no_snow;
@@ -72,10 +72,10 @@ void lie(const EnthalpyBatch& batch, const EnthalpyForcing& f, Covered& covered)
 }
 
 bool settle_rates(const EnthalpyForcing& f, const EnthalpyBatch& batch,
-                  const std::array<StoreFlows, W>& flows, const LaneMask& solved, int attempt,
-                  Covered& covered) {
+                  const std::array<StoreFlows, lying_width>& flows, const LaneMask& solved,
+                  int attempt, Covered& covered) {
     bool settled = true;
-    for (std::size_t l = 0; l < W; ++l) {
+    for (std::size_t l = 0; l < lying_width; ++l) {
         if (covered.bare[l] || !solved[l]) continue;
         const StoreRates found = flows[l].rates(f.duration[l]);
         const Lying& lying = covered.lying[l];

@@ -88,7 +88,8 @@ WeatherFormat weather_format(const std::filesystem::path& file) {
     };
     if (head.empty()) return found;
     if (head.starts_with("PK\x03\x04")) {
-        if (is_era5_zip(file)) return WeatherFormat::era5_zip;
+        const bool named_as_sheet = extension == ".xlsx" || extension == ".ods";
+        if (!named_as_sheet && is_era5_zip(file)) return WeatherFormat::era5_zip;
         throw InputError(file.string(), "is a spreadsheet or another archive",
                          "save it as CSV with commas between cells");
     }

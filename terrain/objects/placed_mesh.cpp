@@ -144,17 +144,7 @@ ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
     const MeshFrame frame(mesh, placing);
     std::vector<Eigen::Vector3d> vertex;
     for (const Eigen::Vector3d& v : mesh.vertex) vertex.push_back(frame.place(v));
-    // Clockwise from north is against the sense of a turn about the vertical.
-    const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
-    const bool level = placing.pitch_deg == 0.0 && placing.roll_deg == 0.0;
-    const Eigen::Quaterniond turns =
-        turn * Eigen::AngleAxisd(radians(placing.pitch_deg), Eigen::Vector3d::UnitX()) *
-        Eigen::AngleAxisd(radians(placing.roll_deg), Eigen::Vector3d::UnitY());
-    for (Eigen::Vector3d& v : vertex) {
-        const Eigen::Vector3d turned = level ? turn * v : turns * v;
-        v = placing.base + turned;
-    }
-
+    // Cut as it is made, so that the same object is the same triangles however it is turned.
     check_size(vertex);
     check_pieces(vertex, mesh, placing.largest_edge);
     std::vector<Piece> pieces;
@@ -164,6 +154,17 @@ ObjectMesh placed_mesh(const MeshFile& mesh, const Placing& placing,
     for (std::size_t before = 0; before != pieces.size();) {
         before = pieces.size();
         pieces = cutter.round(pieces);
+    }
+
+    // Clockwise from north is against the sense of a turn about the vertical.
+    const Eigen::AngleAxisd turn(-radians(placing.heading_deg), Eigen::Vector3d::UnitZ());
+    const bool level = placing.pitch_deg == 0.0 && placing.roll_deg == 0.0;
+    const Eigen::Quaterniond turns =
+        turn * Eigen::AngleAxisd(radians(placing.pitch_deg), Eigen::Vector3d::UnitX()) *
+        Eigen::AngleAxisd(radians(placing.roll_deg), Eigen::Vector3d::UnitY());
+    for (Eigen::Vector3d& v : vertex) {
+        const Eigen::Vector3d turned = level ? turn * v : turns * v;
+        v = placing.base + turned;
     }
 
     ObjectMesh placed;

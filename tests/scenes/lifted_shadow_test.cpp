@@ -46,14 +46,16 @@ Shadow shadow_at(const Prepared& prepared, Instant when) {
     const SunExposure sun = scene_sun_exposure(prepared, {when, later(when, 60.0)});
     const FacetSet& facets = prepared.world.facets;
     Shadow shadow;
+    double fine = 0.0;  // [m²]
     for (std::size_t f = 0; f < prepared.world.ground_facets; ++f) {
-        // Shares are floats: of ground of 10⁶ m² far away their last digit is a tenth of a m².
-        if (facets.centroid[f].head<2>().norm() > 150.0f) continue;
         const double lost = double(facets.area[f]) * (1.0 - double(sun.fraction[f]));
         shadow.area += lost;
+        // A shadow's edge on coarse ground says nothing of its place.
+        if (facets.area[f] > 100.0f) continue;
+        fine += lost;
         shadow.middle += lost * facets.centroid[f].head<2>().cast<double>();
     }
-    shadow.middle /= shadow.area;
+    shadow.middle /= fine;
     return shadow;
 }
 

@@ -98,7 +98,8 @@ TEST_CASE("a flat sheet on the ground is lifted off it, and told", "[scenes][wor
         return built(with(small_scene(), "[weather]",
                           "[[object]]\nname = \"sheet\"\nmesh = \"" +
                               (folder.path / "quad.obj").string() +
-                              "\"\nplace_m = [300.0, 300.0]\nmaterial = \"painted_steel\"\n" +
+                              "\"\nplace_m = [300.0, 300.0]\nstands = \"upright\"\n"
+                              "material = \"painted_steel\"\n" +
                               height + "[weather]"));
     };
     const auto up = [](const World& world) {
@@ -272,7 +273,8 @@ TEST_CASE("a mesh of a file stands on the ground, on finer triangles", "[scenes]
                "v -1 0 -3\nv 1 0 -3\nv 1 0 3\nv -1 0 3\nv -1 2 -3\nv 1 2 -3\nv 1 2 3\nv -1 2 3\n"
                "g hull\nf 1 2 3 4\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\ng lid\nf 5 8 7 6\n");
     const std::string object =
-        "\n[[object]]\nname = \"slab\"\nmesh = \"" + (folder.path / "slab.obj").string() +
+        "\n[[object]]\nname = \"slab\"\nstands = \"upright\"\nmesh = \"" +
+        (folder.path / "slab.obj").string() +
         "\"\nplace_m = [200.0, 200.0]\nheading_deg = 45.0\nmaterial = \"painted_steel\"\n"
         "[object.parts]\nlid = \"glass\"\n";
     const Built b = built(small_scene() + object);

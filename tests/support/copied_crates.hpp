@@ -94,8 +94,10 @@ inline std::string copies(double within, const std::vector<Stand>& places = stan
     for (const Stand& s : places) {
         rows += fmt::format("[{}, {}, {}], ", s.east, s.north, s.heading_deg);
     }
-    return fmt::format("[[object]]\nname = \"crate\"\ncopies = [{}]\ncopies_alike_K = {}\nstands = \"upright\"\n", rows,
-                       within) +
+    return fmt::format(
+               "[[object]]\nname = \"crate\"\ncopies = [{}]\ncopies_alike_K = {}\nstands = "
+               "\"upright\"\n",
+               rows, within) +
            about_crate;
 }
 
@@ -103,7 +105,8 @@ inline std::string apart(const std::vector<Stand>& places) {
     std::string all;
     for (std::size_t i = 0; i < places.size(); ++i) {
         all += fmt::format(
-                   "[[object]]\nname = \"crate_{:04}\"\nplace_m = [{}, {}]\nheading_deg = {}\nstands = \"upright\"\n",
+                   "[[object]]\nname = \"crate_{:04}\"\nplace_m = [{}, {}]\nheading_deg = "
+                   "{}\nstands = \"upright\"\n",
                    i + 1, places[i].east, places[i].north, places[i].heading_deg) +
                about_crate;
     }

@@ -19,6 +19,7 @@
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/found_heat.hpp"
 #include "scenes/run/heat.hpp"
+#include "scenes/run/radiometers.hpp"
 
 namespace diurna {
 
@@ -46,6 +47,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     const SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
     progress.finish();
     write_heat(prepared, heat.result, out);
+    print_notes(write_radiometers(stages, heat.result, out.parent_path()));
     print_notes(prepared.notes);
     print_notes(told_as("note", heat));
     tell_taken(stages);

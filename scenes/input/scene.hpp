@@ -20,6 +20,7 @@
 #include "scenes/input/read_observer.hpp"
 #include "scenes/input/read_output.hpp"
 #include "scenes/input/read_plumes.hpp"
+#include "scenes/input/read_radiometer.hpp"
 #include "scenes/input/read_sensitivity.hpp"
 #include "scenes/input/read_signature.hpp"
 #include "scenes/input/read_sweep.hpp"
@@ -62,6 +63,7 @@ struct Scene {
     std::vector<BandInput> bands;
     std::vector<CubeInput> cubes;
     std::vector<PlumeInput> plumes;
+    std::vector<RadiometerInput> radiometers;
     std::vector<TextureInput> textures;
     TextureUses texture_uses;
     std::vector<TrajectoryInput> trajectories;

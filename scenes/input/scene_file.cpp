@@ -179,6 +179,7 @@ Scene read_scene(const Document& document) {
     scene.bands = read_bands(root);
     scene.cubes = read_cubes(root);
     scene.plumes = read_plumes(root, reading.places);
+    scene.radiometers = read_radiometers(root, reading.places);
     reading.object_names.erase("ground");  // it has no middle to look at
     ObserverReading seen_by{
         .places = reading.places,
@@ -205,8 +206,9 @@ Scene read_scene(const Document& document) {
         }
         scene.observers.push_back(std::move(input));
     }
-    if (scene.observers.empty()) {
-        root.mistake("observer", "missing, expected at least one table [[observer]]");
+    if (scene.observers.empty() && scene.radiometers.empty()) {
+        root.mistake("observer",
+                     "missing, expected at least one table [[observer]] or [[radiometer]]");
     }
     scene.instruments = read_instruments(root, scene.seed, scene.observers, scene.bands);
     scene.signatures = read_signatures(root, scene.terrain, scene.bands, scene.time, scene.site);

@@ -94,6 +94,13 @@ height_above_sea_m = 320.0
 height_above_ellipsoid_m = 290.0
 [[plume]]
 absorption = "smoke.csv"
+[[radiometer]]
+name = "mast"
+place = [36.32, -84.2]
+height_above_sea_m = 320.0
+[[radiometer]]
+height_above_ellipsoid_m = 290.0
+normal = [0, 0, 1]
 [[bands]]
 response = "camera.csv"
 [[bands]]

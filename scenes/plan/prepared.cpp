@@ -77,6 +77,7 @@ std::vector<std::string> notes_on_heights(const Scene& scene) {
     for (const auto& one : scene.observers) look("observer", one.name, one.stands.over);
     for (const auto& one : scene.terrain.objects) look("object", one.name, one.stands.over);
     for (const auto& one : scene.plumes) look("plume", one.name, one.stands.over);
+    for (const auto& one : scene.radiometers) look("radiometer", one.name, one.stands.over);
     return notes;
 }
 
@@ -105,6 +106,26 @@ void refuse_depths(const Dem& dem) {
     for (const DemDetail& detail : dem.detail) refuse_depths(detail.raster);
 }
 
+/// Throws InputError for one below the ground or inside a body.
+std::vector<PlacedRadiometer> placed_radiometers(const Scene& scene, const Dem& dem,
+                                                 const World& world, const RayScene& rays) {
+    std::vector<PlacedRadiometer> placed;
+    for (const RadiometerInput& input : scene.radiometers) {
+        const Eigen::Vector3d at = stand_point(world, dem, input.place, input.stands, input.where);
+        try {
+            check_observer({.name = input.name, .position = at}, world.facets, rays,
+                           world.ground_facets, world.objects);
+        } catch (const InputError& error) {
+            throw InputError(input.where,
+                             fmt::format("radiometer \"{}\" stands where nothing is seen: {}",
+                                         input.name, error.mistakes().front().problem),
+                             "raise it or move it into the open");
+        }
+        placed.push_back({input, at});
+    }
+    return placed;
+}
+
 }  // namespace
 
 Prepared moved(const Prepared& prepared, const MoverPoses& poses) {
@@ -123,9 +144,9 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         motion = {places(-reach), places(reach)};
     }
     RayScene rays(world.facets, passed_light(prepared.scene.materials), world.copies, motion);
-    return {prepared.scene,     std::move(world), std::move(rays), prepared.weather,
-            prepared.sequences, prepared.plan,    prepared.plumes, prepared.notes,
-            prepared.movement,  prepared.warnings};
+    return {prepared.scene,     std::move(world),  std::move(rays),  prepared.weather,
+            prepared.sequences, prepared.plan,     prepared.plumes,  prepared.radiometers,
+            prepared.notes,     prepared.movement, prepared.warnings};
 }
 
 Prepared prepare(Scene scene) {
@@ -154,6 +175,7 @@ Prepared prepare(Scene scene) {
         plumes.push_back(
             plume_at(plume, stand_point(world, dem, plume.place, plume.stands, where)));
     }
+    std::vector<PlacedRadiometer> radiometers = placed_radiometers(scene, dem, world, rays);
     std::vector<std::string> notes = dem.notes;
     notes.insert(notes.end(), world.notes.begin(), world.notes.end());
     for (std::string& note : lay_textures(scene, world)) notes.push_back(std::move(note));
@@ -189,9 +211,11 @@ Prepared prepare(Scene scene) {
     }
     std::vector<Mistake> warnings = dem.warnings;
     scene.files = merged(scene.files, opened.files());
-    return {std::move(scene),   std::move(world),    std::move(rays),
-            std::move(weather), std::move(pictures), std::move(plan),
-            std::move(plumes),  std::move(notes),    std::move(movement_of_objects),
+    return {std::move(scene),    std::move(world),
+            std::move(rays),     std::move(weather),
+            std::move(pictures), std::move(plan),
+            std::move(plumes),   std::move(radiometers),
+            std::move(notes),    std::move(movement_of_objects),
             std::move(warnings)};
 }
 

@@ -15,6 +15,12 @@
 
 namespace diurna {
 
+/// A radiometer where it stands: east, north, up [m].
+struct PlacedRadiometer {
+    RadiometerInput input;
+    Eigen::Vector3d place;
+};
+
 /// Everything a job knows once the scene stands: place, triangles, weather, what is to be done.
 struct Prepared {
     Scene scene;
@@ -23,7 +29,8 @@ struct Prepared {
     Weather weather;
     std::vector<Sequence> sequences;  // of the observers, in the order of the scene
     Plan plan;
-    std::vector<Plume> plumes;       // placed likewise
+    std::vector<Plume> plumes;  // placed likewise
+    std::vector<PlacedRadiometer> radiometers;
     std::vector<std::string> notes;  // what a reader should know of elevation and weather data
     Movement movement;               // of objects that go
     std::vector<Mistake> warnings;   // of the files read: what is implausible in them

@@ -50,7 +50,8 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
                      double tolerance) {
     const Prepared& prepared = stages.scene();
     const OutputInput& output = prepared.scene.output;
-    const StageStore* store = output.state || output.fluxes ? nullptr : stages.store();
+    const bool kept_whole = !output.state && !output.fluxes && prepared.radiometers.empty();
+    const StageStore* store = kept_whole ? stages.store() : nullptr;
     const std::string key = store == nullptr ? "" : heat_key(prepared, inputs, tolerance);
     if (const auto bytes = store == nullptr ? std::nullopt : store->find(stage, key)) {
         FoundHeat found = heat_of(*bytes);

@@ -89,7 +89,7 @@ std::string start_told(const SolveInput& input, const SpanOptions& span, const S
 FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
     FieldNotes notes{.objects = prepared.world.objects,
                      .utc_offset = prepared.scene.time.utc_offset,
-                     .fluxes = fluxes.empty() ? nullptr : &fluxes,
+                     .fluxes = prepared.scene.output.fluxes && !fluxes.empty() ? &fluxes : nullptr,
                      .made_of = heat_made_of(prepared.scene, run_inputs(prepared.scene))};
     const MaterialLibrary& materials = prepared.scene.materials;
     for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -132,6 +132,7 @@ std::string why_whole(const Prepared& scene, double tolerance) {
     if (!(tolerance > 0.0)) return "temperatures are asked for apart from pictures";
     if (scene.scene.output.state) return "the heat of all is kept (output.state)";
     if (scene.scene.time.spin_up == SpanStart::state) return "it goes on from a state of all";
+    if (!scene.radiometers.empty()) return "radiometers see the whole scene";
     if (scene.sequences.empty()) return "there are no pictures";
     if (scene.world.surfaces().size() <= few_facets) {
         return fmt::format("there are no more than {}", few_facets);

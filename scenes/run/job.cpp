@@ -19,6 +19,7 @@
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/manifest.hpp"
+#include "scenes/run/radiometers.hpp"
 #include "scenes/run/run_folder.hpp"
 
 namespace diurna {
@@ -102,6 +103,7 @@ std::vector<std::string> heat_files(const Scene& scene, const JobOptions& option
     if (!options.temperatures.empty()) return {};
     std::vector<std::string> files{"temperatures.nc"};
     if (scene.output.state) files.emplace_back(state_file);
+    for (std::string& file : radiometer_files(scene)) files.push_back(std::move(file));
     return files;
 }
 
@@ -136,6 +138,9 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
     SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.scene.tolerance);
     progress.stage("write temperatures");
     write_heat(prepared, heat.result, out / "temperatures.nc");
+    for (std::string& note : write_radiometers(stages, heat.result, out)) {
+        heat.told.emplace_back("note", std::move(note));
+    }
     report.solve = heat.result.report;
     report.solved = heat.solved;
     ledger.add(report.files, std::move(heat.told));

@@ -22,6 +22,7 @@
 #include "scenes/run/heat.hpp"
 #include "scenes/run/ledger.hpp"
 #include "scenes/run/listed_outputs.hpp"
+#include "scenes/run/radiometers.hpp"
 #include "scenes/run/run_folder.hpp"
 #include "scenes/run/stages.hpp"
 #include "scenes/sweep/merged_labels.hpp"
@@ -98,6 +99,9 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
         SpanResult result = solve_scene(stages, progress);
         progress.stage("write temperatures");
         write_heat(stages.scene(), result, file);
+        for (std::string& note : write_radiometers(stages, result, folder)) {
+            result.notes.push_back(std::move(note));
+        }
         record = {group.key, sha256_of_file(file), result.start, not_converged(result.report),
                   result.notes};
         write_heat_record(folder, record);

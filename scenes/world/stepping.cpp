@@ -28,7 +28,7 @@ SpanOptions scene_span(const Scene& scene) {
                      .begin = time.spin_up,
                      .days_before = time.days_before,
                      .wanted = time.frames,
-                     .heat = scene.output.fluxes,
+                     .heat = scene.output.fluxes || !scene.radiometers.empty(),
                      .goes_on = scene.output.state};
     if (time.duration <= longest_curve) {
         const auto count = std::lround(std::ceil(time.duration / curve_every));
@@ -38,7 +38,7 @@ SpanOptions scene_span(const Scene& scene) {
         }
     }
     std::vector<Instant> steps;
-    if (time.every_step) {
+    if (time.every_step || !scene.radiometers.empty()) {
         steps = scene_steps(scene);
         span.wanted.insert(span.wanted.end(), steps.begin(), steps.end());
     }

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scenes/run/stages.hpp"
+#include "thermal/solve/solve_span.hpp"
+
+namespace diurna {
+
+/// The files of a scene's radiometers: "radiometer_NAME.csv".
+std::vector<std::string> radiometer_files(const Scene& scene);
+
+/// Writes them into a folder: a row for each step of the heat balance, in W m⁻²: what falls on a
+/// receiver of 1 cm² that faces each way, of the heat balance's own sun, sky and facets
+/// (thermal/received_light.hpp), by 4096 rays a direction, 64 to the sun's disc.
+///
+/// - result: of the scene, with heat balances at every step
+///
+/// Returns a note for each radiometer that sees much of what is not modelled.
+std::vector<std::string> write_radiometers(const Stages& stages, const SpanResult& result,
+                                           const std::filesystem::path& folder);
+
+}  // namespace diurna

@@ -44,10 +44,12 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     stages.at(0);
     const auto inputs =
         stages.store() == nullptr ? std::vector<RunInput>{} : run_inputs(prepared.scene);
-    const SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
+    SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
     progress.finish();
     write_heat(prepared, heat.result, out);
-    print_notes(write_radiometers(stages, heat.result, out.parent_path()));
+    for (auto& told : write_radiometers(stages, heat.result, out.parent_path())) {
+        heat.told.push_back(std::move(told));
+    }
     print_notes(prepared.notes);
     print_notes(told_as("note", heat));
     tell_taken(stages);

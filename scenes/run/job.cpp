@@ -138,8 +138,8 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
     SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.scene.tolerance);
     progress.stage("write temperatures");
     write_heat(prepared, heat.result, out / "temperatures.nc");
-    for (std::string& note : write_radiometers(stages, heat.result, out)) {
-        heat.told.emplace_back("note", std::move(note));
+    for (auto& told : write_radiometers(stages, heat.result, out)) {
+        heat.told.push_back(std::move(told));
     }
     report.solve = heat.result.report;
     report.solved = heat.solved;

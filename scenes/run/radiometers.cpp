@@ -122,6 +122,15 @@ class SkyOver {
     SkySeries series_;
 };
 
+/// The least and the greatest of a series.
+struct Extremes {
+    double least = 1e9, greatest = -1e9;
+    void add(double value) {
+        least = std::min(least, value);
+        greatest = std::max(greatest, value);
+    }
+};
+
 /// One radiometer's rows as they are found.
 struct Readings {
     const PlacedRadiometer& radiometer;
@@ -130,6 +139,7 @@ struct Readings {
     double height;                 // [m] above the sea
     std::vector<StageView> stage;  // as they are first asked for
     fmt::memory_buffer csv{};
+    Extremes shortwave{}, longwave{}, radiant{};  // on the first receiver; of all six
 };
 
 Readings begin_readings(const PlacedRadiometer& radiometer, const World& world) {
@@ -180,6 +190,8 @@ void add_row(Readings& readings, const Prepared& stage, const StageView& view,
         shortwave[r] = light.shortwave();
         longwave[r] = light.longwave();
     }
+    readings.shortwave.add(shortwave.front());
+    readings.longwave.add(longwave.front());
     const auto out = std::back_inserter(readings.csv);
     fmt::format_to(out, "{}", time);
     if (readings.radiometer.input.normal) {
@@ -190,7 +202,9 @@ void add_row(Readings& readings, const Prepared& stage, const StageView& view,
     } else {
         for (const double watts : shortwave) fmt::format_to(out, ",{:.3f}", watts);
         for (const double watts : longwave) fmt::format_to(out, ",{:.3f}", watts);
-        fmt::format_to(out, ",{:.3f}", mean_radiant_temperature(shortwave, longwave));
+        const double radiant = mean_radiant_temperature(shortwave, longwave);
+        readings.radiant.add(radiant);
+        fmt::format_to(out, ",{:.3f}", radiant);
     }
     fmt::format_to(out, ",{:.4f}\n", disc);
 }
@@ -201,6 +215,20 @@ std::vector<double> measured_at(const SkyState& sky, const MeasuredAlbedo& measu
     if (std::isnan(sky.albedo)) return albedo;
     for (const double share : measured.share) albedo.push_back(measured_albedo(sky, share));
     return albedo;
+}
+
+/// What a radiometer received, for the report.
+std::string ranges(const Readings& readings) {
+    const char* const way = readings.radiometer.input.normal ? "" : " down";
+    std::string text =
+        fmt::format("shortwave{} {:.0f} to {:.0f} W/m2, longwave{} {:.0f} to {:.0f} W/m2", way,
+                    readings.shortwave.least, readings.shortwave.greatest, way,
+                    readings.longwave.least, readings.longwave.greatest);
+    if (!readings.radiometer.input.normal) {
+        text += fmt::format(", mean radiant temperature {:.1f} to {:.1f} K", readings.radiant.least,
+                            readings.radiant.greatest);
+    }
+    return text;
 }
 
 /// What of a radiometer's view is not modelled, if that is much.
@@ -227,8 +255,8 @@ std::vector<std::string> radiometer_files(const Scene& scene) {
     return files;
 }
 
-std::vector<std::string> write_radiometers(const Stages& stages, const SpanResult& result,
-                                           const std::filesystem::path& folder) {
+Told write_radiometers(const Stages& stages, const SpanResult& result,
+                       const std::filesystem::path& folder) {
     const Prepared& prepared = stages.scene();
     std::vector<Readings> all;
     for (const PlacedRadiometer& radiometer : prepared.radiometers) {
@@ -259,13 +287,17 @@ std::vector<std::string> write_radiometers(const Stages& stages, const SpanResul
                     sky_over.at(when, readings.height), leaving, time);
         }
     }
-    std::vector<std::string> notes;
+    Told told;
     const std::vector<std::string> files = radiometer_files(prepared.scene);
     for (std::size_t i = 0; i < all.size(); ++i) {
         write_whole_file(folder / files[i], std::string_view(all[i].csv.data(), all[i].csv.size()));
-        if (std::string note = view_note(all[i]); !note.empty()) notes.push_back(std::move(note));
+        told.emplace_back("row radiometer " + all[i].radiometer.input.name,
+                          fmt::format("{}; {}", ranges(all[i]), files[i]));
+        if (std::string note = view_note(all[i]); !note.empty()) {
+            told.emplace_back("note", std::move(note));
+        }
     }
-    return notes;
+    return told;
 }
 
 }  // namespace diurna

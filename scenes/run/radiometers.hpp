@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "scenes/kept/told.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
 
@@ -18,8 +19,9 @@ std::vector<std::string> radiometer_files(const Scene& scene);
 ///
 /// - result: of the scene, with heat balances at every step
 ///
-/// Returns a note for each radiometer that sees much of what is not modelled.
-std::vector<std::string> write_radiometers(const Stages& stages, const SpanResult& result,
-                                           const std::filesystem::path& folder);
+/// Returns "row radiometer NAME" with the ranges of what it received, for the report, and a "note"
+/// for each radiometer that sees much of what is not modelled.
+Told write_radiometers(const Stages& stages, const SpanResult& result,
+                       const std::filesystem::path& folder);
 
 }  // namespace diurna

@@ -99,8 +99,8 @@ TemperatureField temperatures(const Group& group, const Stages& stages, Progress
         SpanResult result = solve_scene(stages, progress);
         progress.stage("write temperatures");
         write_heat(stages.scene(), result, file);
-        for (std::string& note : write_radiometers(stages, result, folder)) {
-            result.notes.push_back(std::move(note));
+        for (auto& [name, text] : write_radiometers(stages, result, folder)) {
+            if (name == "note") result.notes.push_back(std::move(text));
         }
         record = {group.key, sha256_of_file(file), result.start, not_converged(result.report),
                   result.notes};

@@ -14,6 +14,7 @@
 
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
+#include "tests/support/passed_over.hpp"
 #include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -137,7 +138,7 @@ TEST_CASE("a movie whose name ends in .gif is one", "[scenes][movie]") {
     CHECK(folder.nothing());
     fs::remove(folder.bin / "ffmpeg");
     if (::system("ffmpeg -version >/dev/null 2>&1") != 0) {
-        WARN("passed over: no ffmpeg");
+        pass_over("no ffmpeg");
         return;
     }
     REQUIRE(movie(folder.bin, false, folder.argument() + out + " --fps 4").code == 0);

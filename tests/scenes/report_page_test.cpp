@@ -15,6 +15,7 @@
 #include "scenes/report/page.hpp"
 #include "scenes/run/job.hpp"
 #include "tests/support/browser.hpp"
+#include "tests/support/passed_over.hpp"
 #include "tests/support/ran.hpp"
 #include "tests/support/small_scene.hpp"
 
@@ -77,7 +78,7 @@ const fs::path& page() {
 
 bool no_browser() {
     if (!Browser::program().empty()) return false;
-    WARN("passed over: no chromium");
+    pass_over("no chromium");
     return true;
 }
 

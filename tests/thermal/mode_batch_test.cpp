@@ -7,6 +7,7 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
 #include "materials/matter/read_library.hpp"
+#include "tests/support/passed_over.hpp"
 #include "thermal/kernels/surface_kernel.hpp"
 #include "thermal/surface/heat_balance.hpp"
 
@@ -83,7 +84,7 @@ TEST_CASE("the surfaces of a step in modes are in balance to 1e-9",
 
 TEST_CASE("both widths of vectors step the same day to the last digits", "[thermal][modes]") {
     if (!wide_vectors()) {
-        WARN("this processor has no AVX-512: nothing to compare");
+        pass_over("this processor has no AVX-512");
         return;
     }
     const MaterialLibrary library = default_material_library();

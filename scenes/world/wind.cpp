@@ -292,7 +292,7 @@ std::string lee_note(const World& world, const std::vector<FilmPart>& parts) {
     }
     if (fewer == 0) return "";
     return fmt::format(
-        "wind: {:.2g} % of the ground's facets lie in the lee of buildings or objects (mean of all "
+        "wind: {:.3g} % of the ground's facets lie in the lee of buildings or objects (mean of all "
         "directions), where down to {:.2f} of the wind is left; trees take none off",
         100.0 * double(fewer) / double(world.ground_facets), least);
 }

@@ -113,7 +113,7 @@ void check_solved(const Stages& stages, const TemperatureField& field, const fs:
     if (most == 0.0f) return;
     throw InputError(file.string(),
                      fmt::format("was solved for other pictures (tolerance_K): of these a facet "
-                                 "that fills {:.2g} % of one was left to others of its kind",
+                                 "that fills {:.3g} % of one was left to others of its kind",
                                  100.0f * most),
                      "run the scene with these observers, or solve it without tolerance_K");
 }

@@ -256,7 +256,7 @@ class Blowing {
             return;
         }
         all_[t].notes.push_back(fmt::format(
-            "{} gives up to {:.2g} % of its {:.3g} W/K to {:.2g} m2{}", who,
+            "{} gives up to {:.3g} % of its {:.3g} W/K to {:.2g} m2{}", who,
             100.0 * std::min(1.0, share), has, area,
             share > 1.0 ? fmt::format(", {:.2g} times as much as it has before it was brought down "
                                       "to that",

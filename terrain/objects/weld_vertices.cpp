@@ -214,7 +214,7 @@ std::string nearly_closed_warning(const WeldedVertices& welded) {
     const std::string gap =
         welded.gap > 0.0 ? fmt::format("{} open edges with gaps up to {:.2g} (the file's unit)",
                                        welded.gap_edges, welded.gap)
-                         : fmt::format("holes of {:.2g} % of the area", 100.0 * welded.hole_share);
+                         : fmt::format("holes of {:.3g} % of the area", 100.0 * welded.hole_share);
     return fmt::format("{}, with {}: counted as a sheet with two sides", pieces, gap);
 }
 

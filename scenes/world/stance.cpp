@@ -61,6 +61,13 @@ double share_of_slope(double slope) {
     return std::clamp(slope / level - 1.0, 0.0, 1.0);
 }
 
+/// How far a plane counts that is so much higher or lower than the ground at the middle [m]: on a
+/// crest or in a hollow the contact points' plane is level, but not at the middle's height.
+double share_of_lift(double lift) {
+    constexpr double even = 0.01;
+    return std::clamp(std::abs(lift) / even - 1.0, 0.0, 1.0);
+}
+
 }  // namespace
 
 Eigen::Isometry3d Stance::pose() const {
@@ -89,11 +96,11 @@ Stance on_slope(const ObjectInput& object, const Stance& level, double over_grou
         if (!found) return level;
         plane = *found;
         share = near * share_of_slope(plane.slope.norm());
-        if (share == 0.0) return level;
+        if (share == 0.0) break;
         turn_onto(share * plane.slope, stance);
     }
-    const double at_middle = level.base.z() - over_ground;
-    stance.base.z() += share * (plane.height - at_middle);
+    const double lift = plane.height - (level.base.z() - over_ground);
+    stance.base.z() += std::max(share, near * share_of_lift(lift)) * lift;
     return stance;
 }
 

@@ -29,6 +29,8 @@ struct Stance {
 /// raster at the object's contact points, which keeps its heading and its place in plan. Pitch and
 /// roll are the plane's along and across the heading. Planes within 0.11 degrees of the level are
 /// level (a level raster slopes by as much 13 km from the site), up to twice that less and less.
+/// On a crest or in a hollow the object stands at the plane's height, not the ground's below its
+/// middle, if the two differ by more than 1 cm.
 ///
 /// - over_ground  [m] of `level.base`; beyond 0.5 m the slope counts less and less, beyond 1 m
 ///                nothing, unless the object says `stands = "on_slope"`

@@ -30,15 +30,25 @@ double diagonal(const MeshFile& mesh) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// (vertex) the shortest edge at it; -1 where it is no corner of a triangle.
-std::vector<double> shortest_edges(const MeshFile& mesh) {
+/// (vertex) the shortest edge at it; -1 where it is no corner of a triangle. The short side of a
+/// needle, a triangle at whose end two corners were meant to be one, does not count.
+///
+/// - size: of the mesh
+std::vector<double> shortest_edges(const MeshFile& mesh, double size) {
     constexpr double none = std::numeric_limits<double>::max();
+    constexpr double needle = 1e-4;  // short side over long side
     std::vector<double> shortest(mesh.vertex.size(), none);
     for (const Corners& corner : mesh.triangle) {
+        std::array<double, 3> side{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            side[k] = (mesh.vertex[corner[k]] - mesh.vertex[corner[(k + 1) % 3]]).norm();
+        }
+        const double meant_as_one =
+            std::min(everywhere * size, needle * *std::max_element(side.begin(), side.end()));
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
-            const double length = (mesh.vertex[a] - mesh.vertex[b]).norm();
-            if (length == 0.0) continue;
+            const double length = side[k];
+            if (length <= meant_as_one) continue;
             shortest[a] = std::min(shortest[a], length);
             shortest[b] = std::min(shortest[b], length);
         }
@@ -167,19 +177,19 @@ bool is_joined(const MeshPieces& pieces) { return pieces.rims.empty() && pieces.
 WeldedVertices weld_vertices(MeshFile& mesh) {
     WeldedVertices welded;
     const double size = diagonal(mesh);
-    join(mesh, near_vertices(mesh.vertex, shortest_edges(mesh), everywhere * size), welded);
+    join(mesh, near_vertices(mesh.vertex, shortest_edges(mesh, size), everywhere * size), welded);
     MeshPieces pieces = mesh_pieces(mesh.vertex, mesh.triangle);
     for (const double share : along_rims) {
         if (is_joined(pieces)) return welded;
         const Trial trial =
-            try_rims(mesh, pieces, shortest_edges(mesh), share * size, share <= of_sheets);
+            try_rims(mesh, pieces, shortest_edges(mesh, size), share * size, share <= of_sheets);
         if (trial.farthest == 0.0) continue;
         welded.closed += trial.closed;
         join(mesh, trial.into, welded);
         pieces = mesh_pieces(mesh.vertex, mesh.triangle);
     }
     if (pieces.rims.empty()) return welded;
-    const Trial trial = try_rims(mesh, pieces, shortest_edges(mesh), nearly * size, false);
+    const Trial trial = try_rims(mesh, pieces, shortest_edges(mesh, size), nearly * size, false);
     welded.nearly_closed = trial.closed;  // not joined
     welded.gap = trial.closed > 0 ? trial.farthest : 0.0;
     welded.gap_edges = trial.edges;

@@ -77,6 +77,22 @@ TEST_CASE("a vehicle stands on a slope with all its corners, whichever way it he
     CHECK(warnings(scene).empty());
 }
 
+TEST_CASE("in a hollow and on a crest an object stands on its corners, not on the middle",
+          "[scenes][stance]") {
+    const ScratchFolder folder("stance_bent");
+    write_text(folder.path / "crate.obj", box(3.0, 6.0, 2.0));
+    const double bend = GENERATE(0.3, -0.3);  // rises to both sides, or falls
+    const Ground ground = [bend](double east, double) {
+        return 500.0 + bend * std::abs(east - 1.0);
+    };
+    const Prepared scene = prepared(folder, ground, crate("place_m = [1.0, 0.0]"));
+    // All four corners are 1.5 m from the bend: the ground there is level, 0.45 m off the middle's.
+    const Stood found = stood(scene.world, "crate", ground);
+    CHECK(std::abs(found.lowest) < 0.05);
+    CHECK(std::abs(found.highest) < 0.05);
+    CHECK(warnings(scene).empty());
+}
+
 TEST_CASE("on level ground an object stands as without a slope, bit by bit", "[scenes][stance]") {
     const ScratchFolder folder("stance_level");
     write_text(folder.path / "crate.obj", box(3.0, 6.0, 2.0));

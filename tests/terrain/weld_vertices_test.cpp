@@ -71,6 +71,39 @@ TEST_CASE("a box whose triangles lie apart by some of its size is one closed bod
     CHECK_FALSE(welded_note(welded).empty());
 }
 
+TEST_CASE("a corner of two vertices with a needle between them is one corner", "[terrain][weld]") {
+    const double apart = GENERATE(1e-12, 1e-9, 1e-7, 3e-7, 1e-6);
+    CAPTURE(apart);
+    // Two of the triangles at a corner end a little beside it, along an edge of both.
+    MeshFile mesh = loose(crate.triangles(), 0.0);
+    weld_vertices(mesh);
+    const std::uint32_t corner = mesh.triangle[0][0];
+    const auto second = static_cast<std::uint32_t>(mesh.vertex.size());
+    mesh.vertex.push_back(mesh.vertex[corner] + Eigen::Vector3d(apart, 0.0, 0.0));
+    std::vector<std::size_t> at;  // triangles at the corner
+    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+        for (const std::uint32_t v : mesh.triangle[t]) {
+            if (v == corner) at.push_back(t);
+        }
+    }
+    // One takes the second vertex; needles lie along its two edges at the corner.
+    const std::size_t moved = at.front();
+    auto& triangle = mesh.triangle[moved];
+    const std::size_t k =
+        std::size_t(std::find(triangle.begin(), triangle.end(), corner) - triangle.begin());
+    const std::uint32_t next = triangle[(k + 1) % 3], last = triangle[(k + 2) % 3];
+    triangle[k] = second;
+    mesh.triangle.push_back({corner, next, second});
+    mesh.triangle.push_back({second, last, corner});
+    mesh.part_of.resize(mesh.triangle.size(), 0);
+    weld_vertices(mesh);
+    const MeshPieces pieces = pieces_of(mesh);
+    REQUIRE(pieces.size() == 1);
+    CHECK(pieces.closed[0]);
+    CHECK(mesh.triangle.size() == 12);
+    CHECK(area(mesh) == Approx(5.52).epsilon(10.0 * apart + 1e-12));
+}
+
 TEST_CASE("what is apart by more is left open and warned of", "[terrain][weld]") {
     MeshFile gaps = loose(crate.triangles(), 3e-3);
     const WeldedVertices welded = weld_vertices(gaps);

@@ -101,6 +101,8 @@ height_above_sea_m = 320.0
 [[radiometer]]
 height_above_ellipsoid_m = 290.0
 normal = [0, 0, 1]
+[[radiometer]]
+place_m = [0.0, 0.0]
 [[bands]]
 response = "camera.csv"
 [[bands]]

@@ -23,9 +23,9 @@ struct WeldedVertices {
 /// Makes one vertex of those that lie within 1e-6 of the mesh's diagonal; then, along open edges
 /// alone, of those within 1e-5 or 1e-4 if that closes a piece or continues a sheet, and within 1e-3
 /// if it closes a piece. Never of two that are further apart than a quarter of the shortest edge at
-/// either; the short side of a needle (below 1e-6 of the diagonal and 1e-4 of its triangle's longest)
-/// is no such edge, and its two corners become one. Where a piece stays open: finds whether the same within 1e-2 would close it, or whether
-/// its holes are small.
+/// either; the short side of a needle (below 1e-6 of the diagonal and 1e-4 of its triangle's
+/// longest) is no such edge, and its two corners become one. Where a piece stays open: finds
+/// whether the same within 1e-2 would close it, or whether its holes are small.
 WeldedVertices weld_vertices(MeshFile& mesh);
 
 /// Lines for the reader of a report; "": nothing to say.

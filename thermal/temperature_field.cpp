@@ -56,6 +56,22 @@ constexpr const char* heat_equation =
     "latent_heat + melting_heat + conducted_heat, on every facet at every time, per square metre "
     "of the facet's front; between the solver's steps both sides are on the straight line";
 
+/// Names that are more than an attribute holds: a variable NAME_name, which the attribute
+/// `flag_meanings_variable` of the numbers' own names.
+void declare_long_names(const NetcdfFile& file, int variable, const char* name,
+                        const std::vector<std::string>& meanings) {
+    const std::string names = std::string(name) + "_name";
+    std::vector<std::string> words;
+    for (const std::string& meaning : meanings) words.push_back(flag_word(meaning));
+    std::vector<const char*> text;
+    for (const std::string& word : words) text.push_back(word.c_str());
+    const int all =
+        file.variable(names.c_str(), NC_STRING, {file.dimension(names.c_str(), words.size())});
+    file.text(all, "long_name", std::string(name) + ": what its numbers mean, from 0 on");
+    file.text(variable, "flag_meanings_variable", names);
+    file.must(nc_put_var_string(file.id(), all, text.data()));
+}
+
 /// A number for each facet, and what the numbers mean.
 int declare_flags(const NetcdfFile& file, const char* name, int facet_dim,
                   const std::vector<std::string>& meanings) {
@@ -67,9 +83,14 @@ int declare_flags(const NetcdfFile& file, const char* name, int facet_dim,
         if (i > 0) words += ' ';
         words += flag_word(meanings[i]);
     }
-    file.must(
-        nc_put_att_int(file.id(), variable, "flag_values", NC_INT, values.size(), values.data()));
-    file.text(variable, "flag_meanings", words);
+    if (words.size() <= most_attribute_bytes &&
+        sizeof(int) * values.size() <= most_attribute_bytes) {
+        file.must(nc_put_att_int(file.id(), variable, "flag_values", NC_INT, values.size(),
+                                 values.data()));
+        file.text(variable, "flag_meanings", words);
+    } else {
+        declare_long_names(file, variable, name, meanings);
+    }
     file.text(variable, "long_name", std::string(name) + " of the facet");
     file.text(variable, "mesh", "mesh");
     file.text(variable, "location", "face");

@@ -79,9 +79,21 @@ class MeshReader {
         must(nc_get_att_double(id_, NC_GLOBAL, name, &value), fmt::format("attribute '{}'", name));
         return value;
     }
-    /// The words of flag_meanings.
+    /// Names that an attribute could not hold (thermal/temperature_names.hpp).
+    std::vector<std::string> long_names(const std::string& names) const {
+        const int of = variable(names.c_str(), {names.c_str()});
+        std::vector<char*> text(length(names.c_str()));
+        must(nc_get_var_string(id_, of, text.data()), fmt::format("readable '{}'", names));
+        std::vector<std::string> all;
+        for (const char* one : text) all.emplace_back(one == nullptr ? "" : one);
+        nc_free_string(text.size(), text.data());
+        return all;
+    }
+    /// The words of flag_meanings, or of the variable in its place.
     std::vector<std::string> meanings(const char* name) const {
         const int of = variable(name, {"facet"});
+        const std::string elsewhere = std::string(name) + "_name";
+        if (has(elsewhere.c_str())) return long_names(elsewhere);
         std::size_t length = 0;
         must(nc_inq_attlen(id_, of, "flag_meanings", &length), fmt::format("names of '{}'", name));
         if (length > 100'000'000) fail(fmt::format("has too many names of '{}'", name));

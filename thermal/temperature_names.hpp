@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -47,6 +48,10 @@ inline constexpr std::array<TermName, heat_terms> heat_term_names{{
 inline constexpr const char* temperatures_title = "diurna facet temperatures";
 inline constexpr const char* solved_as_name = "solved_as";
 inline constexpr const char* made_of_name = "made_of";  // global attribute, FieldNotes::made_of
+
+/// HDF5 keeps no larger attribute in its usual place: longer lists of names are a variable
+/// NAME_name instead.
+inline constexpr std::size_t most_attribute_bytes = 60000;
 
 /// A word of CF's flag_meanings: letters, digits and _ - . + @, else "_".
 inline std::string flag_word(std::string name) {

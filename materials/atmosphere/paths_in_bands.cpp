@@ -32,6 +32,16 @@ double range_to_height(double from_km, double to_km, double zenith_deg) {
 }  // namespace
 
 SightLine line_of(const AirPath& a, const BandModel& model) {
+    const auto check_km = [](const char* key, const std::optional<double>& value, Range range) {
+        if (value) check_within(key, *value, range.least, range.most);
+    };
+    check_km("height_km", a.height_km, AirPath::heights_km);
+    check_km("to_height_km", a.to_height_km, AirPath::heights_km);
+    check_km("range_km", a.range_km, AirPath::ranges_km);
+    check_within("zenith_deg", a.zenith_deg, 0.0, 180.0);
+    check_within("sun_zenith_deg", a.sun_zenith_deg.value_or(0.0), 0.0, 180.0);
+    check_within("azimuth_from_sun_deg", a.azimuth_from_sun_deg, -360.0, 360.0);
+    check_within("ground_albedo", a.ground_albedo, 0.0, 1.0);
     const int ends = a.range_km.has_value() + a.to_height_km.has_value() + a.to_ground + a.to_space;
     if (ends != 1) {
         throw InputError("path", fmt::format("found {} ends of the path, expected one of range_km, "

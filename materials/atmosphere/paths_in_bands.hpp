@@ -6,6 +6,7 @@
 
 #include "materials/air/sight_line.hpp"
 #include "materials/atmosphere/band_model.hpp"
+#include "materials/base/key.hpp"
 #include "materials/radiation/band.hpp"
 
 namespace diurna {
@@ -13,6 +14,9 @@ namespace diurna {
 /// A path through the air as `diurna path` and Python's diurna.path() take it: its start, the angle
 /// it leaves under, and one of four ends.
 struct AirPath {
+    /// [km] what heights and ranges may be
+    static constexpr Range heights_km{-0.5, 1e6}, ranges_km{0.0, 1e7};
+
     double height_km = 0.0;   // start of the path, above the sea
     double zenith_deg = 0.0;  // there
     std::optional<double> range_km, to_height_km;
@@ -22,7 +26,8 @@ struct AirPath {
     double ground_albedo = 0.2;
 };
 
-/// Its line. Throws InputError unless it has one end, and one that it reaches.
+/// Its line. Throws InputError for a number that is not finite or beyond its range, and unless it
+/// has one end, and one that it reaches.
 SightLine line_of(const AirPath& path, const BandModel& model);
 
 inline constexpr double contrast_body = 300.0;  // [K]

@@ -1,7 +1,9 @@
 #include "materials/base/unfinished.hpp"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/random.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -25,23 +27,23 @@ namespace {
 
 /// What a handler of signals may read: it can neither lock nor allocate.
 struct Slot {
-    enum State { free, taken, named };
+    enum State { free, taken, named, folder };
     std::atomic<int> state{free};
     std::array<char, PATH_MAX> path{};
 };
 std::array<Slot, 64> slots;
-std::atomic<pid_t> child_group{0};
+std::array<std::atomic<pid_t>, 64> child_groups{};
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 /// −1 where all are taken, or the name is too long: then it only is not removed at a signal.
-int remember(const fs::path& path) {
+int remember(const fs::path& path, Slot::State kind = Slot::named) {
     const std::string name = fs::absolute(path).string();
     if (name.size() >= slots[0].path.size()) return -1;
     for (std::size_t i = 0; i < slots.size(); ++i) {
         int state = Slot::free;
         if (!slots[i].state.compare_exchange_strong(state, Slot::taken)) continue;
         std::memcpy(slots[i].path.data(), name.c_str(), name.size() + 1);
-        slots[i].state = Slot::named;
+        slots[i].state = kind;
         return static_cast<int>(i);
     }
     return -1;
@@ -51,10 +53,29 @@ void forget(int slot) {
     if (slot >= 0) slots[static_cast<std::size_t>(slot)].state = Slot::free;
 }
 
+/// A folder and the files in it, without the library's functions, which allocate.
+void remove_folder(const char* path) {
+    const int folder = ::open(path, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (folder < 0) return;
+    alignas(dirent64) char block[4096];
+    for (long bytes = 0; (bytes = ::syscall(SYS_getdents64, folder, block, sizeof block)) > 0;) {
+        for (long at = 0; at < bytes;) {
+            const auto* const entry = reinterpret_cast<const dirent64*>(block + at);
+            ::unlinkat(folder, entry->d_name, 0);  // "." and ".." stay: they are folders
+            at += entry->d_reclen;
+        }
+    }
+    ::close(folder);
+    ::rmdir(path);
+}
+
 void remove_unfinished() {
-    if (const pid_t group = child_group; group > 0) ::kill(-group, SIGKILL);
+    for (const auto& group : child_groups) {
+        if (const pid_t id = group; id > 0) ::kill(-id, SIGKILL);
+    }
     for (const Slot& slot : slots) {
         if (slot.state == Slot::named) ::unlink(slot.path.data());
+        if (slot.state == Slot::folder) remove_folder(slot.path.data());
     }
 }
 
@@ -142,13 +163,38 @@ void end_at_once(std::string_view line) {
 void remove_unfinished_at_signals() {
     struct sigaction action {};
     action.sa_handler = end_by_signal;
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    for (const int signal : ending_signals) {
         struct sigaction before {};
         ::sigaction(signal, nullptr, &before);
         if (before.sa_handler != SIG_IGN) ::sigaction(signal, &action, nullptr);  // nohup
     }
 }
 
-void set_child_group(pid_t group) { child_group = group; }
+int end_with_program(pid_t group) {
+    for (std::size_t i = 0; i < child_groups.size(); ++i) {
+        pid_t none = 0;
+        if (child_groups[i].compare_exchange_strong(none, group)) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+void no_longer_end(int place) {
+    if (place >= 0) child_groups[static_cast<std::size_t>(place)] = 0;
+}
+
+TemporaryFolder::TemporaryFolder(const std::string& name) {
+    std::string pattern = (fs::temp_directory_path() / (name + "-XXXXXX")).string();
+    if (::mkdtemp(pattern.data()) == nullptr) {
+        throw std::runtime_error(pattern + ": cannot be made: " + std::strerror(errno));
+    }
+    path_ = pattern;
+    slot_ = remember(path_, Slot::folder);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+    forget(slot_);
+}
 
 }  // namespace diurna

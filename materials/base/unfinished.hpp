@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <csignal>
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -46,16 +47,38 @@ bool is_temporary_name(const std::string& name);
 /// Whether it has such a name, of a process that lives no more.
 bool is_left_over(const std::filesystem::path& file);
 
+/// A new folder for what lasts no longer than the program's use of it. Goes with its contents where
+/// the object ends, and with the files in it (not with folders in it) at a signal that ends the
+/// program.
+class TemporaryFolder {
+ public:
+    /// Made where the system keeps temporary files, as NAME-XXXXXX. Throws std::runtime_error.
+    explicit TemporaryFolder(const std::string& name);
+    ~TemporaryFolder();
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+ private:
+    std::filesystem::path path_;
+    int slot_ = -1;
+};
+
 /// Where the program has to end at once: writes the line to stderr, removes what is unfinished,
-/// ends a child process and leaves with 1. Neither locks nor allocates.
+/// ends child processes and leaves with 1. Neither locks nor allocates.
 [[noreturn]] void end_at_once(std::string_view line);
 
-/// From here on SIGINT, SIGTERM and SIGHUP remove what is unfinished and end a child process, and
-/// then the program as they do by themselves (128 + number to a shell). One that the program was
-/// started without (nohup) stays ignored.
+/// Signals that end the program unless it was started without them (nohup).
+inline constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU};
+
+/// From here on these remove what is unfinished and end child processes, and then the program as
+/// they do by themselves (128 + number to a shell). One that the program was started without
+/// (nohup) stays ignored.
 void remove_unfinished_at_signals();
 
-/// The process group that ends with the program at a signal; 0: none.
-void set_child_group(pid_t group);
+/// A process group that is killed where a signal ends the program. Returns its place, for
+/// no_longer_end(); -1 where there is no place for more.
+int end_with_program(pid_t group);
+void no_longer_end(int place);
 
 }  // namespace diurna

@@ -1,48 +1,24 @@
 #include "materials/modtran/run.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
+#include "materials/base/child_process.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/unfinished.hpp"
 
 namespace diurna {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A new folder that goes with its contents.
-class TemporaryFolder {
- public:
-    TemporaryFolder() {
-        std::string pattern = (fs::temp_directory_path() / "diurna-modtran-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) {
-            throw std::runtime_error(fmt::format("{}: {}", pattern, std::strerror(errno)));
-        }
-        path_ = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    const fs::path& path() const { return path_; }
-
- private:
-    fs::path path_;
-};
 
 /// Bytes of all files in a folder; files that come and go meanwhile count as they can.
 std::uintmax_t bytes_in(const fs::path& folder) {
@@ -59,55 +35,16 @@ std::uintmax_t bytes_in(const fs::path& folder) {
     return sum;
 }
 
-/// A child that is its process group's leader; killed with all of the group unless it was reaped.
-class Child {
- public:
-    Child(const fs::path& executable, const std::vector<std::string>& environment,
-          const fs::path& folder) {
-        std::string name = executable.string();
-        std::vector<char*> argv = {name.data()}, envp;
-        for (const std::string& each : environment) envp.push_back(const_cast<char*>(each.c_str()));
-        argv.push_back(nullptr);
-        envp.push_back(nullptr);
-        posix_spawn_file_actions_t actions;
-        posix_spawnattr_t attributes;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawnattr_init(&attributes);
-        posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-        posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-        posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-        posix_spawnattr_setpgroup(&attributes, 0);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-        const int code =
-            posix_spawn(&id_, executable.c_str(), &actions, &attributes, argv.data(), envp.data());
-        posix_spawn_file_actions_destroy(&actions);
-        posix_spawnattr_destroy(&attributes);
-        if (code != 0) {
-            id_ = -1;
-            throw std::runtime_error(
-                fmt::format("{}: cannot be started: {}", executable.string(), std::strerror(code)));
-        }
+ChildProcess started(const ModtranRunner& runner, const std::vector<std::string>& environment,
+                     const fs::path& folder) {
+    try {
+        return ChildProcess(
+            {.words = {runner.executable.string()}, .environment = environment, .folder = folder});
+    } catch (const std::system_error& error) {
+        throw std::runtime_error(fmt::format("{}: cannot be started: {}",
+                                             runner.executable.string(), error.code().message()));
     }
-    ~Child() {
-        if (id_ <= 0) return;
-        ::kill(-id_, SIGKILL);  // what it has started lives in its group
-        int status = 0;
-        if (!reaped_) ::waitpid(id_, &status, 0);
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-
-    /// Whether it has ended; then `status` is set.
-    bool ended(int& status) {
-        reaped_ = reaped_ || ::waitpid(id_, &status, WNOHANG) == id_;
-        return reaped_;
-    }
-
- private:
-    pid_t id_ = -1;
-    bool reaped_ = false;
-};
+}
 
 /// Runs the program in a folder until it ends, and returns its status; throws where it takes longer
 /// or writes more than allowed.
@@ -116,7 +53,7 @@ int wait_for(const ModtranRunner& runner, const std::vector<std::string>& enviro
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     const std::string name = runner.executable.string();
-    Child child(runner.executable, environment, folder);
+    ChildProcess child = started(runner, environment, folder);
     int status = 0;
     for (auto nap = std::chrono::milliseconds(1); !child.ended(status);
          nap = std::min(2 * nap, std::chrono::milliseconds(50))) {
@@ -156,7 +93,7 @@ std::optional<ModtranRunner> modtran_runner(const std::string& command_line_word
 }
 
 std::string run_modtran(const ModtranRunner& runner, const std::string& tape5) {
-    const TemporaryFolder folder;
+    const TemporaryFolder folder("diurna-modtran");
     write_whole_file(folder.path() / "tape5", tape5);
     const fs::path tape7 = folder.path() / "tape7";
     std::vector<std::string> environment = {"PATH=/usr/bin:/bin", "LANG=C"};

@@ -127,7 +127,7 @@ def column(job, weather=None, settings=(), allow_outside=False):
     with _column_source(job, {("weather", "weather.file"): weather}, settings, allow_outside) as source:
         result = Column(_core.column(source))
     if not result.converged:
-        raise NotConverged(f"the spin-up has not converged in {result.passes} passes", result)
+        raise NotConverged(f"the spin-up has not converged in {result.passes} passes; a shorter time.longest_step_s may help", result)
     return result
 
 

@@ -21,6 +21,9 @@ py::tuple sun(double latitude_deg, double longitude_deg, const std::string& time
               std::optional<double> pressure_hPa, double temperature_C) {
     check_within("latitude_deg", latitude_deg, -90.0, 90.0);
     check_within("longitude_deg", longitude_deg, -360.0, 360.0);
+    check_within("height_m", height_m, -1e4, 1e5);
+    check_within("pressure_hPa", pressure_hPa.value_or(0.0), 0.0, 1200.0);
+    check_within("temperature_C", temperature_C, -100.0, 80.0);
     const Site site{
         .latitude_deg = latitude_deg, .longitude_deg = longitude_deg, .height = height_m};
     const Instant instant = parse_instant(time);

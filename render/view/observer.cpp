@@ -45,9 +45,51 @@ void check_observer(const Observer& observer) {
     if (!mistakes.empty()) throw InputError(std::move(mistakes));
 }
 
+namespace {
+
+/// Where a hit is, in words: the ground, or an object's name.
+std::string thing_hit(const Hit& hit, const FacetSet& facets, const RayScene& scene,
+                      std::size_t ground_facets, std::span<const std::string> names) {
+    const auto object = static_cast<unsigned>(
+        hit.copy == no_copy ? facets.object[index(hit.facet)] : scene.copies()[hit.copy].object);
+    if (object == 0 || index(hit.facet) < ground_facets) return "";
+    return object < names.size() ? "\"" + names[object] + "\"" : fmt::format("object {}", object);
+}
+
+/// Refuses an eye in a surface, of which no ray can say on which side it is: within a millimetre,
+/// or what floats tell apart there. One of three rays through it, each along an axis, meets the
+/// surface at least as steeply as 35 degrees.
+void check_not_in_surface(const Observer& observer, const FacetSet& facets, const RayScene& scene,
+                          std::size_t ground_facets, std::span<const std::string> names) {
+    const float near =
+        std::max(1e-3f, 1e-6f * static_cast<float>(observer.position.cwiseAbs().maxCoeff()));
+    constexpr std::array<std::array<float, 3>, 3> along = {
+        {{1.0f, 1.3e-3f, 0.7e-3f}, {-0.9e-3f, 1.0f, 1.1e-3f}, {0.6e-3f, -1.7e-3f, 1.0f}}};
+    std::array<Ray, 3> rays;
+    std::array<Hit, 3> hits;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        rays[i].direction = Eigen::Vector3f(along[i][0], along[i][1], along[i][2]).normalized();
+        rays[i].origin = observer.position.cast<float>() - 2.0f * near * rays[i].direction;
+        rays[i].far = 4.0f * near;
+    }
+    scene.closest(rays, hits);
+    for (const Hit& hit : hits) {
+        if (hit.facet == no_facet || std::abs(hit.range - 2.0f * near) > near) continue;
+        const std::string thing = thing_hit(hit, facets, scene, ground_facets, names);
+        throw InputError(
+            "observer " + observer.name,
+            fmt::format("camera lies in a surface of {}, expected {:.2g} m away from it at least",
+                        thing.empty() ? "the ground" : thing, near),
+            "move its position, or the object");
+    }
+}
+
+}  // namespace
+
 void check_observer(const Observer& observer, const FacetSet& facets, const RayScene& scene,
                     std::size_t ground_facets, std::span<const std::string> names) {
     check_observer(observer);
+    check_not_in_surface(observer, facets, scene, ground_facets, names);
     // A ray along a mesh edge could be counted to either side: three, nearly vertical, decide by
     // majority.
     constexpr std::array<std::array<float, 2>, 3> tilt = {
@@ -68,16 +110,12 @@ void check_observer(const Observer& observer, const FacetSet& facets, const RayS
         }
     }
     if (behind < 2) return;
-    const auto object =
-        static_cast<unsigned>(nearest.copy == no_copy ? facets.object[index(nearest.facet)]
-                                                      : scene.copies()[nearest.copy].object);
-    const bool ground = object == 0 || index(nearest.facet) < ground_facets;
-    const std::string name =
-        object < names.size() ? "\"" + names[object] + "\"" : fmt::format("object {}", object);
+    const std::string name = thing_hit(nearest, facets, scene, ground_facets, names);
     throw InputError(
         "observer " + observer.name,
-        ground ? fmt::format("camera is {:.1f} m below the terrain", nearest.range)
-               : fmt::format("camera is inside {}, {:.1f} m below its top", name, nearest.range),
+        name.empty()
+            ? fmt::format("camera is {:.1f} m below the terrain", nearest.range)
+            : fmt::format("camera is inside {}, {:.1f} m below its top", name, nearest.range),
         "raise its position");
 }
 

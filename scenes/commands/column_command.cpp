@@ -61,11 +61,13 @@ void column_verb(const ColumnArguments& a) {
     }
     if (!result.note.empty()) fmt::print(stderr, "note: {}\n", plain(result.note));
     if (result.converged) return;
-    throw std::runtime_error(
-        fmt::format("the spin-up has not converged in {} passes: periodic to {:.1e} K (tolerance "
-                    "{:.0e} K), water on the surface to {:.1e} mm (tolerance {:.0e} mm)",
-                    result.passes, result.periodic_residual, periodic_tolerance,
-                    result.standing_residual, standing_tolerance));
+    throw std::runtime_error(fmt::format(
+        "the spin-up has not converged in {} passes: periodic to {:.1e} K (tolerance "
+        "{:.0e} K), water on the surface to {:.1e} mm (tolerance {:.0e} mm); a shorter "
+        "time.longest_step_s, or time.spin_up = \"none\" with an earlier time.start, may "
+        "help",
+        result.passes, result.periodic_residual, periodic_tolerance, result.standing_residual,
+        standing_tolerance));
 }
 
 }  // namespace

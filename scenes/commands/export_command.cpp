@@ -46,6 +46,17 @@ void check_arguments(const ExportArguments& a) {
     }
 }
 
+/// What a scene names, though it is not opened here.
+std::vector<FileRead> named_files(const Scene& scene) {
+    std::vector<FileRead> files;
+    for (const auto& file : scene.weather.files) files.push_back({.path = file});
+    for (const ObjectInput& object : scene.terrain.objects) {
+        files.push_back({.path = object.file});
+        files.push_back({.path = object.copies_file});
+    }
+    return files;
+}
+
 void export_verb(const ExportArguments& a) {
     check_arguments(a);
     const FilesRead opened;
@@ -62,17 +73,19 @@ void export_verb(const ExportArguments& a) {
         write_whole_file(a.out, curve_csv(heat, groups, instants));
         fmt::print("{} curves of {} instants: {}\n", groups.size(), instants.size(), out);
     } else if (a.to == "vtu") {
-        const std::size_t files = write_vtu_day(a.out, heat, instants);
+        const std::size_t files = write_vtu_day(a.out, heat, instants, opened.files());
         fmt::print("{} facets, {} instants, {} files: {}\n", heat.field.facets, instants.size(),
                    files, out);
     } else if (a.to == "geotiff") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
+        check_output_file(a.out, named_files(scene));
         const std::size_t posts = write_heat_geotiff(a.out, heat, scene, instants);
         fmt::print("{} posts, {} instants: {}\n", posts, instants.size(), out);
     } else if (a.to == "kmz") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
+        check_output_file(a.out, named_files(scene));
         const ColourScale scale = write_kmz(a.out, heat, scene, instants);
         fmt::print("{} instants, {:g} to {:g} degC: {}\n", instants.size(), scale.low, scale.high,
                    out);

@@ -28,6 +28,7 @@
 #include "scenes/commands/model_command.hpp"
 #include "scenes/commands/movie_command.hpp"
 #include "scenes/commands/new_command.hpp"
+#include "scenes/commands/number_option.hpp"
 #include "scenes/commands/pages_command.hpp"
 #include "scenes/commands/path_command.hpp"
 #include "scenes/commands/raster_commands.hpp"
@@ -70,6 +71,7 @@ void run_program(int argc, char** argv) {
     app.set_version_flag("--version", "diurna " DIURNA_VERSION);
     app.require_subcommand(1);
     for (const auto add_verb : verbs) add_verb(app);
+    check_option_values(app);
     check_first_word(app, argc, argv);
     try {
         app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "scenes/commands/number_option.hpp"
 #include "scenes/report/movie.hpp"
 
 namespace diurna {
@@ -17,9 +18,9 @@ void add_movie_verb(CLI::App& app) {
     verb->add_option("--band", options->band, "as in the names of the pictures; needed of several");
     verb->add_option("--out", options->file,
                      "FILE.mp4 or FILE.gif (default: OBSERVER_BAND.mp4 in the folder)");
-    verb->add_option("--fps", options->pictures_per_second,
-                     "pictures a second (default: 10; of a GIF 50 at most)")
-        ->check(CLI::Range(0.1, 240.0));
+    within(verb->add_option("--fps", options->pictures_per_second,
+                            "pictures a second (default: 10; of a GIF 50 at most)"),
+           {0.1, 240.0});
     verb->callback([options] {
         const MovieReport report = write_movie(*options);
         fmt::print("{} pictures, {} from {:g} to {:g} {}: {}\n", report.pictures, report.plane,

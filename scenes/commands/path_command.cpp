@@ -23,6 +23,7 @@
 #include "materials/modtran/tape7.hpp"
 #include "materials/radiation/planck.hpp"
 #include "materials/radiation/spectrum.hpp"
+#include "scenes/commands/number_option.hpp"
 #include "scenes/commands/told_lines.hpp"
 
 namespace diurna {
@@ -120,6 +121,7 @@ void write_spectrum(const std::filesystem::path& file, const BandModel& model,
 }
 
 void path_verb(const PathArguments& arguments) {
+    const FilesRead opened;
     const BandModel model{.profile = named_profile(arguments.profile),
                           .aerosol = arguments.aerosol,
                           .visibility_km = arguments.visibility_km,
@@ -129,6 +131,7 @@ void path_verb(const PathArguments& arguments) {
     print_notes(model.profile.notes);
     check(model);
     const SightLine line = line_of(arguments.path, model);
+    if (!arguments.csv.empty()) check_output_file(arguments.csv, opened.files());
     std::vector<Band> bands;
     for (const std::string& band : arguments.bands) {
         bands.push_back(parse_band(band, bin_edges_um()));
@@ -165,19 +168,31 @@ void add_path_verb(CLI::App& app) {
     verb->add_option("--profile", a->profile,
                      "TROP MLS MLW SAS SAW US76, or a radiosonde's .csv file");
     verb->add_option("--aerosol", a->aerosol, "none, rural, maritime, urban, ...");
-    verb->add_option("--visibility-km", a->visibility_km, "at the ground, of the haze (23)");
-    verb->add_option("--co2-ppm", a->co2_ppm, "carbon dioxide (today's)");
-    verb->add_option("--ground-km", a->ground_km, "where the haze begins");
-    verb->add_option("--rain-mm-h", a->rain_mm_h, "along the whole path");
-    verb->add_option("--height-km", a->path.height_km, "start of the path above the sea");
-    verb->add_option("--zenith-deg", a->path.zenith_deg, "at the start of the path");
-    verb->add_option("--range-km", a->path.range_km, "its length; or one of the three that follow");
-    verb->add_option("--to-height-km", a->path.to_height_km, "above the sea, where it ends");
+    within(verb->add_option("--visibility-km", a->visibility_km, "at the ground, of the haze (23)"),
+           {0.05, 300.0}, "km");
+    within(verb->add_option("--co2-ppm", a->co2_ppm, "carbon dioxide (today's)"), {0.0, 1e4},
+           "ppm");
+    within(verb->add_option("--ground-km", a->ground_km, "where the haze begins"), {-0.5, 5.5},
+           "km");
+    within(verb->add_option("--rain-mm-h", a->rain_mm_h, "along the whole path"), {0.0, 300.0},
+           "mm/h");
+    within(verb->add_option("--height-km", a->path.height_km, "start of the path above the sea"),
+           AirPath::heights_km, "km");
+    within(verb->add_option("--zenith-deg", a->path.zenith_deg, "at the start of the path"),
+           {0.0, 180.0});
+    within(verb->add_option("--range-km", a->path.range_km,
+                            "its length; or one of the three that follow"),
+           AirPath::ranges_km, "km");
+    within(verb->add_option("--to-height-km", a->path.to_height_km, "above the sea, where it ends"),
+           AirPath::heights_km, "km");
     verb->add_flag("--to-ground", a->path.to_ground, "it ends on the ground");
     verb->add_flag("--to-space", a->path.to_space, "it ends above the air");
-    verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "adds scattered sunlight");
-    verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg, "of the path");
-    verb->add_option("--ground-albedo", a->path.ground_albedo, "below the path, with a sun");
+    within(verb->add_option("--sun-zenith-deg", a->path.sun_zenith_deg, "adds scattered sunlight"),
+           {0.0, 180.0});
+    within(verb->add_option("--azimuth-from-sun-deg", a->path.azimuth_from_sun_deg, "of the path"),
+           {-360.0, 360.0});
+    within(verb->add_option("--ground-albedo", a->path.ground_albedo, "below the path, with a sun"),
+           {0.0, 1.0});
     verb->add_option("--band", a->bands, "FROM:TO in micrometres; may be given again")->required();
     verb->add_option("--csv", a->csv, "file for the whole spectrum");
     verb->add_option("--modtran", a->modtran,

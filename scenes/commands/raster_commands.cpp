@@ -17,6 +17,7 @@
 #include "materials/base/plain_text.hpp"
 #include "materials/base/units.hpp"
 #include "materials/matter/library.hpp"
+#include "scenes/commands/number_option.hpp"
 #include "terrain/ground/affordable_tin.hpp"
 #include "terrain/ground/tin_check.hpp"
 #include "terrain/ground/triangulate.hpp"
@@ -158,7 +159,10 @@ void add_mesh_verb(CLI::App& app) {
     CLI::App* verb =
         app.add_subcommand("mesh", "triangulate an elevation raster to a vertical tolerance");
     verb->add_option("DEM", a->dem, "any raster of the drivers GDAL is allowed")->required();
-    verb->add_option("--tolerance-m", a->tolerance_m)->required()->check(CLI::NonNegativeNumber);
+    within(verb->add_option("--tolerance-m", a->tolerance_m,
+                            "largest vertical distance between mesh and raster"),
+           {0.0, 1e4}, "m")
+        ->required();
     verb->add_option("--frame", a->frame)->check(CLI::IsMember({"enu", "grid"}));
     verb->add_option("--out", a->out, "PLY file");
     verb->add_flag("--allow-outside", a->allow_outside, outside_says);
@@ -171,9 +175,11 @@ void add_visibility_verb(CLI::App& app) {
         app.add_subcommand("visibility", "sky view and shadows of every post of a raster");
     verb->add_option("DEM", a->dem, "elevation raster, or several tiles of one lattice")
         ->required();
-    verb->add_option("--azimuths", a->azimuths)->check(CLI::Range(4, 4096));
-    verb->add_option("--sun-azimuth-deg", a->sun_azimuth_deg, "clockwise from north");
-    verb->add_option("--sun-elevation-deg", a->sun_elevation_deg)->check(CLI::Range(-90.0, 90.0));
+    whole_within(verb->add_option("--azimuths", a->azimuths, "of the horizon (32)"), 4, 4096);
+    within(verb->add_option("--sun-azimuth-deg", a->sun_azimuth_deg, "clockwise from north"),
+           {-360.0, 360.0});
+    within(verb->add_option("--sun-elevation-deg", a->sun_elevation_deg, "above the horizon"),
+           {-90.0, 90.0});
     verb->add_option("--out", a->out, "GeoTIFF in the raster's place");
     verb->add_flag("--allow-outside", a->allow_outside, outside_says);
     verb->callback([a] { visibility_verb(*a); });

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/commands/number_option.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/memory_limit.hpp"
 
@@ -63,8 +64,8 @@ std::shared_ptr<SceneArguments> scene_arguments(CLI::App& verb) {
     verb.add_option("--set", a->settings,
                     "key.path=value in place of what the file says: observer.east.width=320 (or "
                     "observer.0.width); lists and texts as in the file, a word needs no quotes");
-    verb.add_option("--threads", a->threads, "worker threads; 0: one per core")
-        ->check(CLI::Range(0, 1024));
+    whole_within(verb.add_option("--threads", a->threads, "worker threads; 0: one per core"), 0,
+                 1024);
     verb.add_option("--progress", a->progress, "json, none or auto")
         ->check(CLI::IsMember({"json", "none", "auto"}));
     verb.add_flag("--allow-outside", a->allow_outside,

@@ -8,6 +8,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "scenes/commands/number_option.hpp"
 #include "scenes/commands/scene_arguments.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/run_folder.hpp"
@@ -73,11 +74,12 @@ void add_slurm_verb(CLI::App& app) {
     verb->add_option("--out", s->out, "folder for the results, which all nodes see")->required();
     verb->add_option("--scripts", s->scripts, "new folder for scripts, logs and shards, likewise")
         ->required();
-    verb->add_option("--shards", s->job.shards, "tasks that share the pictures or variants")
-        ->required()
-        ->check(CLI::Range(1, 100000));
-    verb->add_option("--cpus", s->job.cpus, "processors of a task (default: 4)")
-        ->check(CLI::Range(1, 1024));
+    whole_within(
+        verb->add_option("--shards", s->job.shards, "tasks that share the pictures or variants"), 1,
+        100000)
+        ->required();
+    whole_within(verb->add_option("--cpus", s->job.cpus, "processors of a task (default: 4)"), 1,
+                 1024);
     verb->add_option("--sbatch", s->job.directives,
                      "one more directive of every job: --sbatch=--partition=long");
     verb->callback([a, s] { slurm_verb(*a, *s); });

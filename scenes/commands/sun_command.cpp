@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "materials/base/error.hpp"
+#include "scenes/commands/number_option.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/sun.hpp"
 
@@ -24,14 +24,6 @@ struct SunArguments {
 };
 
 void sun_verb(const SunArguments& arguments) {
-    if (!(std::abs(arguments.latitude_deg) <= 90.0)) {
-        throw InputError("--latitude-deg",
-                         fmt::format("found {:g}, expected -90 to 90", arguments.latitude_deg));
-    }
-    if (!(std::abs(arguments.longitude_deg) <= 360.0)) {
-        throw InputError("--longitude-deg",
-                         fmt::format("found {:g}, expected -360 to 360", arguments.longitude_deg));
-    }
     const Site site{arguments.latitude_deg, arguments.longitude_deg, arguments.height_m};
     const Instant instant = parse_instant(arguments.time, "--time");
     const SunPosition sun =
@@ -47,12 +39,17 @@ void sun_verb(const SunArguments& arguments) {
 void add_sun_verb(CLI::App& app) {
     const auto a = std::make_shared<SunArguments>();
     CLI::App* verb = app.add_subcommand("sun", "azimuth, elevation and distance of the sun");
-    verb->add_option("--latitude-deg", a->latitude_deg)->required();
-    verb->add_option("--longitude-deg", a->longitude_deg)->required();
-    verb->add_option("--height-m", a->height_m);
+    within(verb->add_option("--latitude-deg", a->latitude_deg, "north positive"), {-90.0, 90.0})
+        ->required();
+    within(verb->add_option("--longitude-deg", a->longitude_deg, "east positive"), {-360.0, 360.0})
+        ->required();
+    within(verb->add_option("--height-m", a->height_m, "above the ellipsoid (0)"), {-1e4, 1e5},
+           "m");
     verb->add_option("--time", a->time, "ISO 8601 with offset")->required();
-    verb->add_option("--pressure-hPa", a->pressure_hPa, "adds refraction");
-    verb->add_option("--temperature-C", a->temperature_C);
+    within(verb->add_option("--pressure-hPa", a->pressure_hPa, "of the air; adds refraction"),
+           {0.0, 1200.0}, "hPa");
+    within(verb->add_option("--temperature-C", a->temperature_C, "of the air, for refraction (15)"),
+           {-100.0, 80.0}, "degC");
     verb->callback([a] { sun_verb(*a); });
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
+#include "materials/base/files_read.hpp"
 #include "scenes/world/elevation.hpp"
 #include "terrain/raster/dem_places.hpp"
 #include "terrain/raster/geotiff.hpp"
@@ -117,8 +119,10 @@ std::size_t ground_objects(const Scene& scene, const RunHeat& heat) {
 
 std::size_t write_heat_geotiff(const std::filesystem::path& file, const RunHeat& heat,
                                const Scene& scene, std::span<const Instant> instants) {
+    const FilesRead opened;
     const std::size_t ground = ground_objects(scene, heat);
     const Dem dem = elevation_of(scene);
+    check_output_file(file, opened.files());
     const PostFacets posts = facets_of_posts(dem, heat.mesh, ground);
     if (posts.facet.empty()) {
         throw InputError(heat.file.string(),

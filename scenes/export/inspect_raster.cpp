@@ -66,6 +66,9 @@ Found inspect_raster(const std::filesystem::path& file, const InspectOptions& op
         bands.row.push_back(
             {band.name, band.unit, band.type, none, band.least, band.most, band.mean, band.valid});
     }
+    if (facts.band.size() < static_cast<std::size_t>(facts.bands)) {
+        found.fact.push_back({"bands_in_all", {static_cast<long long>(facts.bands)}});
+    }
     found.table.push_back(std::move(bands));
     if (may_be_elevation(facts)) {
         try {

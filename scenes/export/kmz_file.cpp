@@ -7,6 +7,7 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "materials/base/files_read.hpp"
 #include "materials/base/made_by.hpp"
 #include "render/picture/colour_png.hpp"
 #include "render/picture/palette.hpp"
@@ -126,8 +127,10 @@ std::string kml(const Overlay& overlay, const RunHeat& heat, const Scene& scene,
 
 ColourScale write_kmz(const std::filesystem::path& file, const RunHeat& heat, const Scene& scene,
                       std::span<const Instant> instants) {
+    const FilesRead opened;
     const std::size_t ground = ground_objects(scene, heat);
     const Dem dem = elevation_of(scene);
+    check_output_file(file, opened.files());
     const PostFacets posts = facets_of_posts(dem, heat.mesh, ground);
     const Overlay overlay = overlay_of(dem, posts);
     std::vector<Plane> planes;

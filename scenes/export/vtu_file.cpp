@@ -115,15 +115,15 @@ std::string pvd_text(std::span<const Instant> instants, std::span<const std::str
 }
 
 std::size_t write_vtu_day(const std::filesystem::path& pvd, const RunHeat& heat,
-                          std::span<const Instant> instants) {
+                          std::span<const Instant> instants, const std::vector<FileRead>& inputs) {
     if (pvd.extension() != ".pvd") {
         throw InputError(pvd.string(), "expected FILE.pvd; the .vtu files come to stand beside it");
     }
     std::vector<std::string> names;
-    check_output_file(pvd);
+    check_output_file(pvd, inputs);
     for (const Instant when : instants) {
         names.push_back(fmt::format("{}_{}.vtu", pvd.stem().string(), format_instant(when, true)));
-        check_output_file(pvd.parent_path() / names.back());
+        check_output_file(pvd.parent_path() / names.back(), inputs);
     }
     for (std::size_t i = 0; i < instants.size(); ++i) {
         write_whole_file(pvd.parent_path() / names[i], vtu_text(heat, heat_at(heat, instants[i])));

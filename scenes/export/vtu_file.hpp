@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "materials/base/files_read.hpp"
 #include "scenes/export/run_heat.hpp"
 
 namespace diurna {
@@ -26,8 +27,10 @@ std::string pvd_text(std::span<const Instant> instants, std::span<const std::str
 
 /// The collection `pvd` and, beside it, STEM_UTC.vtu for each instant: each file whole or not at
 /// all, the collection last. Returns their number. Throws InputError, before anything is written,
-/// where a file cannot take its place, std::runtime_error where one cannot be written.
+/// where a file cannot take its place or is one of the inputs, std::runtime_error where one cannot
+/// be written.
 std::size_t write_vtu_day(const std::filesystem::path& pvd, const RunHeat& heat,
-                          std::span<const Instant> instants);
+                          std::span<const Instant> instants,
+                          const std::vector<FileRead>& inputs = {});
 
 }  // namespace diurna

@@ -1,5 +1,9 @@
 #include "scenes/input/read_plumes.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
+
 #include "materials/base/error.hpp"
 
 namespace diurna {
@@ -18,6 +22,12 @@ PlumeInput read_plume(const Section& section, const ScenePlaces& places) {
         section.number_or("top_radius_m", "of its top", {plume.radius, "radius_m"}, {0.01, 1e3});
     const std::vector<double> lean = section.numbers_or(
         "lean_m", "[east, north] of its top from its foot", std::vector{0.0, 0.0}, 2);
+    constexpr double furthest = 1e4;  // [m] as a plume is high
+    if (!(std::hypot(lean[0], lean[1]) <= furthest)) {
+        section.mistake("lean_m", fmt::format("found a top {:g} m from above its foot, expected "
+                                              "{:g} m at most",
+                                              std::hypot(lean[0], lean[1]), furthest));
+    }
     plume.lean = {lean[0], lean[1]};
     plume.temperature =
         section.number("temperature_K", "of the gas or smoke, which glows by it", {150.0, 3000.0});

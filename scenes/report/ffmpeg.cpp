@@ -2,46 +2,33 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
-
-extern char** environ;
 
 namespace diurna {
 
 namespace {
 
-/// Reads what comes through `input`; in a process group of its own, which ends with the program.
-pid_t start(std::vector<std::string> words, int input) {
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawnattr_init(&attributes);
-    posix_spawn_file_actions_adddup2(&actions, input, 0);
-    posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    pid_t child = -1;
-    const int code = posix_spawnp(&child, argv[0], &actions, &attributes, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    if (code == 0) return child;
-    if (code == ENOENT) {
-        throw std::runtime_error("ffmpeg is not on the PATH, a movie needs it (Debian: ffmpeg)");
+/// Reads what comes through `input`.
+std::unique_ptr<ChildProcess> start(std::vector<std::string> words, int input) {
+    try {
+        return std::make_unique<ChildProcess>(ChildStart{
+            .words = std::move(words), .on_path = true, .input = input, .prints_errors = true});
+    } catch (const std::system_error& error) {
+        if (error.code() == std::errc::no_such_file_or_directory) {
+            throw std::runtime_error(
+                "ffmpeg is not on the PATH, a movie needs it (Debian: ffmpeg)");
+        }
+        throw std::runtime_error("ffmpeg cannot be started: " + error.code().message());
     }
-    throw std::runtime_error(fmt::format("ffmpeg cannot be started: {}", std::strerror(code)));
 }
 
 /// Between the pictures that come and the file's name. The pictures have 250 colours; a GIF's
@@ -96,18 +83,10 @@ FfmpegMovie::FfmpegMovie(const std::filesystem::path& file, MovieKind kind,
         throw;
     }
     ::close(ends[0]);
-    set_child_group(child_);
 }
 
 FfmpegMovie::~FfmpegMovie() {
     if (pipe_ >= 0) ::close(pipe_);
-    if (child_ > 0) {
-        ::kill(-child_, SIGKILL);
-        int status = 0;
-        while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-        }
-    }
-    set_child_group(0);
 }
 
 void FfmpegMovie::add(std::span<const std::byte> png) {
@@ -124,11 +103,8 @@ void FfmpegMovie::add(std::span<const std::byte> png) {
 void FfmpegMovie::finish() {
     ::close(pipe_);
     pipe_ = -1;
-    int status = 0;
-    while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-    }
-    child_ = -1;
-    set_child_group(0);
+    const int status = child_->wait();
+    child_.reset();
     if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
         throw std::runtime_error("ffmpeg has failed: no movie was written");
     }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <span>
 
+#include "materials/base/child_process.hpp"
 #include "materials/base/unfinished.hpp"
 
 namespace diurna {
@@ -32,7 +32,7 @@ class FfmpegMovie {
 
  private:
     UnfinishedFile part_;
-    pid_t child_ = -1;
+    std::unique_ptr<ChildProcess> child_;
     int pipe_ = -1;
 };
 

@@ -88,6 +88,7 @@ MovieKind kind_of(const fs::path& file, double pictures_per_second) {
 }  // namespace
 
 MovieReport write_movie(const MovieOptions& options) {
+    const FilesRead opened;
     const auto [key, files] = chosen(options);
     MovieReport report{.file = options.file,
                        .pictures = files.size(),
@@ -98,7 +99,9 @@ MovieReport write_movie(const MovieOptions& options) {
         report.file = options.folder / fmt::format("{}_{}.mp4", key.first, key.second);
     }
     const MovieKind kind = kind_of(report.file, options.pictures_per_second);
-    check_output_file(report.file);
+    std::vector<FileRead> inputs = opened.files();
+    for (const fs::path& file : files) inputs.push_back({.path = file});
+    check_output_file(report.file, inputs);
     FfmpegMovie movie(report.file, kind, options.pictures_per_second);
     const std::array<std::string, 2> wanted = {report.plane, "temperature"};
     std::vector<ColourScale> scales(files.size());

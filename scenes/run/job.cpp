@@ -98,6 +98,14 @@ std::pair<std::size_t, std::size_t> keep_there(const std::vector<ObserverInput>&
     return {there, all};
 }
 
+/// Refuses results that would go where they are taken from.
+void refuse_own(const fs::path& out, const fs::path& from, const char* option) {
+    std::error_code none;
+    if (!fs::equivalent(out, from, none)) return;
+    throw InputError(option, fmt::format("{} is the folder of the results (--out)", from.string()),
+                     "--resume keeps what an earlier run has left there");
+}
+
 /// What the heat balance leaves in the folder; nothing where temperatures are given.
 std::vector<std::string> heat_files(const Scene& scene, const JobOptions& options) {
     if (!options.temperatures.empty()) return {};
@@ -114,7 +122,7 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
     for (const auto& [name, digest] : ledger.digests()) keep.insert(name);
     clear_run_folder(out, keep, expected, [&](const Cleared& cleared) {
         progress.tell(
-            fmt::format("{}: of earlier runs' pictures and labels {} are made anew, {} removed",
+            fmt::format("{}: of earlier runs' files {} of pictures are rendered again, {} removed",
                         out.string(), cleared.again, cleared.gone));
         if (cleared.gone == 0) return;
         report.remade.push_back(
@@ -122,7 +130,7 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
     });
     if (const std::vector<std::string>& amiss = ledger.amiss(); !amiss.empty()) {
         report.remade.push_back(
-            fmt::format("{} files are not what the earlier run has written, {} for one: made anew",
+            fmt::format("{} files changed since the earlier run (for example {}); regenerated",
                         amiss.size(), amiss.front()));
     }
     for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
@@ -202,6 +210,8 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     report.warnings = as_lines(doubts(prepared));
     std::vector<std::string> expected = report.files;
     for (std::string& file : frame_files(chosen, format)) expected.push_back(std::move(file));
+    for (const std::filesystem::path& part : options.parts) refuse_own(out, part, "FOLDERS");
+    if (!options.from.empty()) refuse_own(out, options.from, "--from");
     if (!options.parts.empty()) gather_parts(options.parts, out, manifest.key, expected);
     const Stages stages(prepared, options.stages);
     TemperatureField field;

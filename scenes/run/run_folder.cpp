@@ -134,7 +134,11 @@ void clear_run_folder(const fs::path& out, const std::set<std::string>& keep,
             if (ours) {
                 old.push_back(entry.path());
                 if (!own || is_temporary_name(file)) continue;
-                ++(wanted_stems.contains(stem_of(file)) ? cleared.again : cleared.gone);
+                if (!wanted_stems.contains(stem_of(file))) {
+                    ++cleared.gone;
+                } else if (wanted.contains(name)) {
+                    ++cleared.again;
+                }  // else labels, which are written at the end of each run
             } else if (own) {
                 refuse(out, fmt::format("holds {}, which is not of a run of it", name),
                        "take it away, or choose another folder");

@@ -37,7 +37,8 @@ class FolderLock {
     int file_ = -1;
 };
 
-/// What becomes of earlier runs' pictures and labels: of those that go, how many are written again.
+/// What becomes of earlier runs' files: how many of pictures are written again, and how many of
+/// pictures and labels are removed, not to be written again.
 struct Cleared {
     std::size_t again = 0, gone = 0;
 };

@@ -35,9 +35,16 @@ std::string told(const CalibrationReport& report) {
 
 std::string what_has_not_settled(const CalibrationReport& report) {
     if (!report.fit.converged) {
-        return fmt::format("the numbers have not settled in {} passes", report.fit.passes);
+        return fmt::format(
+            "the numbers have not settled in {} passes; narrower bounds in [calibrate], or "
+            "fewer numbers, may help",
+            report.fit.passes);
     }
-    return report.heat_converged ? "" : "the spin-up of a column has not converged";
+    return report.heat_converged
+               ? ""
+               : "the spin-up of a column has not converged; a shorter "
+                 "time.longest_step_s, or time.spin_up = \"none\" with an earlier "
+                 "time.start, may help";
 }
 
 }  // namespace

@@ -69,7 +69,10 @@ StudyFindings sensitivity_study(const StudyRequest& request) {
              .told = told(input, report),
              .notes = report.notes});
         if (found.not_converged.empty() && !report.converged) {
-            found.not_converged = "the heat balance of a changed scene has not converged";
+            found.not_converged = fmt::format(
+                "{}: the heat balance of a changed scene has not converged; a shorter time.step_s, "
+                "or a start from a longer weather record, may help",
+                input.name);
         }
     }
     study.progress().finish();

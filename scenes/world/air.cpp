@@ -12,6 +12,7 @@
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/weather/apparent_sun.hpp"
+#include "thermal/weather/cropped_weather.hpp"
 #include "thermal/weather/sky_series.hpp"
 
 namespace diurna {
@@ -155,7 +156,9 @@ Weather scene_weather(const Scene& scene, const World& world) {
     options.elevation = world.sea_level_height;
     options.site = world.site;
     options.asked = used_span(scene.time);
-    Weather weather = read_weather(scene.weather.files, options);
+    Weather weather = cropped(read_weather(scene.weather.files, options),
+                              later(scene.time.start, -options.asked.before),
+                              later(scene.time.end(), options.asked.behind));
     const double height = weather.height;
     const SkySeries series(std::move(weather), world.site, height, scene.sky, scene.time.start,
                            scene.time.end());

@@ -78,6 +78,7 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
         throw InputError(where, "holds no raster band" + gdal.because());
     }
     look_beside(*raster, gate);
+    check_bands(*raster, where);
     return raster;
 }
 

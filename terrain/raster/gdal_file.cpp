@@ -1,5 +1,8 @@
 #include "terrain/raster/gdal_file.hpp"
 
+#include <fmt/format.h>
+
+#include <string>
 #include <system_error>
 
 #include "materials/base/error.hpp"
@@ -8,6 +11,13 @@
 #include "terrain/raster/zip_archive.hpp"
 
 namespace diurna {
+
+namespace {
+
+constexpr int most_bands = 4096;
+constexpr double largest_block = 512e6;  // [bytes]
+
+}  // namespace
 
 GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
                                     const char* const* drivers, const char* formats,
@@ -24,7 +34,30 @@ GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned 
     gate.check();
     if (!data) throw InputError(file.string(), "cannot be read" + gdal.because(), formats);
     look_beside(*data, gate);
+    check_bands(*data, file.string());
     return data;
+}
+
+void check_bands(GDALDataset& data, const std::string& where) {
+    const int bands = data.GetRasterCount();
+    if (bands > most_bands) {
+        throw InputError(where, fmt::format("has {} bands, expected at most {}", bands, most_bands),
+                         "write the bands that are needed into a file of their own");
+    }
+    if (bands == 0) return;
+    GDALRasterBand& first = *data.GetRasterBand(1);
+    int columns = 0, rows = 0;
+    first.GetBlockSize(&columns, &rows);
+    const char* const order = data.GetMetadataItem("INTERLEAVE", "IMAGE_STRUCTURE");
+    const bool side_by_side = order != nullptr && EQUAL(order, "PIXEL");
+    const double bytes = double(columns) * rows * (side_by_side ? bands : 1) *
+                         GDALGetDataTypeSizeBytes(first.GetRasterDataType());
+    if (bytes <= largest_block) return;
+    throw InputError(where,
+                     fmt::format("has blocks of {} x {} pixels and {} bands, {:.1f} GB each, "
+                                 "expected at most {:.1f} GB",
+                                 columns, rows, bands, 1e-9 * bytes, 1e-9 * largest_block),
+                     "gdal_translate -b 1 -co TILED=YES makes a file of one band in small blocks");
 }
 
 void look_beside(GDALDataset& data, const GdalGate& gate) {

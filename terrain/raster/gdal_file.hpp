@@ -3,6 +3,7 @@
 #include <gdal_priv.h>
 
 #include <filesystem>
+#include <string>
 
 #include "terrain/raster/quiet_gdal.hpp"
 
@@ -14,6 +15,11 @@ namespace diurna {
 GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned kind,
                                     const char* const* drivers, const char* formats,
                                     const QuietGdal& gdal, const GdalGate& gate);
+
+/// Refuses what takes gigabytes to read one band of: over 4096 bands, and blocks of over 512 MB, in
+/// which the values of all bands may stand side by side, for GDAL reads blocks whole. Throws
+/// InputError.
+void check_bands(GDALDataset& data, const std::string& where);
 
 /// Has GDAL look for a dataset's sidecars, which are noted (materials/base/files_read.hpp). Throws
 /// InputError of one beyond the gate.

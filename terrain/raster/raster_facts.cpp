@@ -68,6 +68,7 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
     RasterFacts facts{.driver = data->GetDriverName(),
                       .columns = data->GetRasterXSize(),
                       .rows = data->GetRasterYSize(),
+                      .bands = data->GetRasterCount(),
                       .band = {},
                       .transform = std::nullopt,
                       .crs = "",
@@ -95,6 +96,7 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
         facts.unit = unit != nullptr ? unit : "";
     }
     for (GDALRasterBand* band : data->GetBands()) {
+        if (facts.band.size() == most_bands_described) break;
         facts.band.push_back(facts_of(*band, where, gdal));
     }
     gate.check();

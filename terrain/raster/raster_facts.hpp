@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -21,18 +22,21 @@ struct BandFacts {
     bool alpha = false;   // says which pixels of the other bands are valid
 };
 
+inline constexpr std::size_t most_bands_described = 64;
+
 /// What any raster file holds, be it elevation, classes, temperatures or a picture.
 struct RasterFacts {
     std::string driver;  // GDAL's: "GTiff"
     int columns = 0, rows = 0;
-    std::vector<BandFacts> band;
+    int bands = 0;
+    std::vector<BandFacts> band;  // of the first ones, most_bands_described at most
     std::optional<GeoTransform> transform;
     std::string crs;   // its name, with the authority's code if it has one; "": none
     std::string unit;  // of map places: "metre", "degree"; "": none
 };
 
 /// Reads GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM, USGS DEM, netCDF (of several
-/// variables there: no bands); all bands are read through.
+/// variables there: no bands); the bands described are read through.
 /// Throws InputError for one that is missing, damaged, larger than its bytes can hold or of over
 /// 1e9 values.
 ///

@@ -9,6 +9,7 @@
 #include "materials/base/error.hpp"
 #include "tests/support/hills.hpp"
 #include "tests/support/small_scene.hpp"
+#include "thermal/temperature_mesh.hpp"
 
 using namespace diurna;
 
@@ -117,4 +118,18 @@ TEST_CASE("what a killed run has left of a file goes when it is written anew",
     CHECK_FALSE(std::filesystem::exists(dead));
     CHECK(std::filesystem::exists(alive));
     CHECK(std::filesystem::exists(other));
+}
+
+// 2026-11: 20 000 pieces of ground were solved and then not written: their names were more than an
+// attribute holds.
+TEST_CASE("any number of objects keep their names", "[thermal][temperature_field]") {
+    const ScratchFolder folder("temperature_field");
+    const FacetSet facets = hills(4, {MaterialId{0}});
+    FieldNotes notes{.materials = {"grass"}};
+    for (int i = 0; i < 20000; ++i) notes.objects.push_back("piece_" + std::to_string(i));
+    const auto file = folder.path / "temperatures.nc";
+    save_temperature_field(file, ramp(facets.size()), facets, {}, notes);
+    CHECK(load_temperature_field(file).kelvin == ramp(facets.size()).kelvin);
+    CHECK(load_temperature_mesh(file).objects == notes.objects);
+    CHECK(load_temperature_mesh(file).materials == notes.materials);
 }

@@ -12,6 +12,8 @@ end = 2026-07-17T00:00:00Z
 [sky]
 sun = "ineichen"
 precipitable_water_cm = 1.5
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
 [terrain]
 radius_m = 4000.0
 [terrain.land_cover.material]
@@ -135,6 +137,10 @@ mount_deg = [0.0, -20.0, 0.0]
 frame_every_s = 0.5
 [[observer]]
 frames_at_sun = { azimuth_deg = 180.0 }
+[sky]
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
+precipitable_water_cm = 1.5
 [[observer]]
 frames_at_sun = { elevation_deg = 30.0 }
 [[observer]]
@@ -220,6 +226,8 @@ tmpc = "air_temperature degC"
 [sky]
 sun = "bird"
 precipitable_water_cm = 1.5
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
 [material]
 name = "asphalt"
 [calibrate]
@@ -230,6 +238,8 @@ sought = [{ key = "material.albedo", low = 0.1, high = 0.2 }]
 [sky]
 sun = "ineichen"
 precipitable_water_cm = 1.5
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
 [material]
 name = "asphalt"
 )"};

@@ -137,10 +137,6 @@ mount_deg = [0.0, -20.0, 0.0]
 frame_every_s = 0.5
 [[observer]]
 frames_at_sun = { azimuth_deg = 180.0 }
-[sky]
-aerosol_380nm = 0.2
-aerosol_500nm = 0.15
-precipitable_water_cm = 1.5
 [[observer]]
 frames_at_sun = { elevation_deg = 30.0 }
 [[observer]]
@@ -209,6 +205,10 @@ keys = ["time.start", "weather.file"]
 [time]
 start = 2026-07-15T00:00:00Z
 frames_at_sun = { azimuth_deg = 180.0 }
+[sky]
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
+precipitable_water_cm = 1.5
 )",
                                                R"(
 [time]

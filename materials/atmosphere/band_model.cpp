@@ -27,6 +27,8 @@ void check(const BandModel& model) {
     check_within("rain_top_km", model.rain_top_km, 0.0, 10.0);
     check_within("cloud.fraction", model.cloud.fraction, 0.0, 1.0);
     check_within("cloud.base_km", model.cloud.base_km, -0.5, 20.0);
+    check_within("cloud.depth_km", model.cloud.depth_km, 0.0, 15.0);
+    check_within("cloud.sunlit_fraction", model.cloud.over_sun(), 0.0, 1.0);
     check_within("cloud.temperature", model.cloud.temperature, 0.0, 400.0);
     check_within("cloud.optical_depth", model.cloud.optical_depth, 0.0, 1000.0);
     check_within("cloud.emissivity", model.cloud.emissivity, 0.0, 1.0);

@@ -12,15 +12,33 @@ namespace diurna {
 /// Carbon dioxide of the years 2024-26 (NOAA's global mean, rounded).
 inline constexpr double todays_co2_ppm = 425.0;
 
-/// One grey layer of cloud over part of the sky, thin against the heights around it. It shades and
-/// warms what is below it and fills its part of the sky; lines of finite range and lines to the
-/// ground go through the gaps, so that from above it is not seen.
+/// One level layer of cloud over part of the sky: where it is, from whatever side it is seen. From
+/// below it is black or grey at the temperature of its base and dims the sun by its optical depth;
+/// from above it is as warm as its top and sends sunlight back; between an eye and the ground its
+/// covered part hides the ground. Its covered and open parts stand side by side (independent
+/// columns), the same under every angle. An eye within it sees it between itself and all beyond.
 struct CloudLayer {
     double fraction = 0.0;        // of the sky, 0 to 1
     double base_km = 2.0;         // above the sea
-    double temperature = 0.0;     // [K] of its base; 0: that of the air there
+    double depth_km = 0.3;        // from base to top
+    double temperature = 0.0;     // [K] of base and top; 0: that of the air there
     double optical_depth = 20.0;  // at all wavelengths of sunlight, 0 to 1000
     double emissivity = 1.0;      // in the thermal bands
+    /// Part of the sky whose sunlight it takes; below 0: `fraction`. Broken cloud shines from its
+    /// sides and looks wider than it shades (cloud_modification.hpp).
+    double sunlit_fraction = -1.0;
+
+    double top_km() const { return base_km + depth_km; }
+    double over_sun() const { return sunlit_fraction < 0.0 ? fraction : sunlit_fraction; }
+};
+
+/// What measured light is over the model's: factors that make its broadband sums those that were
+/// measured (light_of_instant.hpp). All 1: the model's own.
+struct LightScale {
+    double beam = 1.0;        // of the sun; under a cloud, where there is one
+    double diffuse = 1.0;     // of scattered sunlight, likewise
+    double sky_column = 1.0;  // of what emits between the ground and space, as if so many times
+    double sky_heat = 1.0;    // of the sky's thermal radiance, grey: what a column cannot give
 };
 
 /// The embedded band model: seven gases, water and nitrogen continua, Rayleigh extinction, ozone's
@@ -46,6 +64,7 @@ struct BandModel {
     double rain_mm_h = 0.0;            // 0 to 300
     double rain_top_km = 3.0;          // above `ground_km`
     CloudLayer cloud = {};
+    LightScale scale = {};
     bool refraction = true;  // bends lines to the sky and the sun
 };
 

@@ -6,6 +6,7 @@
 
 #include "materials/atmosphere/band_transmittance.hpp"
 #include "materials/atmosphere/bins.hpp"
+#include "materials/atmosphere/cloud_on_line.hpp"
 #include "materials/atmosphere/medium.hpp"
 #include "materials/atmosphere/solar_spectrum.hpp"
 #include "materials/base/fast_exp.hpp"
@@ -81,9 +82,10 @@ PathSpectrum beyond(const BandModel& model, const SightLine& first, const SightL
     return path;
 }
 
-/// What a line of infinite range sees of a cloudless sky or of the ground.
-std::vector<double> clear_sky(const BandModel& model, double height_km, double zenith_deg,
-                              std::span<const double> node_um, const SightLine& onward) {
+/// What a line of infinite range sees of the sky, as the model's air and cloud send it, or of the
+/// ground.
+std::vector<double> unscaled_sky(const BandModel& model, double height_km, double zenith_deg,
+                                 std::span<const double> node_um, const SightLine& onward) {
     const bool ground = ends_on_ground(model, height_km, zenith_deg);
     const double behind = ground ? model.profile.temperature.front() : model.space_temperature;
     PathSpectrum path = beyond(model, onward, line_of(model, height_km, zenith_deg), node_um);
@@ -93,31 +95,78 @@ std::vector<double> clear_sky(const BandModel& model, double height_km, double z
     return std::move(path.radiance);
 }
 
-/// Distance along a straight line to a height above its start.
-double distance_to(double height_km, double zenith_deg, double top_km) {
-    const double r = earth_radius_km + height_km, mu = std::cos(radians(zenith_deg));
-    const double sphere = earth_radius_km + top_km;
-    return std::sqrt((sphere - r) * (sphere + r) + r * r * mu * mu) - r * mu;
+/// A line with an edge wherever it meets the cloud.
+struct CutLine {
+    SightLine line;
+    std::vector<std::pair<std::size_t, CloudCrossing>> cut;  // edge, and what is there
+};
+
+CutLine cut_at_clouds(const BandModel& model, const SightLine& line) {
+    auto crossing = cloud_crossing(model, line);
+    if (!crossing) return {line, {}};
+    CutLine parts;
+    SightLine rest = line;
+    while (crossing) {
+        parts.line = joined(parts.line, line_before(rest, *crossing));
+        parts.cut.emplace_back(parts.line.size(), *crossing);
+        rest = line_behind(rest, *crossing);
+        // What begins at the cloud's side is behind it, not within.
+        crossing = cloud_crossing(model, rest, 1);
+    }
+    parts.line = joined(parts.line, rest);
+    return parts;
+}
+
+/// Puts a cloud between what is before an edge and all that comes after it.
+void meet_cloud(const BandModel& model, const CloudCrossing& crossing,
+                std::span<const double> node_um, SegmentEnd& edge, std::vector<double>& gap,
+                std::span<double> radiance) {
+    for (std::size_t i = 0; i < node_um.size(); ++i) {
+        const double hidden = hidden_share(model.cloud, crossing, node_um[i]);
+        if (node_um[i] >= drops_scatter_um) {
+            radiance[i] +=
+                hidden * edge.transmittance[i] * planck(node_um[i], crossing.temperature);
+        }
+        gap[i] *= 1.0 - hidden;
+        edge.transmittance[i] *= 1.0 - hidden;
+    }
+}
+
+/// The sky's radiance as measured light says it is, from the model's; `black`: of the air here.
+double scaled_sky(const LightScale& scale, double radiance, double black) {
+    if (radiance < black) {
+        radiance = black * -std::expm1(scale.sky_column * std::log1p(-radiance / black));
+    }
+    return scale.sky_heat * radiance;
 }
 
 }  // namespace
 
 /// A line that does not know its ends has in each segment the temperature of its middle.
-PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
+PathSpectrum band_model_path(const BandModel& model, const SightLine& whole,
                              std::span<const double> node_um, Amounts* met) {
     const Nodes nodes(node_um);
     const std::size_t count = nodes.size();
     const Medium medium(model, nodes.bins);
+    const CutLine parts = cut_at_clouds(model, whole);
+    const SightLine& line = parts.line;
+    auto cloud = parts.cut.begin();
     const bool ends_known = !line.edge_km.empty();
     const auto black_at = [&](double height_km, std::span<double> black) {
         black_bodies(nodes, pressure_and_temperature_at(model.profile, height_km).second, black);
     };
-    std::vector<double> radiance(count, 0.0), bin_depth(nodes.bins.size()),
+    std::vector<double> radiance(count, 0.0), gap(count, 1.0), bin_depth(nodes.bins.size()),
         bin_after(nodes.bins.size());
     SegmentEnd near(count), far(count);
     if (ends_known) black_at(line.edge_km[0], near.black);
     Amounts amounts = medium.none();
+    const auto meet_clouds = [&](std::size_t edge) {
+        for (; cloud != parts.cut.end() && cloud->first == edge; ++cloud) {
+            meet_cloud(model, cloud->second, node_um, near, gap, radiance);
+        }
+    };
     for (std::size_t segment = 0; segment < line.size(); ++segment) {
+        meet_clouds(segment);
         medium.add(line, segment, amounts);
         medium.spread(amounts);
         medium.depths(amounts, bin_depth);
@@ -125,38 +174,30 @@ PathSpectrum band_model_path(const BandModel& model, const SightLine& line,
         negative_exponentials(bin_after);
         for (std::size_t i = 0; i < count; ++i) {
             far.depth[i] = bin_depth[nodes.bin[i]];
-            far.transmittance[i] = bin_after[nodes.bin[i]];
+            far.transmittance[i] = gap[i] * bin_after[nodes.bin[i]];
         }
         black_at(ends_known ? line.edge_km[segment + 1] : line.height_km[segment], far.black);
         if (!ends_known) near.black = far.black;
         add_emission(near, far, radiance);
         std::swap(near, far);
     }
+    meet_clouds(line.size());
     if (met != nullptr) *met = std::move(amounts);
     return {std::move(near.transmittance), std::move(radiance)};
 }
 
 std::vector<double> band_model_sky(const BandModel& model, double height_km, double zenith_deg,
                                    std::span<const double> node_um, const SightLine& onward) {
-    std::vector<double> sky = clear_sky(model, height_km, zenith_deg, node_um, onward);
-    const CloudLayer& cloud = model.cloud;
-    if (cloud.fraction <= 0.0 || height_km >= cloud.base_km ||
-        ends_on_ground(model, height_km, zenith_deg)) {
-        return sky;
-    }
-    const double temperature = cloud.temperature > 0.0
-                                   ? cloud.temperature
-                                   : air_at(model.profile, cloud.base_km).temperature;
-    const double range = distance_to(height_km, zenith_deg, cloud.base_km);
-    const PathSpectrum below =
-        beyond(model, onward, line_of(model, height_km, zenith_deg, range), node_um);
+    std::vector<double> sky = unscaled_sky(model, height_km, zenith_deg, node_um, onward);
+    const LightScale& scale = model.scale;
+    const bool own = scale.sky_column == 1.0 && scale.sky_heat == 1.0;
+    if (own || ends_on_ground(model, height_km, zenith_deg)) return sky;
+    std::vector<double> here = sky;
+    if (onward.size() > 0) here = unscaled_sky(model, height_km, zenith_deg, node_um, {});
+    const double warm = air_at(model.profile, height_km).temperature;
     for (std::size_t i = 0; i < sky.size(); ++i) {
-        // What is behind the cloud, as seen from below it, shines through 1 − emissivity of it.
-        const double black = below.transmittance[i] * planck(node_um[i], temperature);
-        const double behind = sky[i] - below.radiance[i];
-        const double covered =
-            below.radiance[i] + cloud.emissivity * black + (1.0 - cloud.emissivity) * behind;
-        sky[i] += cloud.fraction * (covered - sky[i]);
+        if (!(here[i] > 0.0)) continue;
+        sky[i] *= scaled_sky(scale, here[i], planck(node_um[i], warm)) / here[i];
     }
     return sky;
 }
@@ -168,13 +209,15 @@ std::vector<double> band_model_sun(const BandModel& model, double height_km, dou
     const BinRange bins = bins_of(node_um);
     const std::vector<double> tau =
         transmittance(model, joined(onward, line_of(model, height_km, zenith_deg)), bins);
-    double clear = 1.0;
+    double clear = below_cloud(model, height_km) ? model.scale.beam : 1.0;
     if (height_km < model.cloud.base_km) {
         const double mu = std::max(0.02, std::cos(radians(zenith_deg)));
-        clear -= model.cloud.fraction * -std::expm1(-model.cloud.optical_depth / mu);
+        clear *= 1.0 - model.cloud.over_sun() * -std::expm1(-model.cloud.optical_depth / mu);
     }
+    const std::vector<double> gap = through_clouds(model, onward, node_um);
     for (std::size_t i = 0; i < node_um.size(); ++i) {
-        irradiance[i] = clear * solar_above_air(node_um[i]) * tau[bin_of(node_um[i]) - bins.first];
+        irradiance[i] =
+            clear * gap[i] * solar_above_air(node_um[i]) * tau[bin_of(node_um[i]) - bins.first];
     }
     return irradiance;
 }

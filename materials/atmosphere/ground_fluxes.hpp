@@ -20,5 +20,8 @@ struct GroundFluxes {
 /// SunField::sky over the hemisphere (sun_field_test.cpp). Vacuum: no diffuse light, thermal flux
 /// of space.
 GroundFluxes ground_fluxes(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
+/// Its parts: sunlight alone, and longwave.
+GroundFluxes ground_sunlight(const Atmosphere& atmosphere, const SunLight& sun, double height_km);
+double ground_longwave(const Atmosphere& atmosphere, double height_km);
 
 }  // namespace diurna

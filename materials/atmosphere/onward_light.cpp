@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "materials/atmosphere/band_model_light.hpp"
+#include "materials/atmosphere/cloud_on_line.hpp"
 #include "materials/base/fast_exp.hpp"
 #include "materials/base/quadrature.hpp"
 #include "materials/base/units.hpp"
@@ -155,14 +156,20 @@ OnwardLight::Way OnwardLight::way(const SightLine& from_eye) const {
         medium_->depths(both, sun);
         for (std::size_t b = 0; b < count; ++b) sun[b] = fast_exp(sun_depth_[b] - sun[b]);
     }
-    way.sunlight = per_node(sun);
+    const std::vector<double> gap = through_clouds(medium_->model(), from_eye, node_um_);
+    const auto behind_cloud = [&](const std::vector<double>& per_bin) {
+        std::vector<double> values = per_node(per_bin);
+        for (std::size_t n = 0; n < values.size(); ++n) values[n] *= gap[n];
+        return values;
+    };
+    way.sunlight = behind_cloud(sun);
     if (sky_.empty()) {
         way.sky_heat = way.path.transmittance;
         return way;
     }
     for (const SkyLine& line : sky_) add_heat(line, &met, heat);
     for (std::size_t b = 0; b < count; ++b) heat[b] /= std::max(heat_[b], 1e-300);
-    way.sky_heat = per_node(heat);
+    way.sky_heat = behind_cloud(heat);
     return way;
 }
 

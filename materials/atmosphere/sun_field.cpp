@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "materials/atmosphere/band_transmittance.hpp"
+#include "materials/atmosphere/cloud_on_line.hpp"
 #include "materials/atmosphere/sunlit_path.hpp"
 #include "materials/base/units.hpp"
 
@@ -50,12 +51,13 @@ std::vector<std::vector<double>> SunField::skies(double height_km, double zenith
     const bool ground = ends_on_ground(s.model, height_km, zenith_deg);
     const double cosine = std::cos(radians(zenith_deg));
     const auto turn = turns(s.sun, zenith_deg, azimuth_from_sun_deg);
-    const bool over_cloud = cloud.fraction > 0.0 && (height_km >= cloud.base_km || ground);
+    const double covered_share = cloud.over_sun();
+    const bool over_cloud = covered_share > 0.0 && (height_km >= cloud.base_km || ground);
     const ScatteredLight light = over_cloud ? scattered_light(s, line, turn, onward)
                                             : scattered_light(s, line, turn, false, ground, onward);
     std::vector<std::vector<double>> radiance;
     for (std::size_t a = 0; a < turn.size(); ++a) radiance.push_back(light.towards(a, cosine));
-    if (cloud.fraction > 0.0 && !over_cloud) {
+    if (covered_share > 0.0 && !over_cloud) {
         std::size_t below_base = 0;
         while (below_base < line.size() && line.height_km[below_base] < cloud.base_km) {
             ++below_base;
@@ -64,15 +66,23 @@ std::vector<std::vector<double>> SunField::skies(double height_km, double zenith
         const ScatteredLight covered = scattered_light(s, below, turn, true, true, onward);
         const std::vector<double> tau = transmittance(s.model, joined(onward, below), s.bins);
         const HermiteWeights w = s.at_height(cloud.base_km);
+        // Thick cloud shines as 1 + 2 cos z (Moon & Spencer 1942), thin cloud evenly.
+        const double thick = -std::expm1(-0.25 * cloud.optical_depth);
+        const double shape = std::lerp(1.0, 3.0 / 7.0 * (1.0 + 2.0 * cosine), thick);
         for (std::size_t a = 0; a < turn.size(); ++a) {
             const std::vector<double> under = covered.towards(a, cosine);
             for (std::size_t b = 0; b < under.size(); ++b) {
-                const double base = s.cloudy.down.at(w, b) * std::numbers::inv_pi;
-                radiance[a][b] += cloud.fraction * (under[b] + tau[b] * base - radiance[a][b]);
+                const double base = shape * s.cloudy.down.at(w, b) * std::numbers::inv_pi;
+                radiance[a][b] += covered_share * (under[b] + tau[b] * base - radiance[a][b]);
             }
         }
     }
-    for (std::vector<double>& of_azimuth : radiance) of_azimuth = s.per_node(of_azimuth);
+    const double scale =
+        over_cloud || !below_cloud(s.model, height_km) ? 1.0 : s.model.scale.diffuse;
+    for (std::vector<double>& of_azimuth : radiance) {
+        of_azimuth = s.per_node(of_azimuth);
+        for (double& value : of_azimuth) value *= scale;
+    }
     return radiance;
 }
 
@@ -81,7 +91,7 @@ SunFlux SunField::flux(double height_km) const {
     const HermiteWeights w = s.at_height(height_km);
     const std::size_t count = s.bins.size();
     std::vector<double> direct(count, 0.0), down(count), up(count);
-    const double covered = s.model.cloud.fraction;
+    const double covered = s.model.cloud.over_sun();
     const bool below = height_km < s.model.cloud.base_km;
     std::vector<double> scaled(count, 0.0);
     if (count > 0 && !ends_on_ground(s.model, height_km, s.sun.zenith_deg)) {
@@ -111,6 +121,10 @@ SunFlux SunField::flux(double height_km) const {
             beam += covered * direct[b] * through;
         }
         direct[b] = beam;
+        if (!below_cloud(s.model, height_km)) continue;
+        direct[b] *= s.model.scale.beam;
+        down[b] *= s.model.scale.diffuse;
+        up[b] *= s.model.scale.diffuse;
     }
     return {s.per_node(direct), s.per_node(down), s.per_node(up)};
 }

@@ -189,7 +189,7 @@ void spread_light(SunlitAir& air, const Medium& medium, const PerLevel& beam) {
         field->up.assign(levels, count);
         field->down.assign(levels, count);
     }
-    const bool clouds = air.model.cloud.fraction > 0.0;
+    const bool clouds = air.model.cloud.over_sun() > 0.0;
     if (clouds) air.beam_through_cloud = std::exp(-air.model.cloud.optical_depth / layering.mu);
     std::vector<ScatteringLayer> layers, covered;
     for (std::size_t b = 0; b < count; ++b) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "materials/atmosphere/band_transmittance.hpp"
+#include "materials/atmosphere/cloud_on_line.hpp"
 #include "materials/atmosphere/scaled_aerosol.hpp"
 #include "materials/base/units.hpp"
 
@@ -253,6 +255,13 @@ std::vector<double> ScatteredLight::towards(std::size_t turn, double cosine) con
     return sum;
 }
 
+void ScatteredLight::scale(double factor) {
+    for (std::vector<double>& of_turn : at_turn) {
+        for (double& value : of_turn) value *= factor;
+    }
+    for (double& value : by_cosine) value *= factor;
+}
+
 void ScatteredLight::mix(double share, const ScatteredLight& other) {
     const auto mix_in = [share](std::vector<double>& of, const std::vector<double>& with) {
         for (std::size_t b = 0; b < of.size(); ++b) of[b] += share * (with[b] - of[b]);
@@ -284,12 +293,57 @@ ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
     return gathering.light();
 }
 
+namespace {
+
+/// Of a line that falls through the cloud, where it is covered: what is lit before the cloud, the
+/// cloud's top (as bright under every angle), and what comes through it from below.
+ScatteredLight light_over_cloud(const SunlitAir& air, const SightLine& line,
+                                const CloudCrossing& crossing, std::span<const double> turn,
+                                const SightLine& onward) {
+    const SightLine over = line_before(line, crossing), under = line_behind(line, crossing);
+    const BandModel& model = air.model;
+    const double through = std::exp(-model.cloud.optical_depth / crossing.cosine);
+    ScatteredLight light = scattered_light(air, over, turn, true, true, onward);
+    const std::size_t base = air.at_height(model.cloud.base_km).low;
+    const std::vector<double>&below = air.cloudy.up.value[base],
+          &above = air.cloudy.up.value[base + 1];
+    const std::vector<double> tau = transmittance(model, joined(onward, over), air.bins);
+    for (std::size_t b = 0; b < tau.size(); ++b) {
+        const double top =
+            tau[b] * std::max(0.0, above[b] - through * below[b]) * std::numbers::inv_pi;
+        for (std::vector<double>& of_turn : light.at_turn) of_turn[b] += top;
+    }
+    constexpr double nothing = 1e-3;
+    if (through > nothing && under.size() > 0) {
+        const ScatteredLight rest =
+            scattered_light(air, under, turn, true, true, joined(onward, over));
+        const double share = through * model.scale.diffuse;
+        for (std::size_t b = 0; b < tau.size(); ++b) {
+            for (std::size_t a = 0; a < turn.size(); ++a) {
+                light.at_turn[a][b] += share * rest.at_turn[a][b];
+            }
+            light.by_cosine[b] += share * rest.by_cosine[b];
+        }
+    }
+    return light;
+}
+
+}  // namespace
+
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, const SightLine& onward) {
     ScatteredLight light = scattered_light(air, line, turn, false, true, onward);
-    const double covered = air.model.cloud.fraction;
-    if (covered <= 0.0) return light;
-    light.mix(covered, scattered_light(air, line, turn, true, true, onward));
+    const double covered = air.model.cloud.over_sun();
+    const double scale = air.model.scale.diffuse;
+    const auto crossing = cloud_crossing(air.model, line);
+    const bool over = crossing && line.height_within(0, 0.0) >= crossing->height_km;
+    if (covered > 0.0) {
+        light.mix(covered, over ? light_over_cloud(air, line, *crossing, turn, onward)
+                                : scattered_light(air, line, turn, true, true, onward));
+    }
+    if (scale != 1.0 && line.size() > 0 && below_cloud(air.model, line.height_within(0, 0.0))) {
+        light.scale(scale);
+    }
     return light;
 }
 

@@ -21,6 +21,7 @@ struct ScatteredLight {
     std::vector<double> by_cosine;             // (bin)
 
     std::vector<double> towards(std::size_t turn, double cosine) const;
+    void scale(double factor);
     /// Makes a share of it another light.
     void mix(double share, const ScatteredLight& other);
 };
@@ -34,7 +35,9 @@ struct ScatteredLight {
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, bool under_cloud,
                                bool something_behind, const SightLine& onward = {});
-/// Mean of the parts of the sky without and with cloud above the line, with something behind.
+/// Mean of the parts of the sky without and with cloud, with something behind; scaled as the model
+/// says where the line starts below the cloud. Where the line falls through the cloud the covered
+/// part has the cloud's lit top.
 ScatteredLight scattered_light(const SunlitAir& air, const SightLine& line,
                                std::span<const double> turn, const SightLine& onward = {});
 

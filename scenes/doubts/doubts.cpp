@@ -2,16 +2,10 @@
 
 #include <algorithm>
 
-#include "thermal/weather/weather_doubts.hpp"
-
 namespace diurna {
 
 std::vector<Mistake> doubts(const Prepared& prepared) {
-    const Scene& scene = prepared.scene;
-    std::vector<Mistake> all = weather_doubts(
-        prepared.weather, prepared.world.site, scene.time.start,
-        later(scene.time.start, scene.time.duration), scene.file.string() + ": weather.file");
-    all.insert(all.begin(), prepared.warnings.begin(), prepared.warnings.end());
+    std::vector<Mistake> all = prepared.warnings;
     for (auto of : {place_doubts, object_doubts, stand_doubts, view_doubts, clock_doubts}) {
         for (Mistake& doubt : of(prepared)) all.push_back(std::move(doubt));
     }

@@ -8,9 +8,9 @@
 
 namespace diurna {
 
-/// What of a scene can be computed but is hardly meant: of its weather
-/// (thermal/weather/weather_doubts.hpp), its places, its objects and what its observers see. Each
-/// with the key that mends it; none is a mistake of the file. Takes a few rays per object and
+/// What of a scene can be computed but is hardly meant: of its weather as it was
+/// read (thermal/weather/weather_doubts.hpp), its places, its objects and what its observers see.
+/// Each with the key that mends it; none is a mistake of the file. Takes a few rays per object and
 /// observer, of large scenes a second.
 std::vector<Mistake> doubts(const Prepared& prepared);
 

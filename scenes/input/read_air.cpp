@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "materials/air/radiosonde.hpp"
+#include "materials/atmosphere/haze_column.hpp"
 #include "materials/atmosphere/path_file.hpp"
 
 namespace diurna {
@@ -19,11 +20,7 @@ void read_table(const Section& section, AirInput& air) {
                      "a MODTRAN 4/5 tape7 in place of the embedded air: IEMSCT 1 or 2, one run a "
                      "path, from every H1 to every H2 and to space; bands from 3 µm on, no "
                      "scattered sun, the same at every instant");
-    if (air.vacuum || air.drives_heat) {
-        section.mistake("table", air.vacuum
-                                     ? "a vacuum has no table of paths"
-                                     : "a table has no fluxes for drives_heat = true to take");
-    }
+    if (air.vacuum) section.mistake("table", "a vacuum has no table of paths");
     if (!std::filesystem::is_regular_file(air.table_file)) return;
     try {
         air.table = read_path_table(air.table_file);
@@ -71,21 +68,40 @@ AirInput read_air(const Section& section) {
     air.cloud_base_km =
         section.number_or("cloud_base_km", "above the ground, of the weather's cloud",
                           air.cloud_base_km, {0.05, 15.0});
+    air.cloud_depth_km =
+        section.number_or("cloud_depth_km",
+                          "from the base of that cloud to its top, whose temperature is seen from "
+                          "above it",
+                          air.cloud_depth_km, {0.0, 10.0});
     if (section.has("sounding")) read_sounding(section, air);
-    air.drives_heat = section.flag_or("drives_heat",
-                                      "sun and sky of the heat balance that nobody measured come "
-                                      "from this air, not from the broadband formulas; by itself "
-                                      "true where there is a sounding",
-                                      air.sounding != nullptr);
+    const bool has_fluxes = !air.vacuum && !section.has("table");
+    air.drives_heat = section.flag_or(
+        "drives_heat",
+        "sunlight and longwave that nobody measured come from this air; false: from the broadband "
+        "formulas of [sky]. Pictures have the same light as the heat balance either way. False by "
+        "itself in a vacuum and with a table, which have no fluxes",
+        has_fluxes);
     if (air.vacuum && air.drives_heat) {
         section.mistake("drives_heat",
                         "a vacuum has neither sky nor air to drive the heat balance");
+    } else if (!has_fluxes && air.drives_heat) {
+        section.mistake("table", "a table has no fluxes for drives_heat = true to take");
     }
     if (section.has("table")) read_table(section, air);
     if (section.has("table") && section.has("sounding")) {
         section.mistake("sounding", "a table of paths is air of its own");
     }
     return air;
+}
+
+void take_haze(const AirInput& air, const Section& section, ClearSky& sky) {
+    if (air.vacuum) return;
+    BandModel model;
+    model.profile = air.sounding ? *air.sounding : afgl_profile(air.profile);
+    model.aerosol = air.aerosol;
+    model.visibility_km = air.visibility_km;
+    if (!section.has("aerosol_380nm")) sky.aerosol_380nm = aerosol_depth(model, 0.38);
+    if (!section.has("aerosol_500nm")) sky.aerosol_500nm = aerosol_depth(model, 0.50);
 }
 
 void check_table_bands(const Section& section, const AirInput& air,

@@ -8,6 +8,7 @@
 #include "materials/air/profile.hpp"
 #include "materials/atmosphere/atmosphere.hpp"
 #include "materials/base/section.hpp"
+#include "thermal/weather/clear_sky.hpp"
 
 namespace diurna {
 
@@ -23,12 +24,18 @@ struct AirInput {
     std::string aerosol = "rural";
     double visibility_km = 23.0;
     double co2_ppm = todays_co2_ppm;
-    double cloud_base_km = 2.0;  // above the ground
-    bool drives_heat = false;    // the heat balance takes its sun and sky from this air
+    double cloud_base_km = 2.0;   // above the ground
+    double cloud_depth_km = 0.3;  // from base to top
+    /// The heat balance takes what nobody measured of sun and sky from this air; else from the
+    /// broadband formulas of [sky]. Pictures have the light of the heat balance either way.
+    bool drives_heat = true;
 };
 
 /// The section [atmosphere].
 AirInput read_air(const Section& section);
+
+/// The formulas' aerosol, where the section [sky] does not name it: that of the air's visibility.
+void take_haze(const AirInput& air, const Section& section, ClearSky& sky);
 
 /// A band or a cube's range that somebody is to look through the air in.
 struct SeenRange {

@@ -168,9 +168,11 @@ Scene read_scene(const Document& document) {
     scene.terrain = read_terrain(terrain, root, reading, elevation);
     const Section weather = root.required_section("weather", "what drives the heat balance");
     scene.weather = read_weather_input(weather, reading);
-    scene.sky = read_sky(root.section("sky", sky_says));
+    const Section sky = root.section("sky", sky_says);
+    scene.sky = read_sky(sky);
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere);
+    take_haze(scene.air, sky, scene.sky);
     read_heights(weather, scene.air, scene.weather);
     scene.output =
         read_output(root.section("output", "what a run writes beside temperatures and pictures"));

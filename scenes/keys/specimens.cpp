@@ -12,6 +12,8 @@ end = 2026-07-17T00:00:00Z
 [sky]
 sun = "ineichen"
 precipitable_water_cm = 1.5
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
 [terrain]
 radius_m = 4000.0
 [terrain.land_cover.material]
@@ -212,6 +214,10 @@ keys = ["time.start", "weather.file"]
 [time]
 start = 2026-07-15T00:00:00Z
 frames_at_sun = { azimuth_deg = 180.0 }
+[sky]
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
+precipitable_water_cm = 1.5
 )",
                                                R"(
 [time]
@@ -229,6 +235,8 @@ tmpc = "air_temperature degC"
 [sky]
 sun = "bird"
 precipitable_water_cm = 1.5
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
 [material]
 name = "asphalt"
 [calibrate]
@@ -239,6 +247,8 @@ sought = [{ key = "material.albedo", low = 0.1, high = 0.2 }]
 [sky]
 sun = "ineichen"
 precipitable_water_cm = 1.5
+aerosol_380nm = 0.2
+aerosol_500nm = 0.15
 [material]
 name = "asphalt"
 )"};

@@ -21,6 +21,7 @@
 #include "scenes/world/stepping.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
+#include "thermal/weather/weather_doubts.hpp"
 
 namespace diurna {
 
@@ -128,6 +129,10 @@ std::vector<PlacedRadiometer> placed_radiometers(const Scene& scene, const Dem& 
 
 }  // namespace
 
+LightOfInstant light_at(const Prepared& prepared, Instant instant) {
+    return prepared.light->at(prepared.scene, prepared.world, instant);
+}
+
 Prepared moved(const Prepared& prepared, const MoverPoses& poses) {
     return moving(prepared, poses, {}, 0.0);
 }
@@ -144,9 +149,9 @@ Prepared moving(const Prepared& prepared, const MoverPoses& poses,
         motion = {places(-reach), places(reach)};
     }
     RayScene rays(world.facets, passed_light(prepared.scene.materials), world.copies, motion);
-    return {prepared.scene,     std::move(world),  std::move(rays),  prepared.weather,
-            prepared.sequences, prepared.plan,     prepared.plumes,  prepared.radiometers,
-            prepared.notes,     prepared.movement, prepared.warnings};
+    return {prepared.scene,     std::move(world),  std::move(rays),   prepared.weather,
+            prepared.sequences, prepared.plan,     prepared.plumes,   prepared.radiometers,
+            prepared.notes,     prepared.movement, prepared.warnings, prepared.light};
 }
 
 Prepared prepare(Scene scene) {
@@ -156,7 +161,11 @@ Prepared prepare(Scene scene) {
     refuse_depths(dem);
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials), world.copies);
-    Weather weather = scene_weather(scene, world);
+    Weather measured = measured_weather(scene, world);
+    std::vector<Mistake> weather_warnings = weather_doubts(
+        measured, world.site, scene.time.start, later(scene.time.start, scene.time.duration),
+        scene.file.string() + ": weather.file");
+    Weather weather = scene_weather(scene, world, std::move(measured));
     Movement movement_of_objects =
         movement(scene, dem, world, frames_of(scene), scene_steps(scene));
     if (scene.time.spin_up == SpanStart::steady && movement_of_objects.stage.size() > 1) {
@@ -210,13 +219,15 @@ Prepared prepare(Scene scene) {
         notes.push_back(std::move(note));
     }
     std::vector<Mistake> warnings = dem.warnings;
+    warnings.insert(warnings.end(), weather_warnings.begin(), weather_warnings.end());
+    auto light = std::make_shared<const SceneLight>(scene, world, weather);
     scene.files = merged(scene.files, opened.files());
     return {std::move(scene),    std::move(world),
             std::move(rays),     std::move(weather),
             std::move(pictures), std::move(plan),
             std::move(plumes),   std::move(radiometers),
             std::move(notes),    std::move(movement_of_objects),
-            std::move(warnings)};
+            std::move(warnings), std::move(light)};
 }
 
 }  // namespace diurna

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/sequence.hpp"
 #include "scenes/world/movers.hpp"
+#include "scenes/world/scene_light.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "thermal/weather/weather.hpp"
@@ -34,7 +36,11 @@ struct Prepared {
     std::vector<std::string> notes;  // what a reader should know of elevation and weather data
     Movement movement;               // of objects that go
     std::vector<Mistake> warnings;   // of the files read: what is implausible in them
+    std::shared_ptr<const SceneLight> light;  // of that weather, as the heat balance has it
 };
+
+/// The light of an instant: what the heat balance receives, by wavelength and direction.
+LightOfInstant light_at(const Prepared& prepared, Instant instant);
 
 /// The same with the objects that go in other places.
 Prepared moved(const Prepared& prepared, const MoverPoses& poses);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "materials/base/units.hpp"
@@ -14,7 +15,6 @@
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
-#include "thermal/weather/sky_state.hpp"
 
 namespace diurna {
 
@@ -147,20 +147,34 @@ Facts instant_facts(const Prepared& prepared, Instant instant) {
     const double offset = scene.time.utc_offset;
     const SunPosition sun = sun_over(prepared, instant);
     const Forcing weather = prepared.weather.at(instant);
-    const SkyState sky = sky_state(prepared.world.site, prepared.world.sea_level_height, instant,
-                                   weather, scene.sky);
+    const LightOfInstant light = light_at(prepared, instant);
     Facts facts{{"time.utc", format_instant(instant)},
                 {"time.local", format_local(instant, offset)},
                 {"time.utc_offset_s", truth_text({offset})},
                 {"sun.azimuth_deg", truth_text({sun.azimuth_deg})},
                 {"sun.elevation_deg", truth_text({sun.elevation_deg})},
                 {"sun.direction", vector_text(sun_direction(sun))},
-                {"sun.direct_normal_W_m2", truth_text({sky.direct_normal})},
-                {"sun.diffuse_horizontal_W_m2", truth_text({sky.diffuse_horizontal})},
+                {"sun.direct_normal_W_m2", truth_text({light.sums.sun_direct})},
+                {"sun.diffuse_horizontal_W_m2", truth_text({light.sums.sun_diffuse})},
+                {"sky.longwave_down_W_m2", truth_text({light.sums.thermal})},
                 {"air.temperature_K", truth_text({weather.air.temperature})},
                 {"air.pressure_Pa", truth_text({weather.air.pressure})},
                 {"air.vapour_pressure_Pa", truth_text({weather.air.vapour_pressure})},
                 {"air.wind_m_s", truth_text({weather.wind_speed})}};
+    if (const auto* model = std::get_if<BandModel>(&light.air)) {
+        const CloudLayer& cloud = model->cloud;
+        const LightScale& scale = model->scale;
+        facts["sky.cloud_cover"] = truth_text({cloud.fraction});
+        if (cloud.fraction > 0.0 || cloud.over_sun() > 0.0) {
+            facts["sky.cloud_base_m"] = truth_text({1000.0 * scene.air.cloud_base_km});
+            facts["sky.cloud_top_m"] =
+                truth_text({1000.0 * (scene.air.cloud_base_km + cloud.depth_km)});
+            facts["sky.cloud_emissivity"] = truth_text({cloud.emissivity});
+            facts["sky.cloud_over_sun"] = truth_text({cloud.over_sun(), cloud.optical_depth});
+        }
+        facts["sky.scale"] =
+            truth_text({scale.beam, scale.diffuse, scale.sky_column, scale.sky_heat});
+    }
     if (!scene.air.vacuum && !scene.air.table) {
         facts["air.visibility_m"] = truth_text({1000.0 * scene.air.visibility_km});
     }

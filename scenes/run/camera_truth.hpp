@@ -31,8 +31,15 @@ Facts camera_facts(const World& world, const Observer& observer);
 ///
 ///     time.utc, time.local, time.utc_offset_s   ISO 8601; the scene's clock ahead of UTC
 ///     sun.azimuth_deg, .elevation_deg, .direction   as seen through the air; east, north, up
-///     sun.direct_normal_W_m2, .diffuse_horizontal_W_m2   sunlight at the ground by the weather
-///                                                       then, or as it is modelled
+///     sun.direct_normal_W_m2, .diffuse_horizontal_W_m2   sunlight on open ground, of the picture
+///                                   as of the heat balance (scenes/world/scene_light.hpp)
+///     sky.longwave_down_W_m2        likewise
+///     sky.cloud_cover               0 to 1; with cloud its base and top [m] above the ground, its
+///     sky.cloud_base_m, _top_m      thermal emissivity, and the part of the sky whose sunlight it
+///     sky.cloud_emissivity          takes with the optical depth it has there
+///     sky.cloud_over_sun
+///     sky.scale                     what measured light is over the scene's air: beam, diffuse,
+///                                   emitting column, heat (LightScale); 1 1 1 1: its own
 ///     air.temperature_K, .pressure_Pa, .vapour_pressure_Pa, .wind_m_s   the weather's
 ///     air.visibility_m              where the air is modelled
 Facts instant_facts(const Prepared& prepared, Instant instant);

@@ -18,7 +18,6 @@
 #include "scenes/run/far_ground.hpp"
 #include "scenes/run/luminary.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
-#include "scenes/world/air.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
 
@@ -87,7 +86,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
     const Luminary light = luminary(sun_over(prepared, instant), world.site, instant, lit_bands(s));
     const SunPosition& sun = light.place;
     const std::vector<float> temperature = field.interpolate(instant);
-    const Atmosphere atmosphere = atmosphere_at(prepared.scene, world, prepared.weather, instant);
+    const Atmosphere atmosphere = light_at(prepared, instant).air;
     const std::vector<SurfaceCover> cover = field.cover_at(instant);
     const std::optional<CoveredSurfaces> covered =
         covered_surfaces(world.surfaces(), prepared.scene.materials, field.water.facet, cover);

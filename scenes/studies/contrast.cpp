@@ -17,7 +17,6 @@
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/studies/contrast_on_line.hpp"
 #include "scenes/studies/seen_regions.hpp"
-#include "scenes/world/air.hpp"
 #include "scenes/world/heights.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -245,8 +244,7 @@ std::vector<double> at_ranges(const Prepared& prepared, const ContrastInput& inp
     const auto at = std::find(sequence.frame.begin(), sequence.frame.end(), row.when);
     const Observer& eye = sequence.at(static_cast<std::size_t>(at - sequence.frame.begin()));
     if (input.ranges.empty() || !(row.range > 0.0)) return {};
-    const Atmosphere air =
-        atmosphere_at(prepared.scene, prepared.world, prepared.weather, row.when);
+    const Atmosphere air = light_at(prepared, row.when).air;
     const Band band = named_band(prepared.scene.bands, row.band, bin_edges_um());
     const double rise = (height_above_sea(prepared.world, eye.position) - row.height) / row.range;
     const SunPosition sun = sun_over(prepared, row.when);

@@ -14,7 +14,6 @@
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "scenes/studies/air_on_line.hpp"
 #include "scenes/studies/contrast_on_line.hpp"
-#include "scenes/world/air.hpp"
 #include "scenes/world/heights.hpp"
 #include "terrain/place/local_time.hpp"
 
@@ -105,7 +104,7 @@ std::vector<DetectionCurve> detection_of(const Stages& stages, const DetectionIn
         DetectionCurve& curve = curves[i];
         curve.target = seen_target(target, sequence.at(frame), instrument.band, input, field, when,
                                    scene.time.utc_offset);
-        const Atmosphere air = atmosphere_at(scene, prepared.world, prepared.weather, when);
+        const Atmosphere air = light_at(prepared, when).air;
         const double height = height_above_sea(prepared.world, target.box.middle);
         const AirOnLine on_line(air, band, height, curve.target.elevation_deg,
                                 std::max(input.range[1], curve.target.range));

@@ -5,68 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "materials/atmosphere/ground_fluxes.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/world/stepping.hpp"
-#include "terrain/place/sun.hpp"
-#include "thermal/weather/apparent_sun.hpp"
+#include "scenes/world/driven_weather.hpp"
 #include "thermal/weather/cropped_weather.hpp"
 #include "thermal/weather/sky_series.hpp"
 
 namespace diurna {
 
 namespace {
-
-/// Every step of the span, and of the days before it and the first day that its start may take.
-std::vector<Instant> driven_instants(const Scene& scene, const Weather& weather) {
-    constexpr double day = 86400.0;
-    const TimeInput& time = scene.time;
-    const double before = day * double(std::max(1, time.days_before));
-    const double known = seconds_between(weather.instant.front(), time.start);
-    const double days = std::floor(std::clamp(known, 0.0, before) / day);
-    const Instant from = later(time.start, -day * days);
-    const Instant to = std::max(time.end(), later(time.start, day));
-    return step_instants({.start = from, .duration = seconds_between(from, to), .step = time.step});
-}
-
-/// The series at every step of the heat balance, its unmeasured radiation from the atmosphere.
-Weather driven_by_air(const Scene& scene, const World& world, const SkySeries& series) {
-    const Weather& weather = series.weather();
-    Weather driven = weather;
-    driven.span.clear();
-    driven.note +=
-        (weather.note.empty() ? "" : "; but ") +
-        std::string("sun and longwave that were not measured come from the scene's atmosphere");
-    driven.instant = driven_instants(scene, weather);
-    driven.sample.resize(driven.instant.size());
-    const double ground_km = weather.height / 1000.0;
-    const HeightSpan ground = heights_of_surfaces(world);
-    const auto fill = [&](std::size_t i) {
-        const Instant instant = driven.instant[i];
-        const SunPosition sun = sun_position(world.site, instant);
-        const SunPosition seen = apparent_sun(sun, weather.air_at(instant), weather.height);
-        const GroundFluxes flux = ground_fluxes(
-            atmosphere_over(scene, world, weather, ground, instant),
-            {.zenith_deg = 90.0 - seen.elevation_deg, .distance_au = seen.distance_au}, ground_km);
-        Forcing forcing = weather.at(instant);
-        if (std::isnan(forcing.shortwave_down) && std::isnan(forcing.direct_normal)) {
-            forcing.direct_normal = flux.sun_direct;
-            forcing.diffuse = flux.sun_diffuse;
-        } else {
-            const SkyState sky = series.at(instant, sun);
-            forcing.direct_normal = sky.direct_normal;
-            forcing.diffuse = sky.diffuse_horizontal;
-            forcing.shortwave_down = sky.global_horizontal();
-            forcing.shortwave_up = sky.albedo * forcing.shortwave_down;
-        }
-        if (std::isnan(forcing.longwave_down)) forcing.longwave_down = flux.thermal;
-        driven.sample[i] = forcing;
-    };
-    for_each_index(driven.instant.size(), fill, 4);
-    return driven;
-}
 
 /// The span, and what its start uses of the days before it and of the first day if that is longer.
 AskedSpan used_span(const TimeInput& time) {
@@ -88,9 +35,13 @@ Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& 
 
 Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather& weather,
                            const HeightSpan& ground, Instant instant) {
+    return atmosphere_of(scene, world, weather, ground, weather.at(instant));
+}
+
+Atmosphere atmosphere_of(const Scene& scene, const World& world, const Weather& weather,
+                         const HeightSpan& ground, const Forcing& forcing) {
     const AirInput& air = scene.air;
     if (air.vacuum) return Vacuum{};
-    const Forcing forcing = weather.at(instant);
     const double ground_km = world.sea_level_height / 1000.0;
     Profile profile =
         profile_over(air.sounding ? *air.sounding : afgl_profile(air.profile),
@@ -105,6 +56,7 @@ Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather
     model.rain_mm_h = forcing.rain_mm_h;
     if (!std::isnan(forcing.cloud_fraction)) model.cloud.fraction = forcing.cloud_fraction;
     model.cloud.base_km = ground_km + air.cloud_base_km;
+    model.cloud.depth_km = air.cloud_depth_km;
     return model;
 }
 
@@ -151,18 +103,25 @@ std::vector<std::string> table_notes(const Scene& scene) {
                     scene.air.table->span.paths, scene.air.table_file.filename().string())};
 }
 
-Weather scene_weather(const Scene& scene, const World& world) {
+Weather measured_weather(const Scene& scene, const World& world) {
     WeatherOptions options = scene.weather.options;
     options.elevation = world.sea_level_height;
     options.site = world.site;
     options.asked = used_span(scene.time);
-    Weather weather = cropped(read_weather(scene.weather.files, options),
-                              later(scene.time.start, -options.asked.before),
-                              later(scene.time.end(), options.asked.behind));
-    const double height = weather.height;
-    const SkySeries series(std::move(weather), world.site, height, scene.sky, scene.time.start,
+    return cropped(read_weather(scene.weather.files, options),
+                   later(scene.time.start, -options.asked.before),
+                   later(scene.time.end(), options.asked.behind));
+}
+
+Weather scene_weather(const Scene& scene, const World& world, Weather measured) {
+    const double height = measured.height;
+    const SkySeries series(std::move(measured), world.site, height, scene.sky, scene.time.start,
                            scene.time.end());
-    return scene.air.drives_heat ? driven_by_air(scene, world, series) : series.weather();
+    return scene.air.drives_heat ? driven_weather(scene, world, series) : series.weather();
+}
+
+Weather scene_weather(const Scene& scene, const World& world) {
+    return scene_weather(scene, world, measured_weather(scene, world));
 }
 
 }  // namespace diurna

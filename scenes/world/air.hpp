@@ -9,14 +9,17 @@
 
 namespace diurna {
 
-/// The air between surface and eye at an instant: the scene's profile, made to have along the
-/// ground the air that the heat balance has there (materials/air/air_by_height.hpp), with the
-/// weather's rain and cloud.
+/// The air at an instant: the scene's profile, made to have along the ground the air that the heat
+/// balance has there (materials/air/air_by_height.hpp), with the weather's rain and cloud. Its
+/// light is its own; scene_light() (scenes/world/scene_light.hpp) has what the heat balance
+/// receives.
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
                          Instant instant);
-/// The same where it is known from where to where surfaces lie.
+/// The same where it is known from where to where surfaces lie; and for given weather.
 Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather& weather,
                            const HeightSpan& ground, Instant instant);
+Atmosphere atmosphere_of(const Scene& scene, const World& world, const Weather& weather,
+                         const HeightSpan& ground, const Forcing& forcing);
 
 /// Throws InputError unless a table of paths holds the heights of the scene's surfaces and
 /// observers and the lengths of its lines of sight. Scenes without one pass.
@@ -24,9 +27,12 @@ void check_table(const Scene& scene, const World& world, std::span<const Observe
 /// What such a table leaves out, for the report.
 std::vector<std::string> table_notes(const Scene& scene);
 
-/// The weather of a scene. With `[atmosphere] drives_heat = true`, direct, diffuse and longwave
-/// radiation that nobody measured come from atmosphere_at() every `step` instead of the broadband
-/// formulas of thermal/weather/sky_state.hpp, so that solver and camera look through the same air.
+/// The weather file as it is read.
+Weather measured_weather(const Scene& scene, const World& world);
+/// The weather of a scene: what was measured, and sunlight and longwave that were not from the
+/// scene's air (driven_weather.hpp); with `[atmosphere] drives_heat = false` those stay open, for
+/// the broadband formulas of thermal/weather/sky_state.hpp.
 Weather scene_weather(const Scene& scene, const World& world);
+Weather scene_weather(const Scene& scene, const World& world, Weather measured);
 
 }  // namespace diurna

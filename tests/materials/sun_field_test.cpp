@@ -154,9 +154,13 @@ TEST_CASE("an overcast hides the sun and spreads some of it", "[materials][scatt
     const SunFlux half = SunField(air, noon, in.node_um).flux(0.0);
     CHECK(band_sum_nodes(in, half.down) ==
           Approx(0.5 * (band_sum_nodes(in, clear.down) + band_sum_nodes(in, covered.down))));
-    // An overcast sky is as bright as its flux is, within a few tenths.
+    // The standard overcast sky (Moon & Spencer): zenith 9/7 of what an even sky has, a third of
+    // that at the horizon, less what the air between does; at 60 degrees two thirds.
     const double zenith_sky = band_sum_nodes(in, field.sky(0.0, 0.0, 90.0));
-    CHECK(std::numbers::pi * zenith_sky == Approx(band_sum_nodes(in, covered.down)).epsilon(0.25));
+    CHECK(std::numbers::pi * zenith_sky ==
+          Approx(9.0 / 7.0 * band_sum_nodes(in, covered.down)).epsilon(0.06));
+    CHECK(band_sum_nodes(in, field.sky(0.0, 60.0, 90.0)) ==
+          Approx(0.667 * zenith_sky).epsilon(0.1));
 }
 
 TEST_CASE("scattered light is never negative or NaN",

@@ -145,7 +145,7 @@ TEST_CASE("gaps of single quantities are found among rows that are there",
         file, {.interval = Stamp::instant, .on_gap = OnGap::interpolate, .asked = day});
     CHECK(w.at(at_hour(6)).wind_speed == 2.0);
     CHECK(has(w.note, "6 values filled in gaps: 6 wind_speed_m_s"));
-    CHECK(has(w.note, "longwave from air and cloud"));  // its column is empty throughout
+    CHECK(has(w.note, "longwave"));  // its column is empty throughout
 }
 
 TEST_CASE("sunlight that a file leaves out at night is none", "[thermal][weather_file]") {

@@ -4,10 +4,17 @@ namespace diurna {
 
 ClearSky read_sky(const Section& sky) {
     ClearSky clear;
-    clear.aerosol_380nm = sky.number_or("aerosol_380nm", "optical depth of aerosol at 380 nm",
-                                        clear.aerosol_380nm, {0.0, 5.0});
-    clear.aerosol_500nm = sky.number_or("aerosol_500nm", "optical depth of aerosol at 500 nm",
-                                        clear.aerosol_500nm, {0.0, 5.0});
+    const auto aerosol = [&](const char* key, const char* what, double& depth) {
+        if (sky.has(key)) depth = sky.number(key, what, {0.0, 5.0});
+    };
+    aerosol("aerosol_380nm",
+            "optical depth of aerosol at 380 nm; else that of the scene's visibility, of a single "
+            "facet 0.15",
+            clear.aerosol_380nm);
+    aerosol("aerosol_500nm",
+            "optical depth of aerosol at 500 nm; else that of the scene's visibility, of a single "
+            "facet 0.1",
+            clear.aerosol_500nm);
     clear.ozone_cm =
         sky.number_or("ozone_cm", "a layer of it at standard pressure", clear.ozone_cm, {0.0, 1.0});
     clear.longwave = sky.choice_or("longwave", "formula of the clear sky's longwave",

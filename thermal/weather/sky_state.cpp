@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "materials/air/moist_air.hpp"
+#include "materials/atmosphere/cloud_modification.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather/apparent_sun.hpp"
 
@@ -72,15 +73,13 @@ void model_sun(const Forcing& forcing, double pressure, double elevation, const 
     const double cloud = std::isnan(forcing.cloud_fraction) ? 0.0 : forcing.cloud_fraction;
     const double clear_global = sun.direct_normal * sine + sun.diffuse_horizontal;
     // (T26) of docs/theory.md
-    const double under_cloud = clear_global * (1.0 - 0.75 * std::pow(cloud, 3.4));
-    sky.direct_normal = sun.direct_normal * (1.0 - cloud);
-    if (!std::isnan(forcing.direct_normal)) {
-        sky.direct_normal = std::max(0.0, forcing.direct_normal);
-    }
+    const CloudEffect left = kasten_czeplak(cloud);
+    const double under_cloud = clear_global * left.global;
+    const double beam = sun.direct_normal * left.beam;
+    sky.direct_normal =
+        std::isnan(forcing.direct_normal) ? beam : std::max(0.0, forcing.direct_normal);
     sky.diffuse_horizontal =
-        !std::isnan(forcing.diffuse)
-            ? std::max(0.0, forcing.diffuse)
-            : std::max(0.0, under_cloud - sun.direct_normal * (1.0 - cloud) * sine);
+        std::max(0.0, std::isnan(forcing.diffuse) ? under_cloud - beam * sine : forcing.diffuse);
 }
 
 /// Longwave on the horizontal, and how much of it is brighter towards the horizon.

@@ -29,7 +29,8 @@ struct SkyState {
 /// The sky at one instant by what was measured then, the clear sky and its cloud elsewhere: for
 /// series see SkySeries. Global sun alone is split by its clearness index (Erbs); global, direct
 /// and diffuse together are made consistent with the global. Cloud without measured sun takes
-/// Kasten & Czeplak's 1 − 0.75 c³·⁴.
+/// of global and direct what Kasten & Czeplak's takes
+/// (materials/atmosphere/cloud_modification.hpp).
 SkyState sky_state(const Site& site, double elevation, Instant instant, const Forcing& forcing,
                    const ClearSky& clear = {});
 /// The same for a sun whose place, without refraction, is known.

@@ -25,7 +25,7 @@ constexpr std::array<QuantityFacts, quantity_count> all{{
     {"diffuse", "diffuse_W_m2", -100.0, 2500.0, sunlight, nullptr},
     {"shortwave_up", "shortwave_up_W_m2", -100.0, 2500.0, other, nullptr},
     {"plane_of_array", "plane_of_array_W_m2", -100.0, 3000.0, sunlight, nullptr},
-    {"longwave_down", "longwave_down_W_m2", 0.0, 1000.0, longwave, "longwave from air and cloud"},
+    {"longwave_down", "longwave_down_W_m2", 0.0, 1000.0, longwave, "longwave"},
 }};
 
 struct NamedUnit {

@@ -76,7 +76,7 @@ std::string tell_absent(const WeatherTable& table) {
     }
     if (!table.has(Quantity::shortwave_down) && !table.has(Quantity::direct_normal) &&
         !table.has(Quantity::plane_of_array)) {
-        say("clear-sky sun (Bird)");
+        say("sunlight");
     }
     return absent.empty() ? "" : "not measured, modelled: " + absent;
 }

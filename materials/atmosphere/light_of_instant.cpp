@@ -1,0 +1,107 @@
+#include "materials/atmosphere/light_of_instant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/atmosphere/cloud_modification.hpp"
+#include "materials/base/units.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double least_light = 1e-3;  // [W m⁻²] of the model's: less is no shape to scale
+
+/// The model with a share of black cloud in its sky, seen as thinner cloud over what was observed.
+BandModel with_black_share(const BandModel& model, double share) {
+    BandModel clouded = model;
+    clouded.cloud.fraction = std::max(model.cloud.fraction, share);
+    clouded.cloud.emissivity =
+        clouded.cloud.fraction > 0.0 ? share / clouded.cloud.fraction : model.cloud.emissivity;
+    return clouded;
+}
+
+BandModel with_longwave(const BandModel& model, double height_km, double wanted) {
+    const double clear = ground_longwave(with_black_share(model, 0.0), height_km);
+    BandModel overcast = model;
+    overcast.cloud.fraction = overcast.cloud.emissivity = 1.0;
+    const double full = ground_longwave(overcast, height_km);
+    const double share =
+        full > clear + 1.0 ? std::clamp((wanted - clear) / (full - clear), 0.0, 1.0) : 0.0;
+    BandModel fitted = with_black_share(model, share);
+    const double got = std::lerp(clear, full, share);
+    constexpr double close = 0.05;  // [W m⁻²]
+    if (std::abs(got - wanted) < close) return fitted;
+    // Secants in the logarithm of the column, which longwave rises with.
+    const double least = std::log(0.02), most = std::log(50.0);
+    double last = 0.0, last_got = got, here = got < wanted ? 0.2 : -0.2, now = got;
+    for (int i = 0; i < 12; ++i) {
+        fitted.scale.sky_column = std::exp(here);
+        now = ground_longwave(fitted, height_km);
+        const double slope = (now - last_got) / (here - last);
+        if (std::abs(now - wanted) < close || !(slope > 0.0)) break;
+        last = here;
+        last_got = now;
+        const double next = here + std::clamp((wanted - now) / slope, -1.5, 1.5);
+        here = std::clamp(next, least, most);
+        if (here == last) break;
+    }
+    if (std::abs(now - wanted) < close) return fitted;
+    // Longwave is linear in the grey factor; beyond 28 µm it is the air's near by.
+    fitted.scale.sky_heat = 1.1;
+    const double slope = (ground_longwave(fitted, height_km) - now) / 0.1;
+    fitted.scale.sky_heat = slope > 0.0 ? std::max(0.0, 1.0 + (wanted - now) / slope) : 1.0;
+    return fitted;
+}
+
+/// 1 where the model has too little to be scaled.
+double scale_of(double wanted, double own) {
+    return own > least_light ? std::max(0.0, wanted) / own : 1.0;
+}
+
+/// Beam and diffuse made to be the known ones, and told in `sums`.
+BandModel with_sunlight(const BandModel& model, const SunLight& sun, double height_km,
+                        const KnownLight& known, GroundFluxes& sums) {
+    BandModel fitted = model;
+    fitted.cloud.sunlit_fraction = 0.0;
+    sums = ground_sunlight(fitted, sun, height_km);
+    const double cosine = std::max(0.0, std::cos(radians(sun.zenith_deg)));
+    const double global = sums.sun_direct * cosine + sums.sun_diffuse;
+    const double beam = scale_of(known.direct_normal, sums.sun_direct);
+    const bool observed_clear = model.cloud.fraction == 0.0;
+    if (beam < 1.0 && global > least_light && !observed_clear) {
+        const double all = known.direct_normal * cosine + known.diffuse;
+        const SunlitCloud cloud =
+            cloud_of_effect({.global = std::max(0.0, all) / global, .beam = beam}, cosine);
+        fitted.cloud.sunlit_fraction = cloud.fraction;
+        fitted.cloud.optical_depth = cloud.optical_depth;
+        sums = ground_sunlight(fitted, sun, height_km);
+    }
+    fitted.scale.beam = scale_of(known.direct_normal, sums.sun_direct);
+    fitted.scale.diffuse = scale_of(known.diffuse, sums.sun_diffuse);
+    sums.sun_direct *= fitted.scale.beam;
+    sums.sun_diffuse *= fitted.scale.diffuse;
+    return fitted;
+}
+
+}  // namespace
+
+LightOfInstant light_of_instant(const BandModel& model, const SunLight& sun, double height_km,
+                                const KnownLight& known) {
+    BandModel fitted = model;
+    const bool heat_known = !std::isnan(known.longwave_down);
+    if (heat_known) fitted = with_longwave(model, height_km, known.longwave_down);
+    GroundFluxes sums;
+    const bool sun_known = !std::isnan(known.direct_normal) && !std::isnan(known.diffuse);
+    if (sun.zenith_deg < 90.0 && !sun.moon) {
+        if (sun_known) {
+            fitted = with_sunlight(fitted, sun, height_km, known, sums);
+        } else {
+            sums = ground_sunlight(fitted, sun, height_km);
+        }
+    }
+    sums.thermal = ground_longwave(fitted, height_km);
+    return {.air = fitted, .sums = sums, .cloud_cover = fitted.cloud.fraction};
+}
+
+}  // namespace diurna

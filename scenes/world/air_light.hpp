@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "materials/air/moist_air.hpp"
+#include "materials/atmosphere/band_model.hpp"
+#include "terrain/place/sun.hpp"
+
+namespace diurna {
+
+/// Air at the ground and the sun over it, refracted.
+struct AirMoment {
+    AirState air;
+    SunPosition sun;
+};
+
+/// What a cloudless sky sends to level ground, and the longwave of the same under a black cloud
+/// over all of it [W m⁻²].
+struct CloudlessLight {
+    double direct_normal = 0.0, diffuse = 0.0;
+    double longwave = 0.0, longwave_overcast = 0.0;
+};
+
+/// Broadband light of a scene's air at many moments, from ground_fluxes() at few: over a table of
+/// air mass and vapour for sunlight, of temperature and vapour for longwave. What is tabulated is
+/// the ratio to a broadband formula (Bird's clear sky, Dilley and O'Brien's, σT⁴), which is smooth.
+/// Only corners of cells that moments lie in are computed, some 40 for a day, 150 for a year, at
+/// 7 and 2 ms each.
+///
+/// Against ground_fluxes() at each moment: beam and diffuse 1.5 % and 1 W/m² (3 W/m² below 3°),
+/// longwave 1 W/m² (tests/scenes/air_light_test.cpp). Pictures are made to have these sums exactly
+/// (materials/atmosphere/light_of_instant.hpp).
+class AirLight {
+ public:
+    /// - air_of: the scene's air, cloudless, for air at the ground
+    /// - ground_km: above the sea, where the light is wanted
+    /// - moments: all that will be asked for
+    /// - sunlight, longwave, overcast: which of the three are wanted
+    struct Wanted {
+        bool sunlight = true, longwave = true, overcast = true;
+    };
+    AirLight(const std::function<BandModel(const AirState&)>& air_of, double ground_km,
+             std::span<const AirMoment> moments, const Wanted& wanted);
+
+    CloudlessLight at(const AirMoment& moment) const;
+
+ private:
+    using Key = std::pair<int, int>;
+    using Ratios = std::array<double, 2>;  // ln of beam's and diffuse's; longwave's, overcast's
+
+    std::map<Key, Ratios> sunlight_;  // (air mass, vapour)
+    std::map<Key, Ratios> longwave_;  // (temperature, vapour)
+};
+
+}  // namespace diurna

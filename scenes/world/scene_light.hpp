@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <mutex>
+
+#include "materials/atmosphere/light_of_instant.hpp"
+#include "scenes/input/scene.hpp"
+#include "scenes/world/world.hpp"
+#include "thermal/weather/sky_series.hpp"
+
+namespace diurna {
+
+/// The light of an instant for pictures and studies: the scene's air, made to send to level ground
+/// at the scene's origin what the heat balance receives there, beam, diffuse and longwave.
+///
+/// - sky: of the weather that the heat balance has (Prepared::weather)
+///
+/// A table of paths and a vacuum cannot be scaled: their sums are the heat balance's (table) or
+/// their own (vacuum).
+LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeries& sky,
+                           Instant instant);
+
+/// The sky of a scene's weather, and the light of the instants that were asked for: each is found
+/// once, whoever asks. Safe to share between threads.
+class SceneLight {
+ public:
+    SceneLight(const Scene& scene, const World& world, const Weather& weather);
+
+    const SkySeries& sky() const { return sky_; }
+    /// - world: whose surfaces may have moved
+    LightOfInstant at(const Scene& scene, const World& world, Instant instant) const;
+
+ private:
+    using Key = std::array<double, 3>;  // [s], lowest and highest surface [m]
+    SkySeries sky_;
+    mutable std::mutex mutex_;
+    mutable std::map<Key, LightOfInstant> found_;
+};
+
+}  // namespace diurna

@@ -3,9 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <variant>
 
 #include "materials/base/parallel.hpp"
+#include "render/rays/lobe.hpp"
+#include "scenes/plan/dew_expected.hpp"
 #include "scenes/plan/instrument_cost.hpp"
+#include "scenes/plan/plan_costs.hpp"
+#include "scenes/plan/seen_pixels.hpp"
 #include "scenes/world/stepping.hpp"
 #include "terrain/place/sun.hpp"
 #include "thermal/solve/point_facets.hpp"
@@ -14,32 +20,12 @@ namespace diurna {
 
 namespace {
 
-// What one core of the machine class that bench/results names takes, measured on the five sample
-// scenes: seconds of the processor over the counts. For the estimate only.
-constexpr double sky_per_facet = 14e-6;
-constexpr double shadow_per_ground_facet = 0.25e-6;  // and sunlit step
-constexpr double shadow_per_object_facet = 0.5e-6;   // more of them have edges to be found
-constexpr double heat_per_facet_step = 0.55e-6;      // all passes and the exchange
-constexpr double heat_per_lane = 0.7e-3;             // a wet day that repeats, eight side by side
-constexpr double heat_per_freezing_lane = 8e-3;  // scenes/approach in January; even slopes 1.6 ms
-constexpr double frost_air = 276.0;              // [K] under which open ground may freeze
-constexpr double heat_per_point = 5e-3;          // a day (thermal/solve/point_facets.hpp)
-constexpr double heat_per_target = 2e-3;         // a day of one (thermal/solve/network_facets)
-constexpr double flux_passes = 1.3;              // of the heat balance, where it is taken down
-constexpr double write_per_value = 0.08e-6;
-constexpr double cast_per_ray = 0.3e-6;       // and what it meets by mirrors
-constexpr double render_per_pixel = 0.75e-6;  // and band
-constexpr double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
-constexpr double air_per_band = 0.09;         // and frame: tables of paths and backgrounds
-constexpr double air_per_channel = 0.027;     // likewise of a cube
-constexpr double render_per_channel = 0.12e-6;
-constexpr double planes_of_picture = 14.0;   // of truth, beside those of its bands
-constexpr double bytes_of_channel = 32.0;    // of a value of a cube: seen, put in two files
-constexpr double bytes_of_value = 8.0;       // of a plane, and of the file that is made of it
-constexpr double blur_per_sample = 0.7e-6;   // of an instrument's radiance and frame
-constexpr double detect_per_pixel = 1.0e-6;  // and frame
-constexpr double annotate_per_pixel = 0.25e-6;
-constexpr double seen_through = 2.5;  // of casting and rendering, where rays pass smoke or nets
+constexpr const PlanCosts& costs = plan_costs;
+constexpr double frost_air = 276.0;  // [K] under which open ground may freeze
+constexpr double seconds_of_day = 86400.0;
+constexpr double network_longest = 300.0;   // [s] steps of bodies of heat (network_facets.hpp)
+constexpr double planes_of_picture = 14.0;  // of truth, beside those of its bands
+constexpr std::size_t most_poses = 12;      // of a way, at which what is seen is counted
 
 std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     std::vector<bool> used(scene.materials.size(), false);
@@ -55,30 +41,115 @@ std::string wet_materials(const Scene& scene, const World& world, bool wet) {
     return kinds.empty() ? "none" : fmt::format("{}", fmt::join(kinds, ", "));
 }
 
-/// Processor time of facets that need more than their blocks give them, a day [s].
-double point_seconds(const Scene& scene, const World& world, const Weather& weather) {
+/// Facets that need more than their blocks give them.
+struct PointWork {
+    double seconds = 0.0;   // of the processor
+    double freezing = 0.0;  // facets whose water freezes
+};
+
+/// Most of their time is where
+/// dew, rain and frost come and go, however long the steps are; the first day repeats.
+PointWork point_work(const Scene& scene, const World& world, const Weather& weather) {
+    // Of the span, and of the days before it that its start may take.
+    const Instant from = later(scene.time.start, -seconds_of_day * scene.time.days_before);
     const auto any = [&](auto has) {
-        return std::any_of(weather.sample.begin(), weather.sample.end(), has);
+        for (std::size_t i = 0; i < weather.instant.size(); ++i) {
+            const bool counts =
+                weather.instant[i] >= from && weather.instant[i] <= scene.time.end();
+            if (counts && has(weather.sample[i])) return true;
+        }
+        return false;
     };
     const bool frost = any([](const Forcing& f) { return f.air.temperature < frost_air; });
     const bool rain = any([](const Forcing& f) { return f.rain_mm_h > 0.0; });
-    std::vector<double> each;
+    const bool dew = dew_expected(weather, world.site, scene.time.start, scene.time.end());
+    std::vector<double> each, cold;
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         const ThermalSurface& surface =
             scene.materials[MaterialId{static_cast<std::uint16_t>(i)}].thermal;
         const PointNeed need = point_need(surface);
         const bool freezing = need != PointNeed::never && frost && freezes(surface);
         const bool taken =
-            need == PointNeed::always || (need == PointNeed::if_wet && rain) || freezing;
-        const double in_lane = freezing ? heat_per_freezing_lane : heat_per_lane;
-        each.push_back(!taken ? 0.0 : in_lanes(surface) ? in_lane : heat_per_point);
+            need == PointNeed::always || freezing ||
+            (need == PointNeed::if_wet && (rain || (dew && !(surface.evaporation.wetness > 0.0))));
+        const double in_lane = freezing ? costs.freezing_lane : costs.lane;
+        cold.push_back(freezing && in_lanes(surface) ? 1.0 : 0.0);
+        each.push_back(!taken ? 0.0 : in_lanes(surface) ? in_lane : costs.point);
     }
-    double sum = 0.0;
     for (const TargetFacets& target : world.targets) {
-        for (const auto& [material, part] : target.part) each[index(material)] = heat_per_target;
+        for (const auto& [material, part] : target.part)
+            each[index(material)] = cold[index(material)] = 0.0;
     }
-    for (const MaterialId id : world.facets.material) sum += each[index(id)];
-    return sum;
+    PointWork work;
+    for (const MaterialId id : world.facets.material) {
+        work.seconds += each[index(id)];
+        work.freezing += cold[index(id)];
+    }
+    const double steps = seconds_of_day / scene.time.step;
+    const double more = std::max(0.0, scene.time.duration / seconds_of_day - 1.0);
+    work.seconds *= (1.0 + costs.lane_by_steps * steps) * (1.0 + costs.lane_day_more * more);
+    return work;
+}
+
+/// (material) whether its facets are of a body of heat.
+std::vector<bool> of_networks(const Scene& scene, const World& world) {
+    std::vector<bool> of(scene.materials.size(), false);
+    for (const TargetFacets& target : world.targets) {
+        for (const auto& [material, part] : target.part) of[index(material)] = true;
+    }
+    return of;
+}
+
+std::size_t network_facets(const Scene& scene, const World& world) {
+    const std::vector<bool> of = of_networks(scene, world);
+    return static_cast<std::size_t>(std::count_if(world.facets.material.begin(),
+                                                  world.facets.material.end(),
+                                                  [&](MaterialId id) { return of[index(id)]; }));
+}
+
+/// Processor time of bodies of heat [s]: their first day repeats, those after it are gone through.
+double network_seconds(const Scene& scene, std::size_t facets) {
+    const double steps = seconds_of_day / std::min(scene.time.step, network_longest);
+    const double more = std::max(0.0, scene.time.duration / seconds_of_day - 1.0);
+    return double(facets) * (costs.network_day + costs.network_step * steps) *
+           (1.0 + costs.network_day_more * more);
+}
+
+/// Pixels of a picture that send rays on, mean over an observer's views.
+struct Onward {
+    double followed = 0.0;  // one by one: off water and smooth mirrors, through panes and nets
+    double all = 0.0;       // these, and paints whose gloss is summed over a lobe
+};
+
+bool follows_rays(const Material& material) {
+    const auto* const gloss = std::get_if<Glossy>(&material.finish);
+    return material.see_through ||
+           (gloss != nullptr && (gloss->waves || gloss->roughness < least_lobe));
+}
+
+Onward onward_pixels(const Scene& scene, const World& world, const Sequence& sequence) {
+    if (sequence.pose.empty()) return {};
+    const auto with = [&](const auto& has) {
+        std::vector<bool> of(scene.materials.size());
+        for (std::size_t i = 0; i < of.size(); ++i) {
+            of[i] = has(scene.materials[MaterialId{static_cast<std::uint16_t>(i)}]);
+        }
+        return of;
+    };
+    const std::vector<bool> followed = with(follows_rays),
+                            all = with([](const Material&m) { return m.needs_rays(); });
+    const std::size_t count = std::min(most_poses, sequence.pose.size());
+    Onward mean;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Observer& pose = sequence.pose[k * sequence.pose.size() / count];
+        const auto pixels = [&](const std::vector<bool>& of) {
+            return seen_pixels(pose, world.facets, [&](MaterialId id) { return of[index(id)]; }) /
+                   double(count);
+        };
+        mean.followed += pixels(followed);
+        mean.all += pixels(all);
+    }
+    return mean;
 }
 
 /// How many instants, pixels and rays there are.
@@ -123,9 +194,10 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
         const double views = observer.goes() ? frames : 1.0;
         const double rays = views * cost.seen_pixels * cost.samples;
         plan.view_rays += static_cast<std::size_t>(rays);
-        seconds += frames * (cost.seen_pixels * (through * render_per_pixel + blur_per_sample) +
-                             double(observer.width) * observer.height * detect_per_pixel +
-                             light_per_facet * double(plan.facets));
+        seconds += frames *
+                   (cost.seen_pixels * (through * costs.render_per_pixel + costs.blur_per_sample) +
+                    double(observer.width) * observer.height * costs.detect_per_pixel +
+                    costs.light_per_facet * double(plan.facets));
         plan.memory = std::max(plan.memory, cost.seen_pixels * 100.0);
         plan.decisions.push_back(
             {.what = "instrument " + cost.name,
@@ -144,54 +216,89 @@ double instrument_seconds(const Scene& scene, double through, Plan& plan) {
     return seconds;
 }
 
+/// What pictures of observers take.
+struct PictureWork {
+    double pictures = 0.0, pixels = 0.0;                  // of bands
+    double channel_pictures = 0.0, channel_pixels = 0.0;  // of cubes
+    double followed_rays = 0.0;                           // that go on, one by one
+    double onward = 0.0;        // of bands: roots of the pixels that send rays on
+    double largest_view = 0.0;  // [bytes]
+};
+
+PictureWork picture_work(const Scene& scene, const World& world,
+                         std::span<const Sequence> sequences) {
+    PictureWork work;
+    for (std::size_t o = 0; o < scene.observers.size(); ++o) {
+        const ObserverInput& observer = scene.observers[o];
+        const double pixels = double(observer.width) * observer.height;
+        const double bands = double(observer.bands.size());
+        const double frames = double(observer.frames.size());
+        double channels = 0.0;
+        for (const std::string& cube : observer.cubes) channels += channels_of(scene, cube);
+        work.pictures += bands * frames;
+        work.pixels += pixels * bands * frames;
+        work.channel_pictures += channels * frames;
+        work.channel_pixels += pixels * channels * frames;
+        const double planes = planes_of_picture + bands * (observer.terms ? 8.0 : 2.0);
+        const double behind = scene.plumes.empty() ? 0.0 : 64.0 * observer.samples;
+        work.largest_view = std::max(
+            work.largest_view, pixels * (costs.view_pixel + behind + costs.plane_value * planes +
+                                         costs.channel_value * channels));
+        if (o >= sequences.size()) continue;
+        const Onward onward = onward_pixels(scene, world, sequences[o]);
+        work.followed_rays += onward.followed * double(sequences[o].pose.size()) * observer.samples;
+        work.onward += std::sqrt(onward.all) * frames * bands;
+    }
+    return work;
+}
+
 /// What each stage takes, and the memory of all.
-void estimate(const Scene& scene, const World& world, const Weather& weather, Plan& plan) {
+void estimate(const Scene& scene, const World& world, const Weather& weather,
+              std::span<const Sequence> sequences, Plan& plan) {
     const double facets = double(plan.facets);
+    const double networks = double(network_facets(scene, world));
     // That of details is by rays, as objects are.
     const double ground = double(world.ground_facets) -
                           double(std::count(world.on_detail.begin(), world.on_detail.end(), 1));
     const double threads = thread_count();
     const double steps = double(plan.steps.size()), sunlit = double(plan.sunlit_steps.size());
-    const bool looks_through = !scene.plumes.empty();
-    const double through = looks_through ? seen_through : 1.0;
-    double band_pixels = 0.0, band_pictures = 0.0, largest_view = 0.0;
-    double channel_pixels = 0.0, channel_pictures = 0.0;
-    for (const ObserverInput& observer : scene.observers) {
-        const double pixels = double(observer.width) * observer.height;
-        const double pictures = double(observer.bands.size()) * double(observer.frames.size());
-        band_pictures += pictures;
-        band_pixels += pixels * pictures;
-        double channels = 0.0;
-        for (const std::string& cube : observer.cubes) channels += channels_of(scene, cube);
-        const double planes =
-            planes_of_picture + double(observer.bands.size()) * (observer.terms ? 8.0 : 2.0);
-        channel_pictures += channels * double(observer.frames.size());
-        channel_pixels += pixels * channels * double(observer.frames.size());
-        largest_view = std::max(largest_view,
-                                pixels * (160.0 + (looks_through ? 64.0 * observer.samples : 0.0) +
-                                          bytes_of_value * planes + bytes_of_channel * channels));
-    }
-    const double points = point_seconds(scene, world, weather);
+    const double through = scene.plumes.empty() ? 1.0 : costs.seen_through;
+    const PictureWork work = picture_work(scene, world, sequences);
+    const PointWork points = point_work(scene, world, weather);
     const double instruments = instrument_seconds(scene, through, plan);
     // Fluxes: one more pass, eight values beside each temperature that is kept.
     const double kept = double(scene_span(scene).wanted.size());
-    const double day_steps = 86400.0 / scene.time.step + 1.0;  // no more than a day is held
-    const double passes = scene.output.fluxes ? flux_passes : 1.0;
+    const double day_steps = seconds_of_day / scene.time.step + 1.0;  // no more than a day is held
+    const double passes = scene.output.fluxes ? costs.flux_passes : 1.0;
     const double values = facets * kept * (scene.output.fluxes ? 9.0 : 1.0);
+    // Ground that lies finer than its tolerance asks for does so for objects, which it sees.
+    const bool objects = !scene.terrain.objects.empty() || !scene.terrain.buildings.empty();
+    const double coupled = objects ? facets - networks : 0.0;
     plan.stages = {
-        {"sky view", sky_per_facet * facets / threads},
+        {"terrain", costs.start + costs.world_per_facet * facets},
+        {"sky view", (costs.sky_per_facet * (facets - networks) +
+                      costs.sky_per_ray * networks * scene.object_sky_rays) /
+                         threads},
         {"shadows",
-         sunlit * (shadow_per_ground_facet * ground + shadow_per_object_facet * (facets - ground)) /
+         sunlit * (costs.shadow_per_ground * ground + costs.shadow_per_object * (facets - ground)) /
              threads},
         {"heat balance",
-         passes * steps * (heat_per_facet_step * facets + points / 144.0) / threads},
-        {"write temperatures", write_per_value * values},
-        {"views", through * cast_per_ray * double(plan.view_rays) / threads},
-        {"frames", (through * render_per_pixel * band_pixels + air_per_band * band_pictures +
-                    render_per_channel * channel_pixels + air_per_channel * channel_pictures +
-                    light_per_facet * facets * double(plan.pictures)) /
-                       threads},
-        {"report", annotate_per_pixel * double(plan.frame_pixels)},
+         passes *
+             (steps * (costs.heat_per_step * (facets - networks - coupled) +
+                       costs.heat_per_coupled_step * coupled) +
+              points.seconds + network_seconds(scene, static_cast<std::size_t>(networks))) /
+             threads},
+        {"write temperatures", costs.write_per_value * values},
+        {"views", (through * costs.cast_per_ray * double(plan.view_rays) +
+                   costs.hop_per_ray * work.followed_rays) /
+                      threads},
+        {"frames",
+         (through * costs.render_per_pixel * work.pixels + costs.air_per_band * work.pictures +
+          costs.hop_per_root * work.onward + costs.render_per_channel * work.channel_pixels +
+          costs.air_per_channel * work.channel_pictures +
+          costs.light_per_facet * facets * double(plan.pictures)) /
+             threads},
+        {"report", costs.annotate_per_pixel * double(plan.frame_pixels)},
     };
     if (!scene.instruments.empty()) {
         plan.stages.insert(plan.stages.end() - 1, {"instruments", instruments / threads});
@@ -200,8 +307,11 @@ void estimate(const Scene& scene, const World& world, const Weather& weather, Pl
     for (const PlannedStage& stage : plan.stages) plan.seconds += stage.seconds;
     // Program and libraries; what a facet has once; six fields of a value for each step; views, of
     // one observer at a time.
-    plan.memory += 110e6 + facets * (600.0 + 6.0 * 4.0 * std::min(steps, day_steps)) +
-                   4.0 * values + largest_view;
+    plan.memory +=
+        costs.program + costs.freezing_facet * points.freezing +
+        networks * (costs.network_facet + costs.network_facet_step * std::min(steps, day_steps)) +
+        facets * (costs.facet + 6.0 * 4.0 * std::min(steps, day_steps)) + 4.0 * values +
+        work.largest_view;
 }
 
 std::vector<Decision> decisions_of(const Scene& scene, const World& world, const Plan& plan) {
@@ -265,10 +375,11 @@ std::vector<Decision> decisions_of(const Scene& scene, const World& world, const
 
 }  // namespace
 
-Plan make_plan(const Scene& scene, const World& world, const Weather& weather) {
+Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
+               std::span<const Sequence> sequences) {
     Plan plan;
     count_work(scene, world, plan);
-    estimate(scene, world, weather, plan);
+    estimate(scene, world, weather, sequences, plan);
     std::vector<Decision> decisions = decisions_of(scene, world, plan);
     decisions.insert(decisions.end(), plan.decisions.begin(), plan.decisions.end());
     plan.decisions = std::move(decisions);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "scenes/input/scene.hpp"
+#include "scenes/plan/sequence.hpp"
 #include "scenes/world/world.hpp"
 #include "thermal/weather/weather.hpp"
 
@@ -36,13 +38,15 @@ struct Plan {
     std::size_t pictures = 0;      // frames of all observers, and
     std::size_t frame_pixels = 0;  // their pixels
     double memory = 0.0;           // [bytes] at its most
-    double seconds = 0.0;  // sum of the stages, after the terrain: within 1.5 times on idle cores
+    double seconds = 0.0;          // sum of the stages: within 1.5 times on idle cores
     std::vector<PlannedStage> stages;
     std::vector<Decision> decisions;
 };
 
-/// A pure function of the scene and its facets.
-Plan make_plan(const Scene& scene, const World& world, const Weather& weather);
+/// A pure function of the scene, its facets and where its observers are (without these, nothing
+/// seen in mirrors is counted). What each thing costs: scenes/plan/plan_costs.hpp.
+Plan make_plan(const Scene& scene, const World& world, const Weather& weather,
+               std::span<const Sequence> sequences = {});
 
 /// The plan as the text `diurna plan` prints.
 std::string describe(const Plan& plan);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "materials/base/files.hpp"
 #include "scenes/input/scene_file.hpp"
@@ -66,9 +67,10 @@ TEST_CASE("the plan tells what freezing ground takes", "[scenes][frost]") {
     write_text(folder.path / "scene.toml", small_scene());
     const Plan january_plan = january().plan,
                july = prepare(read_scene(folder.path / "scene.toml")).plan;
-    // Side by side a freezing facet takes 4 ms a day, a plain one a hundredth of that.
+    // Side by side a freezing facet takes 3 ms a day (of this ground a part is forest, which does
+    // not freeze so), one that sees a building a twentieth of that.
     CHECK(heat_of(january_plan) / double(january_plan.facets) >
-          10.0 * heat_of(july) / double(july.facets));
+          3.0 * heat_of(july) / double(july.facets));
 }
 
 TEST_CASE("a drop of rain leaves a closed box its inside", "[scenes][rain]") {
@@ -105,4 +107,80 @@ TEST_CASE("a drop of rain leaves a closed box its inside", "[scenes][rain]") {
             CHECK(noon[f] == Approx(310.0).margin(0.1));
         }
     }
+}
+
+namespace {
+
+/// Level ground of one material, with twelve patches of others, through a day of weather.
+Prepared patches(const std::string& ground, const std::vector<std::string>& materials,
+                 const std::string& day, double mean, double swing, double humidity, double rain,
+                 double step) {
+    const ScratchFolder folder("patches");
+    std::string raster = "ncols 12\nnrows 12\nxllcorner 500000\nyllcorner 5205000\ncellsize 10\n";
+    for (int i = 0; i < 144; ++i) {
+        const double x = i % 12 - 5.5, y = i / 12 - 5.5;
+        raster += fmt::format("{:.2f}{}", 500.0 + 12.0 * std::exp(-(x * x + y * y) / 12.0),
+                              i % 12 == 11 ? "\n" : " ");
+    }
+    write_text(folder.path / "hill.asc", raster);
+    write_text(folder.path / "hill.prj",
+               "PROJCS[\"u\",GEOGCS[\"WGS 84\",DATUM[\"WGS_1984\",SPHEROID[\"WGS 84\",6378137,"
+               "298.257223563]],PRIMEM[\"Greenwich\",0],UNIT[\"degree\",0.0174532925199433]],"
+               "PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"latitude_of_origin\",0],PARAMETER["
+               "\"central_meridian\",9],PARAMETER[\"scale_factor\",0.9996],PARAMETER[\"false_"
+               "easting\",500000],PARAMETER[\"false_northing\",0],UNIT[\"metre\",1]]");
+    std::string weather =
+        "time,air_temperature_K,relative_humidity,wind_speed_m_s,cloud_fraction,rain_mm_h\n";
+    for (int h = 0; h <= 24; ++h) {
+        weather += fmt::format(
+            "{}T{:02}:00:00Z,{:.2f},{},1.5,0,{}\n",
+            h < 24 ? day : day.substr(0, 8) + fmt::format("{:02}", std::stoi(day.substr(8)) + 1),
+            h % 24, mean + swing * std::cos((h - 14) / 12.0 * M_PI), humidity,
+            h > 2 && h < 6 ? rain : 0.0);
+    }
+    write_text(folder.path / "weather.csv", weather);
+    std::string scene =
+        fmt::format("[terrain]\nelevation = \"hill.asc\"\nmaterial = \"{}\"\n", ground);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        scene += fmt::format(
+            "[[ground]]\nname = \"p{}\"\nmaterial = \"{}\"\nrectangle_m = [{}, {}, 16.0, 16.0, "
+            "0.0]\nlargest_edge_m = 20.0\n",
+            i, materials[i], 20.0 * double(i % 4) - 30.0, 20.0 * double(i / 4) - 20.0);
+    }
+    write_text(folder.path / "scene.toml",
+               scene + fmt::format("[weather]\nfile = \"weather.csv\"\n[time]\nstart = "
+                                   "{}T00:00:00Z\nduration_h = 24.0\nstep_s = {}\n"
+                                   "[[observer]]\nname = \"o\"\nplace_m = [0.0, -50.0]\n"
+                                   "height_above_ground_m = 30.0\nlook_at_m = [0.0, 0.0]\n"
+                                   "bands = [\"8-12\"]\n",
+                                   day, step));
+    return prepare(read_scene(folder.path / "scene.toml"));
+}
+
+}  // namespace
+
+TEST_CASE("days of frost, dew, rain and melting snow repeat within the tolerance",
+          "[scenes][frost][converges]") {
+    const std::vector<std::string> hard{"painted_sheet", "concrete",      "asphalt",   "glass",
+                                        "sandy_soil",    "clay_soil_wet", "snow_fine", "ice",
+                                        "water",         "canvas",        "wood",      "gravel"};
+    struct Day {
+        const char *ground, *day;
+        double mean, swing, humidity, rain;
+    };
+    const Day day = GENERATE(Day{"bare_soil", "2026-01-15", 273.3, 4.0, 0.85, 0.0},
+                             Day{"dry_grass", "2026-09-10", 285.0, 6.0, 0.95, 0.0},
+                             Day{"dry_grass", "2026-10-10", 283.0, 3.0, 0.90, 2.0},
+                             Day{"snow", "2026-04-10", 273.5, 6.0, 0.7, 0.0});
+    const double step = GENERATE(1200.0, 3600.0);
+    const Prepared prepared =
+        patches(day.ground, hard, day.day, day.mean, day.swing, day.humidity, day.rain, step);
+    Progress silent(ProgressStyle::silent);
+    const SpanResult result = solve_scene(Stages(prepared), silent);
+    CAPTURE(day.day, step, result.report.passes, result.report.estimated_error);
+    CHECK(result.report.converged);
+    CHECK(result.report.unsolved.empty());
+    CHECK(result.report.estimated_error <= SolveOptions{}.settled);
+    CHECK(result.report.worst_energy_closure < 1e-6);
+    CHECK(not_converged(result.report).empty());
 }

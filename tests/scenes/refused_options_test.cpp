@@ -101,16 +101,17 @@ TEST_CASE("a signal that ends the program ends what it has started and removes i
     for (const std::string signal : {"INT", "TERM", "HUP"}) {
         CAPTURE(signal);
         // Waits for the start, sends the signal, and counts who of the group still lives.
-        const Ran got = ran("cd '" + folder.path.string() +
-                            "' && rm -f started && { TMPDIR=tmp '" DIURNA_BINARY
-                            "' path --band 8:12 --to-space --modtran " +
-                            stub.string() +
-                            " > log 2>&1 & p=$!; for i in $(seq 100); do [ -e started ] && break; "
-                            "sleep 0.05; done; "
-                            "kill -" +
-                            signal +
-                            " $p; wait $p; echo code $?; sleep 0.2; for q in $(cat pid); do grep "
-                            "-L '^State:.[ZX]' /proc/$q/status 2>/dev/null; done; ls tmp; }");
+        const Ran got =
+            ran("cd '" + folder.path.string() +
+                "' && rm -f started && { TMPDIR=tmp env --default-signal=INT '" DIURNA_BINARY
+                "' path --band 8:12 --to-space --modtran " +
+                stub.string() +
+                " > log 2>&1 & p=$!; for i in $(seq 100); do [ -e started ] && break; "
+                "sleep 0.05; done; "
+                "kill -" +
+                signal +
+                " $p; wait $p; echo code $?; sleep 0.2; for q in $(cat pid); do grep "
+                "-L '^State:.[ZX]' /proc/$q/status 2>/dev/null; done; ls tmp; }");
         const int expected = signal == "INT" ? 130 : signal == "TERM" ? 143 : 129;
         CHECK(got.out == "code " + std::to_string(expected) + "\n");
     }

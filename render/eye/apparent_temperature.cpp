@@ -6,6 +6,7 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
+#include "render/light/band_inverse.hpp"
 #include "render/light/hermite.hpp"
 
 namespace diurna {
@@ -14,15 +15,23 @@ TemperatureScale::TemperatureScale(const Band& band, float low, float high) : ba
     if (!(low > 0.0f && high >= low)) return;
     // 64 cells an octave, or fewer where the radiances span many.
     const auto from = std::bit_cast<std::uint32_t>(low), to = std::bit_cast<std::uint32_t>(high);
-    shift_ = 17;
+    shift_ = BandInverse::shift;
     while ((to >> shift_) - (from >> shift_) > 512) ++shift_;
     first_ = from >> shift_;
     const std::size_t cells = (to >> shift_) - first_ + 1;
     std::vector<double> value(cells + 1), slope(cells + 1), radiance(cells + 1);
+    const BandInverse& inverse = band_inverse(band_);
     for_each_index(
         cells + 1,
         [&](std::size_t k) {
-            radiance[k] = std::bit_cast<float>((first_ + static_cast<std::uint32_t>(k)) << shift_);
+            const std::uint32_t place = first_ + static_cast<std::uint32_t>(k);
+            radiance[k] = std::bit_cast<float>(place << shift_);
+            if (shift_ == BandInverse::shift) {
+                const BandInverse::Value known = inverse.at(place);
+                value[k] = known.temperature;
+                slope[k] = 1.0 / known.radiance_per_kelvin;
+                return;
+            }
             value[k] = brightness_temperature(band_, radiance[k]);
             slope[k] = 1.0 / band_radiance_derivative(band_, value[k]);
         },

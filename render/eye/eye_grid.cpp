@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "materials/radiation/planck.hpp"
+#include "render/light/band_inverse.hpp"
 
 namespace diurna {
 
@@ -33,7 +33,7 @@ double straight_error(const Band& band, const Eigen::MatrixXd& fine) {
     // A kelvin is worth least where it is darkest: so no column can be worse than its bend there,
     // and most need no temperature of their own.
     const auto per_kelvin = [&](double radiance) {
-        return band_radiance_derivative(band, brightness_temperature(band, radiance));
+        return diurna::radiance_per_kelvin(band, radiance);
     };
     std::sort(columns.begin(), columns.end(),
               [](const Bend& a, const Bend& b) { return a.bend > b.bend; });

@@ -5,18 +5,13 @@
 #include <optional>
 
 #include "materials/base/parallel.hpp"
-#include "materials/radiation/planck.hpp"
+#include "render/light/band_inverse.hpp"
 
 namespace diurna {
 
 namespace {
 
 constexpr std::size_t most_ranges = 129;
-
-/// [W m⁻² sr⁻¹ K⁻¹] about the temperature that a radiance looks like.
-double radiance_per_kelvin(const Band& band, double radiance) {
-    return band_radiance_derivative(band, brightness_temperature(band, radiance));
-}
 
 }  // namespace
 

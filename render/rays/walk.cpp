@@ -16,7 +16,7 @@ namespace {
 
 constexpr int most_through = 8, most_mirrored = 2;
 
-double fraction(double x) { return x - std::floor(x); }
+double past_whole(double x) { return x - std::floor(x); }
 
 /// A ray on its way.
 struct Walker {
@@ -167,8 +167,8 @@ class Walk {
         const bool placed = walker.mirrored == 1 && place.first[0] >= 0.0;
         const int rays = walker.mirrored == 1 ? place.count : 1;
         for (int i = 0; i < rays; ++i) {
-            const double u = placed ? fraction(place.first[0] + i * place.step[0]) : chance_();
-            const double v = placed ? fraction(place.first[1] + i * place.step[1]) : chance_();
+            const double u = placed ? past_whole(place.first[0] + i * place.step[0]) : chance_();
+            const double v = placed ? past_whole(place.first[1] + i * place.step[1]) : chance_();
             const Lobe::Ray ray = lobe.ray(u, v);
             if (!(ray.weight > 0.0)) continue;
             Walker other = walker;

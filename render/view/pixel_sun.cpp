@@ -49,7 +49,8 @@ PixelSun entries_of(const View& view, std::span<const std::uint8_t> crossed, InP
 class SampleCaster {
  public:
     SampleCaster(const View& view, const SunOverFacets& sun, const PixelSamples& samples,
-                 const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out)
+                 const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out,
+                 std::span<std::uint8_t> mixed)
         : view_(view),
           sun_(sun),
           disc_(sun.to_sun),
@@ -58,6 +59,7 @@ class SampleCaster {
           in_place_{options.texture_levels},
           crossed_(crossed),
           out_(out),
+          mixed_(mixed),
           at_a_time_(std::max<std::size_t>(1, 16 / samples.bundles())),
           rays_(sun.rays, at_a_time_ * samples.bundles()) {
         rays_.set_origin(samples.origin());
@@ -82,6 +84,7 @@ class SampleCaster {
             cast += ask(k, last, true, [](std::size_t) { return true; });
             cast += ask(k, last, false, [&](std::size_t i) { return !alike(i); });
             average(k, last);
+            for (std::size_t i = k; i < last; ++i) mixed_[i] = !alike(i);
         }
         return cast;
     }
@@ -229,7 +232,8 @@ class SampleCaster {
     InPlace in_place_;
     std::span<const std::uint8_t> crossed_;
     PixelSun& out_;
-    std::size_t at_a_time_;  // pixels
+    std::span<std::uint8_t> mixed_;  // (pixel of out) written: its samples differ
+    std::size_t at_a_time_;          // pixels
     RayBundles rays_;
     std::size_t first_pixel_ = 0;
     std::vector<Ray> to_sun_;
@@ -239,6 +243,54 @@ class SampleCaster {
     std::vector<bool> is_first_;        // (sample)
     int firsts_ = 0;                    // samples
 };
+
+/// Finds all shares of `out`; returns (pixel of out) 1 where samples differ.
+std::vector<std::uint8_t> cast_all(const View& view, const SunOverFacets& sun,
+                                   const Observer& observer, const ViewOptions& options,
+                                   std::span<const std::uint8_t> crossed, PixelSun& out) {
+    std::vector<std::uint8_t> mixed(out.pixel.size(), 0);
+    out.share.resize(out.sighting.size());
+    const PixelSamples samples(observer, options.samples, options.seed);
+    constexpr std::size_t grain = 256;
+    std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
+    for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
+        SampleCaster caster(view, sun, samples, options, crossed, out, mixed);
+        rays[begin / grain] = caster.cast(begin, end);
+    });
+    out.rays += std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
+    return mixed;
+}
+
+constexpr int least_refined = 4, times_more = 3;
+
+/// Takes three times as many samples more in pixels that an edge goes through: sixteen leave 0.04
+/// of what sun and shade differ by.
+void refine(const View& view, const SunOverFacets& sun, const Observer& observer,
+            const ViewOptions& options, std::span<const std::uint8_t> crossed,
+            std::span<const std::uint8_t> mixed, PixelSun& out) {
+    PixelSun finer;
+    finer.row.push_back(0);
+    std::vector<std::uint32_t> entry;  // (entry of finer) that of out
+    for (std::size_t k = 0; k < out.pixel.size(); ++k) {
+        if (!mixed[k]) continue;
+        finer.pixel.push_back(out.pixel[k]);
+        for (std::uint32_t e = out.row[k]; e < out.row[k + 1]; ++e) {
+            finer.sighting.push_back(out.sighting[e]);
+            entry.push_back(e);
+        }
+        finer.row.push_back(static_cast<std::uint32_t>(finer.sighting.size()));
+    }
+    ViewOptions more = options;
+    more.samples = times_more * options.samples;
+    more.seed = options.seed + golden_step;
+    cast_all(view, sun, observer, more, crossed, finer);
+    constexpr float share = float(times_more) / float(1 + times_more);
+    for (std::size_t i = 0; i < entry.size(); ++i) {
+        float& of = out.share[entry[i]];
+        of += share * (finer.share[i] - of);
+    }
+    out.rays += finer.rays;
+}
 
 }  // namespace
 
@@ -272,16 +324,9 @@ PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observ
                         const ViewOptions& options) {
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
     PixelSun out = entries_of(view, crossed, {options.texture_levels});
-    out.share.resize(out.sighting.size());
-    const PixelSamples samples(observer, options.samples, options.seed);
-    constexpr std::size_t grain = 256;
-    std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
-    for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
-        SampleCaster caster(view, sun, samples, options, crossed, out);
-        rays[begin / grain] = caster.cast(begin, end);
-    });
+    std::vector<std::uint8_t> mixed = cast_all(view, sun, observer, options, crossed, out);
+    if (options.samples >= least_refined) refine(view, sun, observer, options, crossed, mixed, out);
     out.crossed = std::move(crossed);
-    out.rays = std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
     return out;
 }
 

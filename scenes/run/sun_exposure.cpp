@@ -37,6 +37,8 @@ SunExposure cast(const Prepared& prepared, const ReliefVisibility& light,
     const World& world = prepared.world;
     const SunFractionOptions options{.samples = prepared.scene.sun_samples,
                                      .seed = prepared.scene.seed};
+    SunFractionOptions refined = options;
+    refined.edge_samples = 7 * options.samples;
     const std::size_t facets = world.facets.size();
     SunExposure sun{.instant = instants, .fraction = {}};
     sun.fraction.assign(instants.size() * facets, 0.0f);
@@ -48,7 +50,7 @@ SunExposure cast(const Prepared& prepared, const ReliefVisibility& light,
             passed_over[f] = !asked_for[f] || (!known.empty() && known[f]);
         }
         if (!asked_for.empty()) known = passed_over;
-        light.sun_fraction(direction(prepared, instants[i]), fraction, options, known);
+        light.sun_fraction(direction(prepared, instants[i]), fraction, refined, known);
     }
     // When within a step the sun comes and goes: by rays, which answer for single facets.
     find_edges(

@@ -19,6 +19,7 @@ class HemisphereRays {
  public:
     HemisphereRays(int rays, std::uint64_t seed);
 
+    std::size_t rays() const { return rays_; }
     std::size_t packets() const { return (rays_ + 15) / 16; }
     /// How many lanes of a packet hold rays.
     int lanes(std::size_t packet) const {

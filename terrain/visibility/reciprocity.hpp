@@ -13,7 +13,7 @@ struct ReciprocityOptions {
     /// Of pairs where neither sees more of the other than this, so many are left out at random that
     /// the others, raised to it, stand for all: near and far partners keep what is theirs in the
     /// mean (to give it to a row's larger entries made the foot of a wall 3H deep 15 % too bright).
-    double cut_off = 1e-3;
+    double cut_off = 2e-3;
     double closure = 1e-5;  // rows are to sum to 1 − sky − below within this
     int passes = 30;
     std::span<const PassedLight> passed{};  // (material) as RayScene has it; empty: all opaque

@@ -57,13 +57,14 @@ ReliefVisibility::ReliefVisibility(const FacetSet& facets, const RayScene& rays,
     std::fill(always_.begin() + static_cast<std::ptrdiff_t>(ground_facets), always_.end(), 1);
     if (ground_facets < facets.size()) {
         raised_ = raised_relief(facets, relief, ground_facets, rays.copies());
+        if (raised_) beside_.assign(ground_facets, 0);
     }
     for (std::size_t f = 0; f < ground_facets; ++f) {
         if (points_.off_relief(f) || (!finer.empty() && finer[f])) always_[f] = 1;
         if (!raised_) continue;
         for (const ReliefPoint& p : points_.of(f)) {
             for (const std::size_t post : points_.posts_round(p)) {
-                if (raised_->touched[post]) always_[f] = 1;
+                if (raised_->touched[post]) always_[f] = beside_[f] = 1;
             }
         }
     }
@@ -188,38 +189,44 @@ ReliefVisibility::MarchedSky ReliefVisibility::marched_sky() const {
     return sky;
 }
 
+bool ReliefVisibility::sees_objects(const MarchedSky& marched, std::size_t facet) const {
+    return raised_ && (beside_[facet] || marched.seen[facet] - marched.below_objects[facet] >
+                                             sky_reach * sky_azimuths);
+}
+
 FacetViews ReliefVisibility::facet_views(const FacetViewOptions& options) const {
-    FacetViews views = diurna::facet_views(facets_, rays_, options);
     const MarchedSky marched = marched_sky();
-    for_each_block(
-        points_.facets(), relief_facets_per_block, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t f = begin; f < end; ++f) {
-                if (always_[f]) continue;
-                if (raised_ &&
-                    marched.seen[f] - marched.below_objects[f] > sky_reach * sky_azimuths) {
-                    continue;
-                }
-                const float sky = std::clamp(marched.seen[f] / sky_azimuths, 0.0f, 1.0f);
-                const float rest = 1.0f - views.sky[f];
-                views.shares[f] = with_sky_view(views.shares[f], facets_.normal[f],
-                                                double{views.sky[f]}, double{sky});
-                views.sky[f] = sky;
-                if (rest <= 0.0f) {
-                    views.below[f] = 1.0f - sky;
-                    continue;
-                }
-                const float scale = (1.0f - sky) / rest;
-                views.below[f] *= scale;
-                if (!views.hidden.empty()) views.hidden[f] *= scale;
-                for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
-                    views.others.factor[k] *= scale;
-                }
-                if (views.copied.row.empty()) continue;
-                for (auto k = views.copied.row[f]; k < views.copied.row[f + 1]; ++k) {
-                    views.copied.factor[k] *= scale;
-                }
-            }
-        });
+    std::vector<std::uint8_t> near_objects(beside_.size(), 0);
+    for (std::size_t f = 0; f < near_objects.size(); ++f)
+        near_objects[f] = sees_objects(marched, f);
+    FacetViewOptions by_rays = options;
+    by_rays.near_objects = near_objects;
+    FacetViews views = diurna::facet_views(facets_, rays_, by_rays);
+    for_each_block(points_.facets(), relief_facets_per_block,
+                   [&](std::size_t begin, std::size_t end) {
+                       for (std::size_t f = begin; f < end; ++f) {
+                           if (always_[f] || sees_objects(marched, f)) continue;
+                           const float sky = std::clamp(marched.seen[f] / sky_azimuths, 0.0f, 1.0f);
+                           const float rest = 1.0f - views.sky[f];
+                           views.shares[f] = with_sky_view(views.shares[f], facets_.normal[f],
+                                                           double{views.sky[f]}, double{sky});
+                           views.sky[f] = sky;
+                           if (rest <= 0.0f) {
+                               views.below[f] = 1.0f - sky;
+                               continue;
+                           }
+                           const float scale = (1.0f - sky) / rest;
+                           views.below[f] *= scale;
+                           if (!views.hidden.empty()) views.hidden[f] *= scale;
+                           for (auto k = views.others.row[f]; k < views.others.row[f + 1]; ++k) {
+                               views.others.factor[k] *= scale;
+                           }
+                           if (views.copied.row.empty()) continue;
+                           for (auto k = views.copied.row[f]; k < views.copied.row[f + 1]; ++k) {
+                               views.copied.factor[k] *= scale;
+                           }
+                       }
+                   });
     return views;
 }
 

@@ -44,7 +44,8 @@ class ReliefVisibility {
                              std::span<const std::uint8_t> known = {}) const;
 
     /// Like `facet_views` of view_factor_sampling.hpp: view factors by rays; on the ground the
-    /// sky's share by the march (32 azimuths), and the rows scaled to what it leaves.
+    /// sky's share by the march (32 azimuths), and the rows scaled to what it leaves. Where objects
+    /// may hide more than 0.001 of the sky from the ground, by more rays.
     FacetViews facet_views(const FacetViewOptions& options = {}) const;
 
  private:
@@ -64,6 +65,7 @@ class ReliefVisibility {
     Span around(std::size_t facet, const std::vector<float>& tangent) const;
     bool objects_matter(std::size_t facet, const Horizons& horizons) const;
     MarchedSky marched_sky() const;
+    bool sees_objects(const MarchedSky& marched, std::size_t facet) const;
 
     const FacetSet& facets_;
     const RayScene& rays_;
@@ -71,6 +73,7 @@ class ReliefVisibility {
     ReliefPoints points_;
     std::optional<RaisedRelief> raised_;
     std::vector<std::uint8_t> always_;  // (facet) always by rays
+    std::vector<std::uint8_t> beside_;  // (ground facet) among objects; empty: there are none
 };
 
 }  // namespace diurna

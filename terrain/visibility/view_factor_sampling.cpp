@@ -1,6 +1,7 @@
 #include "terrain/visibility/view_factor_sampling.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -133,13 +134,31 @@ SkyShares open_shares(const Eigen::Vector3f& normal, const SkyVector& covered, d
     return with_sky_view(shares, normal, double{open[0]} - weight * double{covered[0]}, sky_view);
 }
 
+/// Samplers of so many rays and of 2, 4 ... 32 times as many, for ground near objects.
+std::vector<HemisphereRays> finer_rays(const FacetViewOptions& options) {
+    std::vector<HemisphereRays> finer;
+    finer.emplace_back(options.rays, options.seed);
+    if (options.near_objects.empty()) return finer;
+    for (int times = 2; times <= 32 && options.rays * times <= 4096; times *= 2) {
+        finer.emplace_back(options.rays * times, options.seed);
+    }
+    return finer;
+}
+
+/// Which of them suits ground from which so much of the sky is hidden.
+std::size_t finer_level(double hidden, std::size_t levels) {
+    const std::size_t wanted = hidden < 0.05 ? 5 : hidden < 0.2 ? 4 : 3;
+    return std::min(wanted, levels - 1);
+}
+
 }  // namespace
 
 FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
                        const FacetViewOptions& options) {
     assert(options.rays > 0 && options.rays <= 65535);
     assert(options.object_rays > 0 && options.object_rays <= 65535);
-    const HemisphereRays ground_rays(options.rays, options.seed);
+    assert(options.near_objects.size() <= options.first_object);
+    const std::vector<HemisphereRays> ground_rays = finer_rays(options);
     const HemisphereRays object_rays(options.object_rays, options.seed);
     const SkyBound bound(facets, scene.copies());
 
@@ -147,10 +166,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
     if (options.first_object < facets.size()) {
         views.buried = below_ground(facets, scene, options.first_object);
     }
-    views.rays.assign(facets.size(), static_cast<std::uint16_t>(options.rays));
-    for (std::size_t f = options.first_object; f < facets.size(); ++f) {
-        views.rays[f] = static_cast<std::uint16_t>(options.object_rays);
-    }
+    views.rays.resize(facets.size());
     views.sky.resize(facets.size());
     views.below.resize(facets.size());
     views.hidden.resize(facets.size());
@@ -162,12 +178,34 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
         RayPacket rays;
         BlockRays found(scene, facets, options.first_object, options.others, options.sunlight);
         SkyBound::Sines sines = SkyBound::unknown;
+        std::array<std::size_t, facets_per_block> level{};
+        if (begin < options.near_objects.size()) {
+            const std::size_t last = std::min(end, options.near_objects.size());
+            BlockRays first(scene, facets, options.first_object, false, options.sunlight);
+            for (std::size_t f = begin; f < last; ++f) {
+                if (!options.near_objects[f]) continue;
+                for (std::size_t p = 0; p < ground_rays[0].packets(); ++p) {
+                    ground_rays[0].fill(facets, f, p, rays);
+                    first.trace(rays, ground_rays[0].lanes(p),
+                                static_cast<std::uint32_t>(f - begin), SkyBound::unknown);
+                }
+            }
+            first.finish();
+            for (std::size_t f = begin; f < last; ++f) {
+                if (!options.near_objects[f]) continue;
+                level[f - begin] = finer_level(
+                    1.0 - (first.sky[f - begin] + first.below[f - begin]) / options.rays,
+                    ground_rays.size());
+            }
+        }
         for (std::size_t f = begin; f < end; ++f) {
             if ((f - begin) % facets_per_bound == 0) {
                 sines = bound.sines(facets, f, std::min(end, f + facets_per_bound));
             }
+            const HemisphereRays& sampler =
+                f < options.first_object ? ground_rays[level[f - begin]] : object_rays;
+            views.rays[f] = static_cast<std::uint16_t>(sampler.rays());
             if (!views.buried.empty() && views.buried[f]) continue;
-            const HemisphereRays& sampler = f < options.first_object ? ground_rays : object_rays;
             for (std::size_t p = 0; p < sampler.packets(); ++p) {
                 sampler.fill(facets, f, p, rays);
                 found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines);

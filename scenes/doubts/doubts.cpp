@@ -12,7 +12,8 @@ std::vector<Mistake> doubts(const Prepared& prepared) {
         prepared.weather, prepared.world.site, scene.time.start,
         later(scene.time.start, scene.time.duration), scene.file.string() + ": weather.file");
     all.insert(all.begin(), prepared.warnings.begin(), prepared.warnings.end());
-    for (auto of : {place_doubts, object_doubts, stand_doubts, view_doubts, clock_doubts}) {
+    for (auto of :
+         {place_doubts, shape_doubts, object_doubts, stand_doubts, view_doubts, clock_doubts}) {
         for (Mistake& doubt : of(prepared)) all.push_back(std::move(doubt));
     }
     return all;

@@ -26,6 +26,13 @@ struct Beside {
 /// (triangle, side from corner k to the next) vertices beside it, in its order.
 using BesideSides = std::map<std::pair<std::uint32_t, std::size_t>, std::vector<Beside>>;
 
+/// Rims and rows: of a gap near the tolerance of rows either may be one.
+std::vector<EdgeSide> open_sides(const MeshPieces& pieces) {
+    std::vector<EdgeSide> sides = pieces.rims;
+    sides.insert(sides.end(), pieces.rows.begin(), pieces.rows.end());
+    return sides;
+}
+
 struct RimVertex {
     double x;
     std::uint32_t vertex;
@@ -35,7 +42,7 @@ struct RimVertex {
 /// Vertices of open edges by their first coordinate.
 std::vector<RimVertex> rim_vertices(const MeshFile& mesh, const MeshPieces& pieces) {
     std::map<std::uint32_t, double> shortest;
-    for (const EdgeSide& side : pieces.rims) {
+    for (const EdgeSide& side : open_sides(pieces)) {
         for (const std::uint32_t v : {side.low, side.high}) {
             const double length = (mesh.vertex[side.low] - mesh.vertex[side.high]).norm();
             const auto [known, fresh] = shortest.try_emplace(v, length);
@@ -54,7 +61,7 @@ std::vector<RimVertex> rim_vertices(const MeshFile& mesh, const MeshPieces& piec
 BesideSides beside_sides(const MeshFile& mesh, const MeshPieces& pieces, double tolerance) {
     const std::vector<RimVertex> rim = rim_vertices(mesh, pieces);
     BesideSides found;
-    for (const EdgeSide& side : pieces.rims) {
+    for (const EdgeSide& side : open_sides(pieces)) {
         const auto& corner = mesh.triangle[side.triangle];
         std::size_t k = 0;
         while (k < 3 &&

@@ -56,9 +56,14 @@ struct Columns {
           zero(table.header[temperature] == "temperature_C" ? zero_celsius : 0.0) {}
 };
 
-/// Levels from the ground up.
+/// Levels from the ground up, by the way most of them go: one bad height at an end says nothing.
 void sort_levels(CsvTable& table, std::size_t height) {
-    if (table.number(0, height) > table.number(table.rows.size() - 1, height)) {
+    std::ptrdiff_t rises = 0;
+    for (std::size_t row = 1; row < table.rows.size(); ++row) {
+        const double step = table.number(row, height) - table.number(row - 1, height);
+        rises += step > 0.0 ? 1 : step < 0.0 ? -1 : 0;
+    }
+    if (rises < 0) {
         std::reverse(table.rows.begin(), table.rows.end());
         std::reverse(table.line.begin(), table.line.end());
     }
@@ -131,13 +136,16 @@ void add_model_above(const Profile& model, Profile& sonde) {
 
 }  // namespace
 
-Profile read_radiosonde(const std::filesystem::path& file, const std::string& above) {
-    return read_sounding(file, above).profile;
+Profile read_radiosonde(const std::filesystem::path& file, const std::string& above,
+                        const std::string& time) {
+    return read_sounding(file, above, time).profile;
 }
 
-Sounding read_sounding(const std::filesystem::path& file, const std::string& above) {
+Sounding read_sounding(const std::filesystem::path& file, const std::string& above,
+                       const std::string& time) {
     const Profile model = afgl_profile(above);
-    CsvTable table = read_sounding_table(file);
+    SoundingTable sounding = read_sounding_table(file, time);
+    CsvTable& table = sounding.table;
     if (table.rows.size() < 2 || table.rows.size() > 5000) {
         throw InputError(file.string(),
                          fmt::format("found {} levels, expected 2 to 5000", table.rows.size()));
@@ -146,7 +154,10 @@ Sounding read_sounding(const std::filesystem::path& file, const std::string& abo
     sort_levels(table, columns.height);
     Profile sonde;
     sonde.name = above;
-    if (std::string note = leave_out_bounces(table, columns.height, columns.pressure);
+    sonde.notes = std::move(sounding.notes);
+    // Archives hold every level of a flight as it was sent; a table of one's own is to be in order.
+    const double most = sounding.archive ? 0.5 : 0.1;
+    if (std::string note = leave_out_bounces(table, columns.height, columns.pressure, most);
         !note.empty()) {
         sonde.notes.push_back(std::move(note));
     }
@@ -160,7 +171,8 @@ Sounding read_sounding(const std::filesystem::path& file, const std::string& abo
 }
 
 Profile named_profile(const std::string& name) {
-    const bool file = name.ends_with(".csv") || name.ends_with(".txt");
+    const bool file = name.ends_with(".csv") || name.ends_with(".txt") || name.ends_with(".html") ||
+                      name.ends_with(".htm");
     return file ? read_radiosonde(name) : afgl_profile(name);
 }
 

@@ -9,7 +9,8 @@
 namespace diurna {
 
 /// A profile from a radiosonde's table: levels from the ground up. The University of Wyoming's text
-/// list or CSV (materials/air/sounding_table.hpp), or plain CSV with a header and '#' comments:
+/// list or CSV, a sounding of the Integrated Global Radiosonde Archive (materials/air/
+/// sounding_table.hpp), or plain CSV with a header and '#' comments:
 ///
 /// height_m or height_km              above the sea; ascending, or descending
 /// pressure_hPa                       optional: else hydrostatic from the lowest level's, which
@@ -25,11 +26,14 @@ struct Sounding {
     Profile profile;
     std::size_t levels = 0;  // of the profile, those that were measured
 };
-Sounding read_sounding(const std::filesystem::path& file, const std::string& above = "US76");
+/// time  of the sounding in a file of several (materials/air/igra.hpp); "": it holds one
+Sounding read_sounding(const std::filesystem::path& file, const std::string& above = "US76",
+                       const std::string& time = "");
 /// Its profile.
-Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "US76");
+Profile read_radiosonde(const std::filesystem::path& file, const std::string& above = "US76",
+                        const std::string& time = "");
 
-/// An AFGL name, or the path of a radiosonde file where the name ends in ".csv" or ".txt".
+/// An AFGL name, or the path of a radiosonde file where the name ends in ".csv", ".txt" or ".html".
 Profile named_profile(const std::string& name);
 
 }  // namespace diurna

@@ -37,8 +37,9 @@ std::vector<std::size_t> longest_ascent(const std::vector<Level>& levels) {
 
 }  // namespace
 
-std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t pressure) {
-    constexpr std::size_t always_allowed = 3, one_in = 10;
+std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t pressure,
+                              double most) {
+    constexpr std::size_t always_allowed = 3;
     std::vector<Level> levels;
     for (std::size_t row = 0; row < table.rows.size(); ++row) {
         double z = 0.0, p = 0.0;
@@ -50,7 +51,8 @@ std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t p
     }
     const std::vector<std::size_t> run = longest_ascent(levels);
     const std::size_t left_out = levels.size() - run.size();
-    if (left_out == 0 || left_out > std::max(always_allowed, levels.size() / one_in) ||
+    if (left_out == 0 ||
+        left_out > std::max(always_allowed, std::size_t(most * double(levels.size()))) ||
         run.size() < 2) {
         return "";
     }
@@ -59,7 +61,8 @@ std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t p
     std::string note = fmt::format(
         "{}: {} of {} levels left out, at which pressure does not fall or height does not rise "
         "(the first: line {})",
-        table.path.string(), left_out, levels.size(), table.line[first]);
+        table.path.string(), left_out, levels.size(),
+        table.line[std::min(first, table.line.size() - 1)]);
     CsvTable kept = table;
     kept.rows.clear();
     kept.line.clear();

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <string>
 #include <utility>
 
+#include "materials/air/igra.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 
@@ -84,7 +86,8 @@ CsvTable read_list(const std::filesystem::path& file, const std::string& text) {
     return table;
 }
 
-/// Drops rows that lack height or temperature or lie on the one before.
+/// Drops rows that lack height or temperature or lie on the one before; those that lie far below or
+/// above it stay.
 void thin_out(CsvTable& table) {
     constexpr double least_m = 5.0, least_hPa = 0.05;
     const std::size_t height = table.column("height_m"), pressure = table.column("pressure_hPa"),
@@ -99,7 +102,10 @@ void thin_out(CsvTable& table) {
             continue;
         }
         const double m = table.number(row, height), hPa = table.number(row, pressure);
-        if (!kept.rows.empty() && (m - last_m < least_m || last_hPa - hPa < least_hPa)) continue;
+        if (!kept.rows.empty() &&
+            (std::abs(m - last_m) < least_m || std::abs(last_hPa - hPa) < least_hPa)) {
+            continue;
+        }
         kept.rows.push_back(cells);
         kept.line.push_back(table.line[row]);
         last_m = m;
@@ -118,12 +124,25 @@ bool is_sounding_list(const std::string& text) {
     return false;
 }
 
-CsvTable read_sounding_table(const std::filesystem::path& file) {
+SoundingTable read_sounding_table(const std::filesystem::path& file, const std::string& time) {
     const std::string text = read_text(file);
+    if (text.starts_with("PK\x03\x04") || text.starts_with("\x1f\x8b")) {
+        throw InputError(file.string(), "is packed", "unpack it and name the file that it holds");
+    }
+    if (is_igra(text)) return read_igra(file, text, time);
+    if (!time.empty()) {
+        throw InputError(file.string(), "is no file of several soundings, of which one has a time",
+                         "leave sounding_time out");
+    }
     if (is_sounding_list(text)) {
         CsvTable table = read_list(file, text);
         thin_out(table);
-        return table;
+        return {std::move(table), true};
+    }
+    if (text.find("%TITLE%") != std::string::npos && text.find("%RAW%") != std::string::npos) {
+        throw InputError(file.string(), "is a sounding of SHARPpy, which is not read",
+                         "save its columns as CSV: pressure_hPa, height_m, temperature_C, "
+                         "dew_point_C");
     }
     CsvTable table = read_csv(file);
     bool theirs = false;
@@ -134,7 +153,7 @@ CsvTable read_sounding_table(const std::filesystem::path& file) {
         theirs = true;
     }
     if (theirs) thin_out(table);
-    return table;
+    return {std::move(table), theirs};
 }
 
 }  // namespace diurna

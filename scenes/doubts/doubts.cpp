@@ -6,7 +6,8 @@ namespace diurna {
 
 std::vector<Mistake> doubts(const Prepared& prepared) {
     std::vector<Mistake> all = prepared.warnings;
-    for (auto of : {place_doubts, object_doubts, stand_doubts, view_doubts, clock_doubts}) {
+    for (auto of :
+         {place_doubts, shape_doubts, object_doubts, stand_doubts, view_doubts, clock_doubts}) {
         for (Mistake& doubt : of(prepared)) all.push_back(std::move(doubt));
     }
     return all;

@@ -31,6 +31,10 @@ std::vector<Mistake> stand_doubts(const Prepared& prepared);
 /// looks beyond the raster.
 std::vector<Mistake> view_doubts(const Prepared& prepared);
 
+/// Files of shapes none of which lies within 100 km of the site, as where latitude and longitude
+/// are exchanged.
+std::vector<Mistake> shape_doubts(const Prepared& prepared);
+
 /// Materials with schedules, where their clock (that of time.start) is not local mean solar time,
 /// which earlier versions took.
 std::vector<Mistake> clock_doubts(const Prepared& prepared);

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <string_view>
 
+#include "materials/air/igra.hpp"
 #include "materials/air/sounding_table.hpp"
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "terrain/raster/raster_names.hpp"
+#include "terrain/raster/zip_archive.hpp"
 #include "thermal/temperature_mesh.hpp"
 #include "thermal/temperature_names.hpp"
 #include "thermal/weather_file/read_weather.hpp"
@@ -48,13 +51,18 @@ Found inspect_netcdf(const fs::path& file, const InspectOptions& options) {
 }
 
 /// Weather of a text format of its own, or a table in CSV.
-Found inspect_table(const fs::path& file) {
+Found inspect_table(const fs::path& file, const InspectOptions& options) {
+    if (small_letters(file.extension().string()) == ".dat" && !header_beside(file).empty()) {
+        return inspect_raster(file, options);
+    }
     return weather_format(file) != WeatherFormat::csv ? inspect_weather(file) : inspect_csv(file);
 }
 
 /// Lists beside pictures, soundings, or a tape7 by such a name.
 Found inspect_text(const fs::path& file) {
-    if (is_sounding_list(read_text(file))) return inspect_sounding(file);
+    const std::string text = read_text(file);
+    if (is_igra(text)) return inspect_igra(file);
+    if (is_sounding_list(text)) return inspect_sounding(file);
     try {
         return inspect_label_lines(file);
     } catch (const InputError& no_labels) {
@@ -102,16 +110,23 @@ Found inspect(const fs::path& file, const InspectOptions& options) {
     if (ends == ".toml") return inspect_toml(file);
     if (is_one_of(ends, {".json", ".geojson"})) return inspect_json(file);
     if (ends == ".txt") return inspect_text(file);
-    if (is_one_of(ends, {".csv", ".epw", ".dat", ".tab"})) return inspect_table(file);
-    if (is_one_of(ends, {".shp", ".gpkg"})) return inspect_shapes(file, options);
+    if (is_one_of(ends, {".html", ".htm"})) return inspect_sounding(file);
+    if (is_one_of(ends, {".csv", ".epw", ".dat", ".tab"})) return inspect_table(file, options);
+    if (is_one_of(ends,
+                  {".shp", ".gpkg", ".kml", ".kmz", ".fgb", ".geojsonl", ".geojsons", ".ndjson"}) ||
+        holds_shapes(file)) {
+        return inspect_shapes(file, options);
+    }
     if (ends == ".binary") return inspect_brdf(file);
-    if (is_era5_zip(file)) return inspect_weather(file);
+    if (is_weather_zip(file)) return inspect_weather(file);
     const bool packed = head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b");
     const bool raster = packed || head.starts_with("\x89PNG") || head.starts_with("\xFF\xD8\xFF") ||
                         head.starts_with("II*") || head.starts_with("MM") ||
                         head.starts_with("II+");
-    if (raster || is_one_of(ends, {".tif", ".tiff", ".asc", ".hgt", ".dem", ".dt0", ".dt1", ".dt2",
-                                   ".img", ".bil"})) {
+    if (raster ||
+        is_one_of(ends, {".tif", ".tiff", ".asc", ".hgt", ".dem", ".dt0", ".dt1", ".dt2", ".img",
+                         ".bil", ".bip", ".bsq", ".flt", ".envi", ".hdr"}) ||
+        !header_beside(file).empty()) {
         return inspect_raster(file, options);
     }
     return inspect_other(file);

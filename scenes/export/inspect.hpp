@@ -26,6 +26,8 @@ Found inspect_csv(const std::filesystem::path& file);
 /// A BRDF of the MERL database.
 Found inspect_brdf(const std::filesystem::path& file);
 Found inspect_sounding(const std::filesystem::path& file);
+/// A file of the Integrated Global Radiosonde Archive: its sounding, or the times of several.
+Found inspect_igra(const std::filesystem::path& file);
 Found inspect_tape7(const std::filesystem::path& file);
 Found inspect_shapes(const std::filesystem::path& file, const InspectOptions& options);
 Found inspect_mesh(const std::filesystem::path& file, const InspectOptions& options);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "materials/air/igra.hpp"
 #include "materials/air/radiosonde.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 #include "materials/modtran/tape7.hpp"
 #include "scenes/export/inspect.hpp"
 
@@ -50,6 +52,20 @@ Found inspect_tape7(const std::filesystem::path& file) {
     }
     found.table.push_back(std::move(paths));
     found.next = "name it as table in [atmosphere] of a scene, if it has runs of thermal radiance";
+    return found;
+}
+
+Found inspect_igra(const std::filesystem::path& file) {
+    const std::vector<std::string> times = igra_times(read_text(file));
+    if (times.size() == 1) return inspect_sounding(file);
+    Found found{.kind = "soundings"};
+    found.fact = {{"format", {"IGRA v2"}},
+                  {"soundings", {static_cast<long long>(times.size())}},
+                  {"first", {times.front()}},
+                  {"last", {times.back()}}};
+    found.next =
+        fmt::format("name it as sounding in [atmosphere] of a scene, with sounding_time = \"{}\"",
+                    times.back());
     return found;
 }
 

@@ -46,11 +46,16 @@ bool may_be_elevation(const RasterFacts& facts) {
 Found inspect_raster(const std::filesystem::path& file, const InspectOptions& options) {
     const Confines confines = confines_of(file, options.allow_outside);
     const RasterFacts facts = read_raster_facts(file, confines);
-    Found found{.kind = facts.crs.empty() ? "picture" : "raster"};
-    found.fact = {{"format", {facts.driver}},
-                  {"columns", {static_cast<long long>(facts.columns)}},
-                  {"rows", {static_cast<long long>(facts.rows)}},
-                  {"crs", {facts.crs.empty() ? std::string("none") : facts.crs}}};
+    const bool several = facts.band.empty() && !facts.variable.empty();
+    Found found{.kind = several ? "rasters" : facts.crs.empty() ? "picture" : "raster"};
+    found.fact = {{"format", {facts.driver}}};
+    if (several) {
+        found.fact.push_back({"variables", {facts.variable.begin(), facts.variable.end()}});
+    } else {
+        found.fact.push_back({"columns", {static_cast<long long>(facts.columns)}});
+        found.fact.push_back({"rows", {static_cast<long long>(facts.rows)}});
+        found.fact.push_back({"crs", {facts.crs.empty() ? std::string("none") : facts.crs}});
+    }
     if (facts.transform) {
         const GeoTransform& t = *facts.transform;
         found.fact.push_back({"upper_left", {t[0], t[3]}});
@@ -69,7 +74,7 @@ Found inspect_raster(const std::filesystem::path& file, const InspectOptions& op
     if (facts.band.size() < static_cast<std::size_t>(facts.bands)) {
         found.fact.push_back({"bands_in_all", {static_cast<long long>(facts.bands)}});
     }
-    found.table.push_back(std::move(bands));
+    if (!several) found.table.push_back(std::move(bands));
     if (may_be_elevation(facts)) {
         try {
             add_elevation(file, confines, found);

@@ -7,8 +7,9 @@
 namespace diurna {
 
 Found inspect_shapes(const std::filesystem::path& file, const InspectOptions& options) {
-    const std::vector<LandShape> shapes =
-        read_shapes(file, "", "", confines_of(file, options.allow_outside));
+    const Confines confines = confines_of(file, options.allow_outside);
+    const std::vector<LandShape> shapes = read_shapes(file, "", "", confines, "*");
+    const std::vector<ShapeLayer> layers = shape_layers(file, confines);
     long long lines = 0, corners = 0;
     double south = 90.0, north = -90.0, west = 540.0, east = -540.0;
     for (const LandShape& shape : shapes) {
@@ -27,7 +28,14 @@ Found inspect_shapes(const std::filesystem::path& file, const InspectOptions& op
                   {"corners", {corners}},
                   {"latitudes_deg", {south, north}},
                   {"longitudes_deg", {west, east}}};
-    found.next = "name it as file of [[shapes]] of a scene";
+    if (layers.size() > 1) {
+        FoundTable table{"layers", {"layer", "features"}, {}};
+        for (const ShapeLayer& one : layers) table.row.push_back({one.name, one.features});
+        found.table.push_back(std::move(table));
+    }
+    found.next = layers.size() > 1
+                     ? "name it as file of [[shapes]] of a scene, and one of its layers as layer"
+                     : "name it as file of [[shapes]] of a scene";
     return found;
 }
 

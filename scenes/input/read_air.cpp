@@ -35,14 +35,17 @@ void read_sounding(const Section& section, AirInput& air) {
     air.sounding_file = section.file(
         "sounding",
         "a radiosonde's levels in place of the profile, which goes on above them: the list of the "
-        "University of Wyoming, or CSV with height, pressure, temperature and humidity as in "
+        "University of Wyoming, a file of the Integrated Global Radiosonde Archive (IGRA v2), or "
+        "CSV with height, pressure, temperature and humidity as in "
         "materials/air/radiosonde.hpp; the same at every instant but for what the weather "
         "makes of its lowest 1.5 km");
+    const std::string time = section.text_or(
+        "sounding_time", "of the sounding in an IGRA file of several, as 2018-07-15T00 (UTC)", "");
     if (air.vacuum) section.mistake("sounding", "a vacuum has none");
     if (air.vacuum || !std::filesystem::is_regular_file(air.sounding_file)) return;
     try {
         air.sounding =
-            std::make_shared<const Profile>(read_radiosonde(air.sounding_file, air.profile));
+            std::make_shared<const Profile>(read_radiosonde(air.sounding_file, air.profile, time));
     } catch (const InputError& error) {
         section.mistake("sounding", error.mistakes().front().line());
     }

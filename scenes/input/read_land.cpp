@@ -1,11 +1,25 @@
 #include "scenes/input/read_land.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
+
+#include "materials/base/error.hpp"
 
 namespace diurna {
 
 namespace {
+
+/// By its name: building:levels, num_floors, STOREYS.
+bool counts_storeys(const std::string& field) {
+    const std::string name = small_letters(field);
+    for (const char* word :
+         {"level", "storey", "storeys", "stories", "floors", "etage", "geschoss"}) {
+        if (name.find(word) != std::string::npos) return true;
+    }
+    return false;
+}
 
 void read_buildings(const Section& section, const Reading& reading, ShapesInput& input) {
     input.wall = section.name("wall", "of the buildings' walls", reading.materials);
@@ -17,6 +31,18 @@ void read_buildings(const Section& section, const Reading& reading, ShapesInput&
         "field of the file that holds a building's height: metres, or a text with its unit "
         "(\"12.5 m\", \"41 ft\")",
         "");
+    const double storey = section.number_or(
+        "level_height_m", "height of a storey, where height_field counts them (building:levels)",
+        {std::nan(""), "none"}, {0.5, 20.0});
+    if (!std::isnan(storey)) {
+        input.level_height = storey;
+    } else if (counts_storeys(input.height_field)) {
+        section.mistake(
+            "height_field",
+            fmt::format("found '{}', which counts storeys; expected a height in metres, "
+                        "or level_height_m = 3.0 beside it",
+                        input.height_field));
+    }
     input.default_height =
         section.number_or("height_m", "of buildings without a height_field; else they are left out",
                           input.default_height, {0.5, 1000.0});
@@ -67,7 +93,10 @@ LandCoverInput read_land_cover(const Section& section, const Reading& reading) {
 
 ShapesInput read_shapes_input(const Section& section, const Reading& reading) {
     ShapesInput input;
-    input.file = section.file("file", "GeoJSON, Shapefile or GeoPackage");
+    input.file = section.file(
+        "file", "GeoJSON, Shapefile (also zipped), GeoPackage, KML or KMZ, FlatGeobuf");
+    input.layer = section.text_or(
+        "layer", "of a file of several layers: the one to use, or \"*\" for all", "");
     input.confines = section.confines();
     input.name = section.text_or("name", "of the object that its buildings are",
                                  {input.file.stem().string(), "the file's name"});

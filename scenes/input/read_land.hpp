@@ -22,6 +22,7 @@ struct ShapesInput {
     std::filesystem::path file;
     Confines confines{};                          // of the files beside it
     std::string name;                             // of the object that its buildings are
+    std::string layer;                            // of a file of several; "": the only one
     std::string kind_field;                       // what tells the kind of a shape
     std::map<std::string, std::string> material;  // of a kind
     std::string default_material;                 // of other kinds; "": these are left out
@@ -29,6 +30,7 @@ struct ShapesInput {
     double largest_edge = 30.0;                   // [m]
     bool buildings = false;
     std::string height_field;
+    double level_height = 1.0;  // [m] per unit of the height_field
     double default_height = std::numeric_limits<double>::quiet_NaN();  // NaN: left out [m]
     std::string wall, roof;
     std::string kind = "building";  // its class in labels

@@ -176,11 +176,18 @@ void weld(const Section& section, ObjectInput& object) {
                                     object.material[a], object.material[b]),
                         "take one out of the mesh, or name one material for both in parts");
     }
-    if (found.removed > 0) {
+    const std::size_t single = found.removed - std::min(found.removed, found.inner);
+    if (found.inner > 0) {
+        object.notes.push_back(fmt::format(
+            "{} of {} triangles are walls between bodies that touch, which nobody sees, and are "
+            "skipped",
+            found.inner + found.removed - single, triangles));
+    }
+    if (single > 0) {
         object.notes.push_back(fmt::format(
             "{} of {} triangles lie in the place of another, whichever way they face, and count "
             "once: an open mesh has two sides as it is",
-            found.removed, triangles));
+            single, triangles));
     }
     if (found.back_to_back > 0) {
         object.notes.push_back(

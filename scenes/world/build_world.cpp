@@ -40,16 +40,26 @@ World build_world(Scene& scene, const Dem& dem) {
     world.notes = std::move(left_out);
     // The walls stand on the vertices of the ground round them.
     const std::vector<WalledPlan> plans = walled_plans(boxes, shapes);
-    auto borders = append_ground(world, scene, dem, plans);
-    for (std::size_t i = 0; i < plans.size(); ++i) {
-        // Where plans overlap: the raster round them.
-        if (!goes_round(borders[i], plans[i].ring)) {
-            borders[i] = raster_border(plans[i], dem, world.site);
+    const auto borders = append_ground(world, scene, dem, plans);
+    const auto foot_of = [&](std::size_t plan, const Ring& ring) {
+        for (const auto& border : borders[plan]) {
+            if (goes_round(border, ring)) return border;
         }
+        // Where plans overlap: the raster round them.
+        return raster_border(ring, plans[plan].foot_edge, dem, world.site);
+    };
+    std::size_t plan = 0;
+    for (BoxSpec& spec : boxes) {
+        spec.foot = foot_of(plan, plans[plan].ring);
+        ++plan;
     }
-    auto border = borders.begin();
-    for (BoxSpec& spec : boxes) spec.foot = std::move(*border++);
-    for (ShapeBuilding& building : shapes) building.prism.foot = std::move(*border++);
+    for (ShapeBuilding& building : shapes) {
+        building.prism.foot = foot_of(plan, plans[plan].ring);
+        for (const Ring& court : plans[plan].hole) {
+            building.prism.hole_foot.push_back(foot_of(plan, court));
+        }
+        ++plan;
+    }
     append_buildings(world, scene, boxes);
     Sheets sheets(scene.materials);
     append_objects(world, scene, dem, sheets);

@@ -172,9 +172,8 @@ std::vector<BorderFacet> border_facets(const FacetSet& facets,
 
 }  // namespace
 
-std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
-                                                        const Dem& dem,
-                                                        std::span<const WalledPlan> buildings) {
+std::vector<PlanBorders> append_ground(World& world, const Scene& scene, const Dem& dem,
+                                       std::span<const WalledPlan> buildings) {
     const Cuts cuts = cuts_of(scene, dem, world, buildings);
     const GroundMesh mesh = mesh_on_round_earth(world, scene, dem, cuts.footprint);
     const std::vector<Eigen::Vector3d> vertex =
@@ -192,13 +191,13 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
         const double height = (mesh.height[a] + mesh.height[b] + mesh.height[c]) / 3.0;
         return material_by_rules(scene, slope, height);
     };
-    const RingIndex owners(cuts.owned());
+    const RingIndex owners(cuts.owned()), grounds(cuts.ground());
     std::vector<std::int32_t> cut_of(mesh.triangle.size());
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<MaterialId> materials;
     std::vector<ObjectId> objects;
     for (std::size_t t = 0; t < cut_of.size(); ++t) {
-        const std::int32_t cut = cut_of[t] = cut_under(cuts, owners, mesh, t);
+        const std::int32_t cut = cut_of[t] = cut_under(cuts, owners, grounds, mesh, t);
         const int object = cut < 0 ? 0 : cuts.object[std::size_t(cut)];
         if (object == Cuts::nothing) continue;
         triangles.push_back(mesh.triangle[t]);
@@ -209,24 +208,23 @@ std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scen
     world.ground_facets = world.facets.size();
     world.border = border_facets(world.facets, sides_on_outline(dem, mesh, vertex));
 
-    std::vector<std::vector<Eigen::Vector3d>> borders;
+    std::vector<PlanBorders> borders;
     for (std::size_t i = 0; i < buildings.size(); ++i) {
-        const auto building = static_cast<std::int32_t>(cuts.first_building + i);
-        std::vector<Eigen::Vector3d> border;
-        for (const std::uint32_t v : border_of(mesh, cut_of, building)) {
-            border.push_back(vertex[v]);
+        PlanBorders& of_plan = borders.emplace_back();
+        for (const auto& line : borders_of(mesh, cut_of, cuts.of_plan[i])) {
+            auto& border = of_plan.emplace_back();
+            for (const std::uint32_t v : line) border.push_back(vertex[v]);
         }
-        borders.push_back(std::move(border));
     }
     return borders;
 }
 
-std::vector<Eigen::Vector3d> raster_border(const WalledPlan& plan, const Dem& dem,
+std::vector<Eigen::Vector3d> raster_border(const Ring& ring, double foot_edge, const Dem& dem,
                                            const Site& site) {
     std::vector<Eigen::Vector3d> border;
-    for (std::size_t i = 0; i < plan.ring.size(); ++i) {
-        const Eigen::Vector2d a = plan.ring[i], side = plan.ring[(i + 1) % plan.ring.size()] - a;
-        const int parts = std::max(1, static_cast<int>(std::ceil(side.norm() / plan.foot_edge)));
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Eigen::Vector2d a = ring[i], side = ring[(i + 1) % ring.size()] - a;
+        const int parts = std::max(1, static_cast<int>(std::ceil(side.norm() / foot_edge)));
         for (int k = 0; k < parts; ++k) {
             const Eigen::Vector2d p = a + side * (double(k) / parts);
             const Geodetic below = to_geodetic(site, {p.x(), p.y(), 0.0});

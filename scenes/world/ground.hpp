@@ -13,19 +13,22 @@
 /// The ground of a scene: elevation as triangles, each of its material.
 namespace diurna {
 
+/// The ground's borders at one building, vertex by vertex [m]: round it counterclockwise, in its
+/// courtyards clockwise.
+using PlanBorders = std::vector<std::vector<Eigen::Vector3d>>;
+
 /// Ground of the raster, one object per polygon; the shapes of files lie under the polygons and
 /// count as ground. Under `buildings` there is none: nobody sees it, and it would meet the walls
 /// from behind. Round them it is finer.
 ///
-/// Returns for each building the ground's border at it, vertex by vertex, counterclockwise [m];
-/// empty where that is not one simple line, as where plans overlap.
-std::vector<std::vector<Eigen::Vector3d>> append_ground(World& world, const Scene& scene,
-                                                        const Dem& dem,
-                                                        std::span<const WalledPlan> buildings);
+/// Returns for each building the ground's borders at it; empty where they are not simple lines, as
+/// where plans overlap.
+std::vector<PlanBorders> append_ground(World& world, const Scene& scene, const Dem& dem,
+                                       std::span<const WalledPlan> buildings);
 
-/// The raster's heights round a plan, as far apart as the ground's vertices there; empty where it
-/// lies outside or over a void.
-std::vector<Eigen::Vector3d> raster_border(const WalledPlan& plan, const Dem& dem,
+/// The raster's heights along a plan's ring, as far apart as the ground's vertices there,
+/// `foot_edge` [m]; empty where it lies outside or over a void.
+std::vector<Eigen::Vector3d> raster_border(const Ring& ring, double foot_edge, const Dem& dem,
                                            const Site& site);
 
 }  // namespace diurna

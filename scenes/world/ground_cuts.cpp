@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -162,6 +163,29 @@ std::vector<GroundPatch> patches_of(const Scene& scene, const Dem& dem, const Wo
     return all;
 }
 
+double area_of(const Ring& ring) {
+    double twice = 0.0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    return 0.5 * std::abs(twice);
+}
+
+/// In the order given, but if any has a courtyard the largest first: a building in the courtyard of
+/// another then stands in it.
+std::vector<std::size_t> outermost_first(std::span<const WalledPlan> plans) {
+    std::vector<std::size_t> order(plans.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    if (std::all_of(plans.begin(), plans.end(), [](const auto& p) { return p.hole.empty(); })) {
+        return order;
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return area_of(plans[a].ring) > area_of(plans[b].ring);
+    });
+    return order;
+}
+
 }  // namespace
 
 Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
@@ -185,11 +209,21 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
                  polygon.material.empty() ? 0 : object);
     }
     cuts.first_building = cuts.footprint.size();
-    for (const WalledPlan& plan : buildings) {
+    cuts.of_plan.resize(buildings.size());
+    for (const std::size_t i : outermost_first(buildings)) {
+        const WalledPlan& plan = buildings[i];
+        cuts.of_plan[i] = static_cast<std::int32_t>(cuts.footprint.size());
         cuts.add({.ring = raster_places(dem, site, plan.ring),
                   .largest_edge = plan.foot_edge,
                   .lattice = false},
                  "", Cuts::nothing);
+        for (const Ring& court : plan.hole) {
+            constexpr double most_triangles = 2000.0;
+            cuts.add({.ring = raster_places(dem, site, court),
+                      .largest_edge = plan.foot_edge,
+                      .lattice = area_of(court) < most_triangles * std::pow(plan.foot_edge, 2)},
+                     "", Cuts::courtyard);
+        }
     }
     for (const GroundPatch& patch : patches_of(scene, dem, world)) {
         cuts.footprint.push_back({raster_places(dem, site, patch.ring), patch.largest_edge});
@@ -222,16 +256,25 @@ std::vector<Ring> Cuts::owned() const {
     return rings;
 }
 
-std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const GroundMesh& mesh,
-                       std::size_t triangle) {
-    const std::int32_t f = mesh.footprint[triangle];
-    if (f < 0 || !cuts.is_patch(f)) return f;
-    const auto& [a, b, c] = mesh.triangle[triangle];
-    return owners.last_around((mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0);
+std::vector<Ring> Cuts::ground() const {
+    std::vector<Ring> rings;
+    for (std::size_t f = 0; f < first_building; ++f) rings.push_back(footprint[f].ring);
+    return rings;
 }
 
-std::vector<std::uint32_t> border_of(const GroundMesh& mesh, std::span<const std::int32_t> cut_of,
-                                     std::int32_t cut) {
+std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const RingIndex& ground,
+                       const GroundMesh& mesh, std::size_t triangle) {
+    std::int32_t f = mesh.footprint[triangle];
+    const auto& [a, b, c] = mesh.triangle[triangle];
+    const Eigen::Vector2d middle = (mesh.place[a] + mesh.place[b] + mesh.place[c]) / 3.0;
+    if (f >= 0 && cuts.is_patch(f)) f = owners.last_around(middle);
+    const bool court = f >= 0 && cuts.object[std::size_t(f)] == Cuts::courtyard;
+    return court ? ground.last_around(middle) : f;
+}
+
+std::vector<std::vector<std::uint32_t>> borders_of(const GroundMesh& mesh,
+                                                   std::span<const std::int32_t> cut_of,
+                                                   std::int32_t cut) {
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (std::size_t t = 0; t < cut_of.size(); ++t) {
         if (cut_of[t] != cut) continue;
@@ -243,15 +286,19 @@ std::vector<std::uint32_t> border_of(const GroundMesh& mesh, std::span<const std
         if (edges.count({b, a})) continue;
         if (!next.try_emplace(a, b).second) return {};
     }
-    if (next.empty()) return {};
-    std::vector<std::uint32_t> border{next.begin()->first};
-    while (border.size() <= next.size()) {
-        const auto after = next.find(border.back());
-        if (after == next.end()) return {};
-        if (after->second == border.front()) break;
-        border.push_back(after->second);
+    std::vector<std::vector<std::uint32_t>> borders;
+    while (!next.empty()) {
+        std::vector<std::uint32_t>& border = borders.emplace_back();
+        for (auto at = next.begin(); at != next.end();) {
+            border.push_back(at->first);
+            const std::uint32_t after = at->second;
+            next.erase(at);
+            if (after == border.front()) break;
+            at = next.find(after);
+            if (at == next.end()) return {};
+        }
     }
-    return border.size() == next.size() ? border : std::vector<std::uint32_t>{};
+    return borders;
 }
 
 }  // namespace diurna

@@ -19,17 +19,20 @@ namespace diurna {
 
 /// What stands with walls on the ground.
 struct WalledPlan {
-    Ring ring;               // counterclockwise; east, north [m]
-    double height = 5.0;     // over the ground [m]
-    double foot_edge = 0.5;  // of triangles on the ground at its walls, about [m]
+    Ring ring;                 // counterclockwise; east, north [m]
+    double height = 5.0;       // over the ground [m]
+    double foot_edge = 0.5;    // of triangles on the ground at its walls, about [m]
+    std::vector<Ring> hole{};  // courtyards, which are ground; clockwise
 };
 
 /// What cuts the ground, lowest first: shapes of files, polygons of the scene, the plans of
 /// buildings, and last what makes it finer round objects and walls, without material or object.
 struct Cuts {
-    static constexpr int nothing = -1;  // no ground at all
+    static constexpr int nothing = -1;    // no ground at all
+    static constexpr int courtyard = -2;  // the ground that lies under the building, as it is
 
-    std::size_t first_building = 0;  // footprint
+    std::size_t first_building = 0;     // footprint; those before are ground
+    std::vector<std::int32_t> of_plan;  // (plan) its footprint
 
     std::vector<Footprint> footprint;
     std::vector<std::string> material;  // (footprint) "": by land cover and rules
@@ -42,6 +45,8 @@ struct Cuts {
     }
     /// Rings of those that are no patches.
     std::vector<Ring> owned() const;
+    /// Those of them that are ground, whatever stands on it.
+    std::vector<Ring> ground() const;
     bool is_patch(std::int32_t f) const { return f >= static_cast<std::int32_t>(object.size()); }
 };
 
@@ -49,15 +54,17 @@ Cuts cuts_of(const Scene& scene, const Dem& dem, const World& world,
              std::span<const WalledPlan> buildings);
 
 /// The cut that a triangle belongs to, −1 for none. A patch around an object is ground of what it
-/// lies on.
+/// lies on, a courtyard that of what the building stands on.
 ///
 /// - owners: of cuts.owned()
-std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const GroundMesh& mesh,
-                       std::size_t triangle);
+/// - ground: of cuts.ground()
+std::int32_t cut_under(const Cuts& cuts, const RingIndex& owners, const RingIndex& ground,
+                       const GroundMesh& mesh, std::size_t triangle);
 
-/// The vertices round the triangles of one cut, counterclockwise; empty unless they are one simple
-/// line.
-std::vector<std::uint32_t> border_of(const GroundMesh& mesh, std::span<const std::int32_t> cut_of,
-                                     std::int32_t cut);
+/// The vertices round the triangles of one cut: outside counterclockwise, round its holes
+/// clockwise; none unless they are simple lines.
+std::vector<std::vector<std::uint32_t>> borders_of(const GroundMesh& mesh,
+                                                   std::span<const std::int32_t> cut_of,
+                                                   std::int32_t cut);
 
 }  // namespace diurna

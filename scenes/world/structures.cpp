@@ -65,8 +65,8 @@ std::vector<WalledPlan> walled_plans(const std::vector<BoxSpec>& boxes,
         plans.push_back({plan_of(spec), spec.height, foot_edge(spec)});
     }
     for (const auto& [prism, input] : shapes) {
-        plans.push_back(
-            {counterclockwise(prism.ring), prism.top - prism.bottom, prism.largest_edge});
+        plans.push_back({counterclockwise(prism.ring), prism.top - prism.bottom, prism.largest_edge,
+                         prism.hole});
     }
     return plans;
 }

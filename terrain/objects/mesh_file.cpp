@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
@@ -18,7 +19,12 @@ MeshFile read_mesh_file(const std::filesystem::path& file, const std::optional<C
         throw InputError(name, fmt::format("found a file \"{}\", expected one of {}", kind,
                                            fmt::join(known, " ")));
     }
-    const std::string text = read_text(file, most_mesh_bytes);
+    const std::string read = read_text(file, most_mesh_bytes);
+    if (read.starts_with("\xFF\xFE") || read.starts_with("\xFE\xFF")) {
+        throw InputError(name, "is text in UTF-16", "save it as UTF-8 or ASCII");
+    }
+    const std::string_view text =
+        std::string_view(read).substr(read.starts_with("\xEF\xBB\xBF") ? 3 : 0);
     if (kind == ".obj") return read_obj(name, text);
     if (kind == ".ply") return read_ply(name, text);
     if (kind == ".stl") return read_stl(name, text);

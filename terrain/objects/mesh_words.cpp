@@ -25,7 +25,34 @@ std::string hint_of(std::string_view word) {
     return word.find(',') != std::string_view::npos ? "the decimal separator is '.'" : "";
 }
 
+/// Whether a line is a comment, or a name: of a file or a part, in which a backslash is itself.
+bool is_free_text(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (line.starts_with('#')) return true;
+    const std::string_view word = line.substr(0, line.find_first_of(" \t"));
+    for (const char* known :
+         {"comment", "obj_info", "solid", "endsolid", "g", "o", "usemtl", "mtllib"}) {
+        if (is_keyword(word, known)) return true;
+    }
+    return false;
+}
+
 }  // namespace
+
+bool is_keyword(std::string_view word, std::string_view keyword) {
+    return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(), [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? char(a - 'A' + 'a') : a) == b;
+    });
+}
+
+void MeshLines::drop_comment() {
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+        const std::size_t sign = words_[i].find('#');
+        if (sign == std::string_view::npos) continue;
+        words_[i] = words_[i].substr(0, sign);
+        words_.resize(words_[i].empty() ? i : i + 1);
+    }
+}
 
 bool MeshLines::next() {
     words_.clear();
@@ -38,7 +65,7 @@ bool MeshLines::next() {
         const bool both = end != std::string_view::npos && rest_.starts_with('\n') &&
                           line.data()[line.size()] == '\r';
         if (both) rest_.remove_prefix(1);
-        more = line.ends_with('\\');
+        more = line.ends_with('\\') && !(words_.empty() && is_free_text(line));
         if (more) line.remove_suffix(1);
         if (line.size() > most_of_line && !line.starts_with("f ")) {
             throw InputError(where(), fmt::format("a line of {} bytes, expected at most {}",

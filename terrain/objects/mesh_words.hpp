@@ -12,8 +12,11 @@ class MeshLines {
  public:
     MeshLines(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
 
-    /// Goes on to the next line; false at the end. A backslash at its end joins the next (OBJ).
+    /// Goes on to the next line; false at the end. A backslash at the end of a line of numbers
+    /// joins the next (OBJ); comments and names may end with one.
     bool next();
+    /// Leaves out what stands behind the first '#': a comment behind the data of a line.
+    void drop_comment();
     const std::vector<std::string_view>& words() const { return words_; }
     /// "mesh.obj:41"
     std::string where() const { return name_ + ":" + std::to_string(line_); }
@@ -31,5 +34,8 @@ class MeshLines {
     std::vector<std::string_view> words_;
     std::size_t line_ = 0;
 };
+
+/// Whether a word is a keyword, in small letters, whatever letters it is written in.
+bool is_keyword(std::string_view word, std::string_view keyword);
 
 }  // namespace diurna

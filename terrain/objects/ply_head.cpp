@@ -28,7 +28,7 @@ PlyType type_named(const MeshLines& lines, std::string_view word) {
 
 PlyProperty read_property(const MeshLines& lines, const std::string& element) {
     const auto& words = lines.words();
-    const bool list = words.size() == 5 && words[1] == "list";
+    const bool list = words.size() == 5 && is_keyword(words[1], "list");
     if (!list && words.size() != 3) {
         throw InputError(lines.where(),
                          "expected property TYPE NAME, or property list TYPE TYPE "
@@ -44,6 +44,8 @@ PlyProperty read_property(const MeshLines& lines, const std::string& element) {
     }
     property.corners =
         element == "face" && list && (name == "vertex_indices" || name == "vertex_index");
+    property.strip =
+        element == "tristrips" && list && (name == "vertex_indices" || name == "vertex_index");
     return property;
 }
 
@@ -56,12 +58,13 @@ PlyHead read_lines_of_head(MeshLines& lines, std::size_t bytes) {
     }
     while (lines.next()) {
         const auto& words = lines.words();
-        if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
-        if (words[0] == "end_header") {
+        if (words.empty() || is_keyword(words[0], "comment") || is_keyword(words[0], "obj_info"))
+            continue;
+        if (is_keyword(words[0], "end_header")) {
             if (!format) throw InputError(lines.where(), "no line 'format' above it");
             return head;
         }
-        if (words[0] == "format" && words.size() == 3) {
+        if (is_keyword(words[0], "format") && words.size() == 3) {
             head.text = words[1] == "ascii";
             head.big = words[1] == "binary_big_endian";
             format = head.text || head.big || words[1] == "binary_little_endian";
@@ -69,7 +72,7 @@ PlyHead read_lines_of_head(MeshLines& lines, std::size_t bytes) {
                 throw InputError(lines.where(), fmt::format("found format '{}'", words[1]),
                                  "ascii, binary_little_endian or binary_big_endian");
             }
-        } else if (words[0] == "element" && words.size() == 3) {
+        } else if (is_keyword(words[0], "element") && words.size() == 3) {
             const long long rows = lines.whole(words[2]);
             if (rows < 0 || std::size_t(rows) > bytes) {
                 throw InputError(lines.where(),
@@ -83,7 +86,7 @@ PlyHead read_lines_of_head(MeshLines& lines, std::size_t bytes) {
             }
             head.element.push_back({std::string(words[1]), std::size_t(rows), {}});
             if (words[1] == "vertex") head.vertices = rows;
-        } else if (words[0] == "property" && !head.element.empty()) {
+        } else if (is_keyword(words[0], "property") && !head.element.empty()) {
             PlyElement& element = head.element.back();
             element.property.push_back(read_property(lines, element.name));
         } else {
@@ -107,9 +110,18 @@ void check_head(const std::string& name, const PlyHead& head) {
     if (with("vertex", [](const PlyProperty& p) { return p.axis >= 0; }) != 3) {
         throw InputError(name, "its vertices have not x, y and z once each");
     }
-    if (with("face", [](const PlyProperty& p) { return p.corners; }) != 1) {
-        throw InputError(name, "its faces have not one list vertex_indices");
+    const auto faces = with("face", [](const PlyProperty&p) { return p.corners; }),
+               strips = with("tristrips", [](const PlyProperty&p) { return p.strip; });
+    if (faces + strips == 1) return;
+    const bool has_faces = std::any_of(head.element.begin(), head.element.end(),
+                                       [](const PlyElement& e) { return e.name == "face"; });
+    if (!has_faces) {
+        throw InputError(name, "holds points and no faces: a point cloud; expected a mesh",
+                         "make a surface of it first, as MeshLab and CloudCompare do; of ground "
+                         "make a raster, as pdal writers.gdal does");
     }
+    throw InputError(name, "its faces have not one list vertex_indices",
+                     "expected property list uchar int vertex_indices, as most programs write it");
 }
 
 }  // namespace

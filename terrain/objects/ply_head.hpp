@@ -17,6 +17,7 @@ struct PlyProperty {
     PlyType count{};       // of a list
     int axis = -1;         // 0 to 2: x, y or z of a vertex
     bool corners = false;  // the corners of a face
+    bool strip = false;    // those of strips of triangles, −1 between them
 };
 
 struct PlyElement {
@@ -33,7 +34,7 @@ struct PlyHead {
 };
 
 /// Reads on to the line end_header. Throws InputError for what is no head of PLY, for vertices
-/// without x, y and z, for faces without one list of corners.
+/// without x, y and z, for faces without one list of corners (tristrips count as faces).
 ///
 /// - bytes: of the whole file, which hold fewer rows than that
 PlyHead read_ply_head(const std::string& name, MeshLines& lines, std::size_t bytes);

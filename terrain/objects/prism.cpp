@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "materials/base/error.hpp"
+#include "terrain/objects/cut_polygon.hpp"
+#include "terrain/objects/joined_ring.hpp"
 #include "terrain/objects/walls.hpp"
 
 namespace diurna {
@@ -69,15 +71,61 @@ ObjectMesh prism(const PrismSpec& spec) {
                   .foot = spec.foot,
                   .material = std::vector<MaterialId>(ring.size(), spec.wall)},
                  mesh);
+    std::vector<Ring> courts;
+    for (std::size_t i = 0; i < spec.hole.size(); ++i) {
+        Ring court = court_of(spec.hole[i]);
+        if (court.empty()) continue;
+        append_walls(
+            {.ring = court,
+             .bottom = spec.bottom,
+             .top = spec.top,
+             .side = spec.largest_edge,
+             .lowest_row = spec.largest_edge,
+             .foot = i < spec.hole_foot.size() ? spec.hole_foot[i] : std::vector<Eigen::Vector3d>{},
+             .material = std::vector<MaterialId>(court.size(), spec.wall)},
+            mesh);
+        courts.push_back(std::move(court));
+    }
     const auto roof = static_cast<std::uint32_t>(mesh.vertex.size());
-    for (const auto& p : ring) {
-        mesh.vertex.push_back(Eigen::Vector3d(p.x(), p.y(), spec.top).cast<float>());
+    const auto lay = [&](const Ring& corners,
+                         const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+        for (const auto& p : corners) {
+            mesh.vertex.push_back(Eigen::Vector3d(p.x(), p.y(), spec.top).cast<float>());
+        }
+        for (const auto& [a, b, c] : triangles) {
+            mesh.triangle.push_back({roof + a, roof + b, roof + c});
+            mesh.material.push_back(spec.roof);
+        }
+    };
+    if (courts.empty()) {
+        lay(ring, ears(ring, spec.where));
+        return mesh;
     }
-    for (const auto& [a, b, c] : ears(ring, spec.where)) {
-        mesh.triangle.push_back({roof + a, roof + b, roof + c});
-        mesh.material.push_back(spec.roof);
+    const auto joined = joined_ring(ring, courts);
+    std::vector<Eigen::Vector3d> corner;
+    for (const Eigen::Vector2d& p : joined.value_or(Ring{})) corner.emplace_back(p.x(), p.y(), 0.0);
+    const CutPolygon cut =
+        joined ? cut_polygon(corner) : CutPolygon{.triangle = {}, .sound = false};
+    if (!cut.sound) {
+        throw InputError(spec.where,
+                         "a hole of its plan crosses its border or another hole, or is not inside",
+                         "mend the polygon, or remove the hole: ogr2ogr -makevalid does");
     }
+    lay(*joined, cut.triangle);
     return mesh;
+}
+
+Ring court_of(const Ring& hole) {
+    constexpr double least_court = 0.1;  // [m²]
+    Ring court = counterclockwise(hole);
+    double twice = 0.0;
+    for (std::size_t i = 0; i < court.size(); ++i) {
+        const Eigen::Vector2d &a = court[i], &b = court[(i + 1) % court.size()];
+        twice += a.x() * b.y() - a.y() * b.x();
+    }
+    if (court.size() < 3 || !(0.5 * twice > least_court)) return {};
+    std::reverse(court.begin(), court.end());
+    return court;
 }
 
 }  // namespace diurna

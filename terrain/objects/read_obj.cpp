@@ -110,6 +110,10 @@ MeshFile read_obj(const std::string& name, std::string_view text) {
     bool named = false;  // `part` is of group and material
     while (lines.next()) {
         const auto& words = lines.words();
+        // Names may have a '#' in them, data cannot.
+        const bool named_line =
+            !words.empty() && (words[0] == "g" || words[0] == "o" || words[0] == "usemtl");
+        if (!named_line) lines.drop_comment();
         if (words.empty()) continue;
         if (words[0] == "v") {
             place.push_back(read_place(lines));

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include "materials/base/error.hpp"
@@ -33,7 +34,9 @@ void check_value(const std::string& where, double value, const PlyProperty& prop
         throw InputError(where, fmt::format("found {} = {:g}", property.name, value));
     }
     const bool whole = value == std::floor(value);
-    if (property.corners && !(whole && value >= 0.0 && value < double(head.vertices))) {
+    if (property.strip && value == -1.0) return;
+    if ((property.corners || property.strip) &&
+        !(whole && value >= 0.0 && value < double(head.vertices))) {
         throw InputError(
             where, fmt::format("found corner {:g}, expected 0 to {}", value, head.vertices - 1));
     }
@@ -51,9 +54,28 @@ struct Rows {
     void take(const PlyProperty& property, double value) {
         if (property.axis >= 0) place.back()[property.axis] = value;
         if (property.corners) corner.push_back(static_cast<std::uint32_t>(value));
+        if (property.strip) take_of_strip(value);
     }
     void finish(const PlyElement& element) {
         if (element.name == "face") end.push_back(corner.size());
+        if (element.name == "tristrips") strip.clear();
+    }
+
+ private:
+    std::vector<std::uint32_t> strip;  // as far as it goes
+
+    /// Each corner after the second makes a triangle with the two before, turned by turns; one with
+    /// a corner twice only joins strips.
+    void take_of_strip(double value) {
+        if (value < 0.0) return strip.clear();
+        strip.push_back(static_cast<std::uint32_t>(value));
+        const std::size_t n = strip.size();
+        if (n < 3) return;
+        std::uint32_t a = strip[n - 3], b = strip[n - 2], c = strip[n - 1];
+        if (a == b || b == c || a == c) return;
+        if (n % 2 == 0) std::swap(a, b);
+        corner.insert(corner.end(), {a, b, c});
+        end.push_back(corner.size());
     }
 };
 
@@ -77,7 +99,7 @@ void read_text_row(MeshLines& lines, const PlyElement& element, const PlyHead& h
         if (property.list) check_count(lines.where(), count = next(), property);
         for (double i = 0.0; i < count; ++i) {
             const double value = next();
-            if (property.axis >= 0 || property.corners) {
+            if (property.axis >= 0 || property.corners || property.strip) {
                 check_value(lines.where(), value, property, head);
             }
             rows.take(property, value);
@@ -149,7 +171,7 @@ void read_binary_row(Bytes& bytes, const std::string& where, const PlyElement& e
     for (const PlyProperty& property : element.property) {
         double count = 1.0;
         if (property.list) check_count(where, count = bytes.next(property.count), property);
-        if (property.axis < 0 && !property.corners) {
+        if (property.axis < 0 && !property.corners && !property.strip) {
             bytes.skip(std::size_t(count) * bytes_of(property.type));
             continue;
         }

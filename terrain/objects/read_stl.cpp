@@ -51,13 +51,13 @@ MeshFile read_text_stl(const std::string& name, std::string_view text) {
     while (lines.next()) {
         const auto& words = lines.words();
         if (words.empty()) continue;
-        if (words[0] == "solid") {
+        if (is_keyword(words[0], "solid")) {
             ended = false;
             solid = words.size() > 1 ? std::string(words[1]) : "";
         }
-        if (words[0] == "endsolid") ended = true;
-        if (words[0] == "facet") corners = 0;
-        if (words[0] == "vertex") {
+        if (is_keyword(words[0], "endsolid")) ended = true;
+        if (is_keyword(words[0], "facet")) corners = 0;
+        if (is_keyword(words[0], "vertex")) {
             if (words.size() != 4) {
                 throw InputError(lines.where(), fmt::format("found a vertex of {} numbers, "
                                                             "expected 3",
@@ -68,7 +68,7 @@ MeshFile read_text_stl(const std::string& name, std::string_view text) {
             if (corners >= 0 && corners < 3) corner[std::size_t(corners)] = mesh.vertex({x, y, z});
             ++corners;
         }
-        if (words[0] == "endfacet") {
+        if (is_keyword(words[0], "endfacet")) {
             if (corners != 3) {
                 throw InputError(lines.where(),
                                  fmt::format("found a facet of {} corners, expected 3", corners));
@@ -90,7 +90,7 @@ MeshFile read_stl(const std::string& name, std::string_view text) {
         return read_binary(name, text, facets);
     }
     const std::size_t begin = text.find_first_not_of(" \t\r\n");
-    if (begin != std::string_view::npos && text.substr(begin).starts_with("solid")) {
+    if (begin != std::string_view::npos && is_keyword(text.substr(begin, 5), "solid")) {
         return read_text_stl(name, text);
     }
     throw InputError(

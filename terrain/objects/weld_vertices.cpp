@@ -10,6 +10,7 @@
 #include "terrain/objects/mesh_pieces.hpp"
 #include "terrain/objects/near_vertices.hpp"
 #include "terrain/objects/small_holes.hpp"
+#include "terrain/objects/split_rims.hpp"
 
 namespace diurna {
 
@@ -30,25 +31,23 @@ double diagonal(const MeshFile& mesh) {
     return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
-/// (vertex) the shortest edge at it; -1 where it is no corner of a triangle. The short side of a
-/// needle, a triangle at whose end two corners were meant to be one, does not count.
-///
-/// - size: of the mesh
-std::vector<double> shortest_edges(const MeshFile& mesh, double size) {
+/// (vertex) the shortest edge at it; -1 where it is no corner of a triangle. An edge up to `needle`
+/// long, below a thousandth of another of its triangle, does not count: its ends are one place, and
+/// the triangle is a needle between them.
+std::vector<double> shortest_edges(const MeshFile& mesh, double needle) {
     constexpr double none = std::numeric_limits<double>::max();
-    constexpr double needle = 1e-4;  // short side over long side
     std::vector<double> shortest(mesh.vertex.size(), none);
+    constexpr double of_needle = 1e-3;
     for (const Corners& corner : mesh.triangle) {
-        std::array<double, 3> side{};
+        std::array<double, 3> edge{};
         for (std::size_t k = 0; k < 3; ++k) {
-            side[k] = (mesh.vertex[corner[k]] - mesh.vertex[corner[(k + 1) % 3]]).norm();
+            edge[k] = (mesh.vertex[corner[k]] - mesh.vertex[corner[(k + 1) % 3]]).norm();
         }
-        const double meant_as_one =
-            std::min(everywhere * size, needle * *std::max_element(side.begin(), side.end()));
+        const double longest = *std::max_element(edge.begin(), edge.end());
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = corner[k], b = corner[(k + 1) % 3];
-            const double length = side[k];
-            if (length <= meant_as_one) continue;
+            const double length = edge[k];
+            if (length == 0.0 || (length <= needle && length < of_needle * longest)) continue;
             shortest[a] = std::min(shortest[a], length);
             shortest[b] = std::min(shortest[b], length);
         }
@@ -176,20 +175,29 @@ bool is_joined(const MeshPieces& pieces) { return pieces.rims.empty() && pieces.
 
 WeldedVertices weld_vertices(MeshFile& mesh) {
     WeldedVertices welded;
-    const double size = diagonal(mesh);
-    join(mesh, near_vertices(mesh.vertex, shortest_edges(mesh, size), everywhere * size), welded);
+    const double size = diagonal(mesh), needle = everywhere * size;
+    join(mesh, near_vertices(mesh.vertex, shortest_edges(mesh, needle), needle), welded);
     MeshPieces pieces = mesh_pieces(mesh.vertex, mesh.triangle);
     for (const double share : along_rims) {
         if (is_joined(pieces)) return welded;
         const Trial trial =
-            try_rims(mesh, pieces, shortest_edges(mesh, size), share * size, share <= of_sheets);
+            try_rims(mesh, pieces, shortest_edges(mesh, needle), share * size, share <= of_sheets);
         if (trial.farthest == 0.0) continue;
         welded.closed += trial.closed;
         join(mesh, trial.into, welded);
         pieces = mesh_pieces(mesh.vertex, mesh.triangle);
     }
     if (pieces.rims.empty()) return welded;
-    const Trial trial = try_rims(mesh, pieces, shortest_edges(mesh, size), nearly * size, false);
+    // Corners that lie beside an edge, in place of corners beside corners.
+    const SplitRims split = split_rims(mesh, pieces, along_rims.back() * size);
+    if (split.closed > 0) {
+        welded.split = split.vertices;
+        welded.farthest_split = split.farthest;
+        welded.closed += split.closed;
+        pieces = mesh_pieces(mesh.vertex, mesh.triangle);
+        if (pieces.rims.empty()) return welded;
+    }
+    const Trial trial = try_rims(mesh, pieces, shortest_edges(mesh, needle), nearly * size, false);
     welded.nearly_closed = trial.closed;  // not joined
     welded.gap = trial.closed > 0 ? trial.farthest : 0.0;
     welded.gap_edges = trial.edges;
@@ -202,11 +210,19 @@ WeldedVertices weld_vertices(MeshFile& mesh) {
 }
 
 std::string welded_note(const WeldedVertices& welded) {
-    if (welded.joined == 0) return "";
-    std::string note = fmt::format(
-        "{} vertices up to {:.2g} (the file's unit) from others were "
-        "joined to them",
-        welded.joined, welded.farthest);
+    std::string note;
+    if (welded.joined > 0) {
+        note = fmt::format(
+            "{} vertices up to {:.2g} (the file's unit) from others were "
+            "joined to them",
+            welded.joined, welded.farthest);
+    }
+    if (welded.split > 0) {
+        note += fmt::format(
+            "{}{} vertices up to {:.2g} (the file's unit) from an edge were joined to it",
+            note.empty() ? "" : "; ", welded.split, welded.farthest_split);
+    }
+    if (note.empty()) return note;
     if (welded.closed > 0) note += fmt::format("; pieces that it closed: {}", welded.closed);
     if (welded.collapsed > 0) {
         note +=
@@ -224,7 +240,7 @@ std::string nearly_closed_warning(const WeldedVertices& welded) {
     const std::string gap =
         welded.gap > 0.0 ? fmt::format("{} open edges with gaps up to {:.2g} (the file's unit)",
                                        welded.gap_edges, welded.gap)
-                         : fmt::format("holes of {:.3g} % of the area", 100.0 * welded.hole_share);
+                         : fmt::format("holes of {:.2g} % of the area", 100.0 * welded.hole_share);
     return fmt::format("{}, with {}: counted as a sheet with two sides", pieces, gap);
 }
 

@@ -5,10 +5,11 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
-#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "materials/base/error.hpp"
+#include "terrain/raster/zip_archive.hpp"
 
 namespace diurna {
 
@@ -25,7 +26,7 @@ bool is_finite_number(const std::string& word) {
 }  // namespace
 
 void check_ascii_grid(const std::filesystem::path& file, std::size_t posts) {
-    std::ifstream text(file);
+    std::istringstream text(unpacked_text(file));
     std::string word, value;
     // The header is pairs of a keyword and a value; heights begin where no keyword stands.
     bool in_header = true;

@@ -13,13 +13,14 @@
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
+#include "terrain/raster/raster_reference.hpp"
 
 namespace diurna {
 
 namespace {
 
 constexpr double most_cells = 5e8;
-const char* const class_drivers[] = {"GTiff", "AAIGrid", "ENVI", "netCDF", nullptr};
+const char* const class_drivers[] = {"GTiff", "AAIGrid", "ENVI", "netCDF", "EHdr", "HFA", nullptr};
 
 /// Row by row; throws InputError for a class that is no whole number.
 std::vector<std::int32_t> read_classes(GDALRasterBand& band, const ClassRaster& raster) {
@@ -57,9 +58,9 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
                               const std::optional<Confines>& confines) {
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
-    const auto data =
-        open_gdal_file(file, GDAL_OF_RASTER, class_drivers,
-                       "known formats: GeoTIFF, ESRI ASCII, ENVI, netCDF", gdal, gate);
+    const auto data = open_gdal_file(
+        file, GDAL_OF_RASTER, class_drivers,
+        "known formats: GeoTIFF, ESRI ASCII, ESRI .bil, ENVI, Erdas .img, netCDF", gdal, gate);
     ClassRaster raster;
     raster.source = file.string();
     raster.columns = data->GetRasterXSize();
@@ -73,10 +74,10 @@ ClassRaster read_class_raster(const std::filesystem::path& file,
                          fmt::format("claims {} x {} cells but has only {} bytes", raster.columns,
                                      raster.rows, std::filesystem::file_size(file)));
     }
-    const OGRSpatialReference* reference = data->GetSpatialRef();
+    const auto reference = raster_reference(*data, file);
     if (data->GetGeoTransform(raster.transform.data()) != CE_None ||
         !(std::abs(pixel_area(raster.transform)) > 0.0) ||  // of nan, too
-        !std::isfinite(pixel_area(raster.transform)) || !reference || reference->IsEmpty()) {
+        !std::isfinite(pixel_area(raster.transform)) || !reference) {
         throw InputError(raster.source, "has no georeference or names no CRS");
     }
     raster.crs_wkt = wkt_of(*reference);

@@ -20,14 +20,16 @@
 #include "terrain/raster/gdal_file.hpp"
 #include "terrain/raster/geotransform.hpp"
 #include "terrain/raster/quiet_gdal.hpp"
+#include "terrain/raster/raster_names.hpp"
+#include "terrain/raster/raster_reference.hpp"
 #include "terrain/raster/zip_archive.hpp"
 
 namespace diurna {
 
 namespace {
 
-const char* const allowed_drivers[] = {"GTiff",   "DTED", "SRTMHGT", "USGSDEM",
-                                       "AAIGrid", "ENVI", "netCDF",  nullptr};
+const char* const allowed_drivers[] = {"GTiff", "DTED",   "SRTMHGT", "USGSDEM", "AAIGrid",
+                                       "ENVI",  "netCDF", "EHdr",    "HFA",     nullptr};
 
 GDALDatasetUniquePtr open(const std::string& name) {
     return GDALDatasetUniquePtr(
@@ -38,8 +40,9 @@ GDALDatasetUniquePtr open(const std::string& name) {
 /// an elevation.
 GDALDatasetUniquePtr open_elevation_variable(GDALDataset& file, const std::string& where) {
     const std::vector<std::string> wanted{
-        "dem",  "elevation", "height",           "altitude",  "z",  "topo",
-        "elev", "Band1",     "surface_altitude", "orography", "HGT"};
+        "dem",        "elevation", "height", "altitude",         "z",           "topo",
+        "topography", "elev",      "band1",  "surface_altitude", "hgt",         "orography",
+        "orog",       "terrain",   "hsurf",  "surface_height",   "geopotential"};
     CSLConstList list = file.GetMetadata("SUBDATASETS");
     std::string offered;
     for (int i = 1;
@@ -47,11 +50,14 @@ GDALDatasetUniquePtr open_elevation_variable(GDALDataset& file, const std::strin
          ++i) {
         const std::string full = name;
         const std::string variable = full.substr(full.find_last_of(":/") + 1);
-        if (std::find(wanted.begin(), wanted.end(), variable) != wanted.end()) return open(full);
+        const std::string small = small_letters(variable);
+        if (std::find(wanted.begin(), wanted.end(), small) != wanted.end()) return open(full);
         offered += (offered.empty() ? "" : ", ") + variable;
     }
-    throw InputError(where, "holds no elevation that can be told by its name",
-                     offered.empty() ? "" : "variables: " + offered);
+    throw InputError(where,
+                     "holds several variables, and none has a usual name of elevation" +
+                         (offered.empty() ? "" : ": " + offered),
+                     "gdal_translate NETCDF:" + where + ":NAME elevation.tif takes out one");
 }
 
 GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietGdal& gdal,
@@ -69,9 +75,12 @@ GDALDatasetUniquePtr open_raster(const std::filesystem::path& file, const QuietG
     auto raster = open(gdal_raster_name(file));
     gate.check();
     if (!raster) {
-        throw InputError(where, "cannot be read as elevation" + gdal.because(),
-                         "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, ENVI, "
-                         "netCDF");
+        throw InputError(
+            where, "cannot be read as elevation" + gdal.because(),
+            unread_hint(file,
+                        "known formats: GeoTIFF, DTED, SRTM HGT, USGS DEM, ESRI ASCII, "
+                        "ESRI .bil and .flt, ENVI, Erdas .img, netCDF; gdal_translate "
+                        "IN OUT.tif makes GeoTIFF of others"));
     }
     if (raster->GetRasterCount() == 0) raster = open_elevation_variable(*raster, where);
     if (!raster || raster->GetRasterCount() == 0) {
@@ -132,8 +141,8 @@ void read_georeference(GDALDataset& raster, Dem& dem) {
         throw InputError(dem.source,
                          fmt::format("found a cell size of {}; expected more than 0", t[1]));
     }
-    const OGRSpatialReference* reference = raster.GetSpatialRef();
-    if (!reference || reference->IsEmpty() || reference->IsLocal()) {
+    const auto reference = raster_reference(raster, dem.source);
+    if (!reference) {
         throw InputError(
             dem.source, "names no coordinate reference system",
             "gdal_translate -a_srs EPSG:... writes one, of ESRI ASCII a .prj file beside it does");

@@ -4,10 +4,15 @@
 #include <ogr_spatialref.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
+#include <sstream>
 #include <string>
+#include <system_error>
 
+#include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
+#include "materials/base/files.hpp"
 #include "terrain/raster/band_mask.hpp"
 #include "terrain/raster/height_unit.hpp"
 
@@ -15,7 +20,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double lowest = -12e3, highest = 10e3;  // heights on Earth [m], with some room
+constexpr double lowest = -12e3, highest = 9e3;  // heights on Earth [m], with some room
 
 constexpr const char* unit_hint =
     "terrain.height_unit says what they are: m, dm, cm, km, ft, us_ft or geopotential";
@@ -47,6 +52,29 @@ std::string map_unit(const OGRSpatialReference* reference) {
     return metres == 1.0 || name == nullptr ? "" : name;
 }
 
+/// 9999, 65535 and the like, which programs write where nothing was measured.
+bool is_code(double value) {
+    const std::string digits = fmt::format("{:g}", value);
+    return digits.find_first_not_of('9') == std::string::npos || value == 65535.0;
+}
+
+/// "Zunits FEET" of an old ESRI .prj beside the raster, which GDAL passes over; "" without one.
+std::string unit_beside(const std::string& file) {
+    for (const std::filesystem::path& beside :
+         {std::filesystem::path(file).replace_extension(".prj"),
+          std::filesystem::path(file).replace_extension(".PRJ")}) {
+        std::error_code none;
+        if (!std::filesystem::is_regular_file(beside, none)) continue;
+        std::istringstream text(read_text(beside, 1u << 16));
+        for (std::string word, unit; text >> word;) {
+            if (small_letters(word) != "zunits" || !(text >> unit)) continue;
+            const std::string small = small_letters(unit);
+            return small == "no" || small == "none" ? "" : unit;
+        }
+    }
+    return "";
+}
+
 /// What a raster's heights are multiplied by, and the unit for messages.
 struct TakenUnit {
     double metres;
@@ -68,6 +96,15 @@ TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOp
     if (options.unit) return converted(*options.unit, "that height_unit names");
     if (const std::string named = named_unit(band); !named.empty()) {
         const auto unit = height_unit(named);
+        const double vertical = vertical_unit(raster.GetSpatialRef());
+        if (unit && vertical > 0.0 && std::abs(vertical / unit->metres - 1.0) > 1e-4) {
+            dem.warnings.push_back(
+                {dem.source,
+                 fmt::format("its heights have the unit {}, but the vertical axis of its CRS has "
+                             "{:.7g} m: they are taken as {}",
+                             unit->name, vertical, unit->name),
+                 unit_hint});
+        }
         if (!unit) {
             throw InputError(dem.source,
                              fmt::format("its heights have the unit '{}', expected metre, foot, "
@@ -80,6 +117,20 @@ TakenUnit unit_of_heights(GDALDataset& raster, GDALRasterBand& band, const DemOp
     const OGRSpatialReference* reference = raster.GetSpatialRef();
     if (const double metres = vertical_unit(reference); metres > 0.0) {
         return converted(metres, "of the vertical axis of its CRS");
+    }
+    if (const std::string named = unit_beside(dem.source); !named.empty()) {
+        double per_metre = 0.0;  // a number: units in a metre
+        if (parse_number(named, per_metre) && per_metre > 0.0) {
+            return converted(1.0 / per_metre, "that Zunits of its .prj names");
+        }
+        const auto unit = height_unit(named);
+        if (!unit) {
+            throw InputError(dem.source,
+                             fmt::format("Zunits of its .prj are '{}', expected METERS or FEET",
+                                         named.substr(0, 40)),
+                             unit_hint);
+        }
+        return converted(unit->metres, unit->name + std::string(" (Zunits of its .prj)"));
     }
     if (const std::string map = map_unit(reference); !map.empty()) {
         dem.warnings.push_back({dem.source,
@@ -121,13 +172,18 @@ void read_heights(GDALDataset& raster, const PostWindow& window, const DemOption
                 height = std::numeric_limits<float>::quiet_NaN();
                 continue;
             }
+            const float stored = height;
             height = static_cast<float>(scale * height + offset);
             if (height > highest) {
                 throw InputError(dem.source,
                                  fmt::format("found a height of {:.0f} m, with the unit {}; "
                                              "nothing on Earth is so high",
                                              height, unit.name),
-                                 unit_hint);
+                                 is_code(stored)
+                                     ? fmt::format("where {0:g} means that nothing was measured: "
+                                                   "gdal_translate -a_nodata {0:g} IN OUT.tif",
+                                                   stored)
+                                     : unit_hint);
             }
         }
     }

@@ -8,6 +8,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files_read.hpp"
 #include "materials/base/hdf5_file.hpp"
+#include "terrain/raster/raster_names.hpp"
 #include "terrain/raster/zip_archive.hpp"
 
 namespace diurna {
@@ -27,12 +28,14 @@ GDALDatasetUniquePtr open_gdal_file(const std::filesystem::path& file, unsigned 
     }
     note_file_read(file);
     check_values_are_its_own(file);
-    const std::string name = (kind & GDAL_OF_RASTER) != 0
-                                 ? gdal_raster_name(file)
-                                 : std::filesystem::absolute(file).lexically_normal().string();
+    const std::string name =
+        (kind & GDAL_OF_RASTER) != 0 ? gdal_raster_name(file) : gdal_vector_name(file);
     GDALDatasetUniquePtr data(GDALDataset::Open(name.c_str(), kind | GDAL_OF_READONLY, drivers));
     gate.check();
-    if (!data) throw InputError(file.string(), "cannot be read" + gdal.because(), formats);
+    if (!data) {
+        throw InputError(file.string(), "cannot be read" + gdal.because(),
+                         unread_hint(file, formats));
+    }
     look_beside(*data, gate);
     check_bands(*data, file.string());
     return data;

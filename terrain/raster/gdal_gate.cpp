@@ -21,9 +21,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::array gate_drivers{"GTiff", "DTED",   "SRTMHGT",       "USGSDEM", "AAIGrid",
-                                  "ENVI",  "netCDF", "PNG",           "JPEG",    "GeoJSON",
-                                  "GPKG",  "MEM",    "ESRI Shapefile"};
+constexpr std::array gate_drivers{
+    "GTiff",      "DTED",   "SRTMHGT",    "USGSDEM", "AAIGrid", "ENVI",
+    "netCDF",     "PNG",    "JPEG",       "GeoJSON", "GPKG",    "ESRI Shapefile",
+    "GeoJSONSeq", "LIBKML", "FlatGeobuf", "EHdr",    "HFA",     "MEM"};
 constexpr std::array file_systems{"/vsimem/", "/vsizip/", "/vsigzip/"};  // beside the disk
 
 thread_local GdalGate* gate = nullptr;

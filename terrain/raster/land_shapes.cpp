@@ -19,7 +19,11 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t most_corners = 1'000'000;
-const char* const shape_drivers[] = {"GeoJSON", "ESRI Shapefile", "GPKG", nullptr};
+const char* const shape_drivers[] = {"GeoJSON",    "GeoJSONSeq", "ESRI Shapefile", "GPKG",
+                                     "FlatGeobuf", "LIBKML",     nullptr};
+constexpr const char* shape_formats =
+    "known formats: GeoJSON (also a feature a line), ESRI Shapefile (its .shp, or a zip of all its "
+    "files), GeoPackage, KML, KMZ, FlatGeobuf; ogr2ogr shapes.gpkg FILE makes GeoPackage of others";
 
 struct NoPlace {
     std::string corner;
@@ -120,23 +124,69 @@ double height_of(const OGRFeature& feature, int field, const std::string& where)
     return *height;
 }
 
+/// Layers that are read: the one named, all, or the only one that has features with shapes.
+std::vector<OGRLayer*> layers_of(GDALDataset& data, const std::string& layer,
+                                 const std::filesystem::path& file) {
+    std::vector<OGRLayer*> all, shaped;
+    std::vector<std::string> names;
+    for (OGRLayer* one : data.GetLayers()) {
+        all.push_back(one);
+        const bool shapes = one->GetGeomType() != wkbNone &&
+                            wkbFlatten(one->GetGeomType()) != wkbPoint &&
+                            one->GetFeatureCount() != 0;
+        if (!shapes) continue;
+        shaped.push_back(one);
+        names.emplace_back(one->GetName());
+    }
+    if (layer == "*") return all;
+    if (!layer.empty()) {
+        for (OGRLayer* one : all) {
+            if (layer == one->GetName()) return {one};
+        }
+        const std::string hint = did_you_mean(layer, names);
+        throw InputError(file.string(), fmt::format("has no layer \"{}\"", layer),
+                         hint.empty() ? fmt::format("layers: {}", fmt::join(names, ", ")) : hint);
+    }
+    if (shaped.size() > 1) {
+        throw InputError(
+            file.string(),
+            fmt::format("has {} layers of shapes: {}", shaped.size(), fmt::join(names, ", ")),
+            fmt::format("name one: layer = \"{}\", or layer = \"*\" for all of them",
+                        names.front()));
+    }
+    return shaped.empty() ? all : shaped;
+}
+
 }  // namespace
 
-std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std::string& kind_field,
-                                   const std::string& height_field,
-                                   const std::optional<Confines>& confines) {
+std::vector<ShapeLayer> shape_layers(const std::filesystem::path& file,
+                                     const std::optional<Confines>& confines) {
     const QuietGdal gdal;
     const GdalGate gate(confines ? *confines : confines_of(file));
     const auto data =
-        open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers,
-                       "known formats: GeoJSON, ESRI Shapefile, GeoPackage", gdal, gate);
+        open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers, shape_formats, gdal, gate);
+    std::vector<ShapeLayer> layers;
+    for (OGRLayer* one : data->GetLayers()) {
+        layers.push_back({one->GetName(), one->GetFeatureCount()});
+    }
+    return layers;
+}
+
+std::vector<LandShape> read_shapes(const std::filesystem::path& file, const std::string& kind_field,
+                                   const std::string& height_field,
+                                   const std::optional<Confines>& confines,
+                                   const std::string& layer_name) {
+    const QuietGdal gdal;
+    const GdalGate gate(confines ? *confines : confines_of(file));
+    const auto data =
+        open_gdal_file(file, GDAL_OF_VECTOR, shape_drivers, shape_formats, gdal, gate);
     // A CRS that is to be fetched, or read of another file, would be WGS84 in place of it.
     if (!gdal.because().empty()) {
         throw InputError(file.string(), "cannot be read as it stands" + gdal.because());
     }
     std::vector<LandShape> shapes;
     std::size_t corners = 0, features = 0;
-    for (OGRLayer* layer : data->GetLayers()) {
+    for (OGRLayer* layer : layers_of(*data, layer_name, file)) {
         const int kind = field_index(*layer, kind_field, file.string());
         const int height = field_index(*layer, height_field, file.string());
         const OGRSpatialReference* named = layer->GetSpatialRef();

@@ -23,15 +23,28 @@ struct LandShape {
     std::vector<std::vector<Geodetic>> hole;
 };
 
-/// Reads all polygons and lines of a GeoJSON, ESRI Shapefile or GeoPackage; parts of a multi-shape
-/// one by one. A height is a number of metres or a text with its unit (written_height.hpp). Throws
-/// InputError for a missing or damaged file, one without CRS, a field that no layer has, a text
-/// that is no height, or more than a million corners.
+/// Reads all polygons and lines of a GeoJSON (also a feature a line), ESRI Shapefile, GeoPackage,
+/// KML, KMZ or FlatGeobuf, also of the one in a zip archive or a .gz; parts of a multi-shape one by
+/// one. A height is a number of metres or a text with its unit (written_height.hpp). Throws
+/// InputError for a missing or damaged file, one without CRS, several layers with shapes of which
+/// none is named, a field that the layer lacks, a text that is no height, or more than a million
+/// corners.
 ///
 /// - confines: of its sidecars; without, those of its folder
+/// - layer: of a file of several; "": it has one that holds shapes; "*": all of them
 std::vector<LandShape> read_shapes(const std::filesystem::path& file,
                                    const std::string& kind_field = "",
                                    const std::string& height_field = "",
-                                   const std::optional<Confines>& confines = {});
+                                   const std::optional<Confines>& confines = {},
+                                   const std::string& layer = "");
+
+/// A layer of a vector file and how many features it has.
+struct ShapeLayer {
+    std::string name;
+    long long features = 0;
+};
+/// Throws InputError as read_shapes().
+std::vector<ShapeLayer> shape_layers(const std::filesystem::path& file,
+                                     const std::optional<Confines>& confines = {});
 
 }  // namespace diurna

@@ -10,14 +10,15 @@
 #include "materials/base/error.hpp"
 #include "terrain/raster/band_mask.hpp"
 #include "terrain/raster/gdal_file.hpp"
+#include "terrain/raster/raster_reference.hpp"
 
 namespace diurna {
 
 namespace {
 
 constexpr double most_values = 1e9;
-const char* const facts_drivers[] = {"GTiff", "PNG",     "JPEG",    "ENVI",   "AAIGrid",
-                                     "DTED",  "SRTMHGT", "USGSDEM", "netCDF", nullptr};
+const char* const facts_drivers[] = {"GTiff", "PNG",     "JPEG",    "ENVI",   "AAIGrid", "EHdr",
+                                     "DTED",  "SRTMHGT", "USGSDEM", "netCDF", "HFA",     nullptr};
 
 BandFacts facts_of(GDALRasterBand& band, const std::string& where, const QuietGdal& gdal) {
     BandFacts facts{.name = band.GetDescription(),
@@ -54,6 +55,20 @@ BandFacts facts_of(GDALRasterBand& band, const std::string& where, const QuietGd
     return facts;
 }
 
+/// Of netCDF with several variables: "elevation (21x21, 32-bit floating-point)".
+std::vector<std::string> variables_of(GDALDataset& data) {
+    std::vector<std::string> variables;
+    CSLConstList list = data.GetMetadata("SUBDATASETS");
+    for (int i = 1;; ++i) {
+        const char* name = CSLFetchNameValue(list, fmt::format("SUBDATASET_{}_NAME", i).c_str());
+        const char* says = CSLFetchNameValue(list, fmt::format("SUBDATASET_{}_DESC", i).c_str());
+        if (name == nullptr) return variables;
+        const std::string full = name;
+        variables.push_back(full.substr(full.find_last_of(":/") + 1) +
+                            (says != nullptr ? fmt::format(": {}", says) : ""));
+    }
+}
+
 }  // namespace
 
 RasterFacts read_raster_facts(const std::filesystem::path& file,
@@ -72,7 +87,8 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
                       .band = {},
                       .transform = std::nullopt,
                       .crs = "",
-                      .unit = ""};
+                      .unit = "",
+                      .variable = variables_of(*data)};
     const double pixels = double(facts.columns) * facts.rows;
     double bytes = 0.0;
     for (GDALRasterBand* band : data->GetBands()) {
@@ -86,7 +102,7 @@ RasterFacts read_raster_facts(const std::filesystem::path& file,
     }
     GeoTransform transform{};
     if (data->GetGeoTransform(transform.data()) == CE_None) facts.transform = transform;
-    if (const OGRSpatialReference* crs = data->GetSpatialRef()) {
+    if (const auto crs = raster_reference(*data, file)) {
         facts.crs = crs->GetName() != nullptr ? crs->GetName() : "unnamed";
         if (const char* code = crs->GetAuthorityCode(nullptr)) {
             facts.crs += fmt::format(" ({}:{})", crs->GetAuthorityName(nullptr), code);

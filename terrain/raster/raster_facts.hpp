@@ -33,6 +33,7 @@ struct RasterFacts {
     std::optional<GeoTransform> transform;
     std::string crs;   // its name, with the authority's code if it has one; "": none
     std::string unit;  // of map places: "metre", "degree"; "": none
+    std::vector<std::string> variable{};  // of netCDF with several, which has no bands
 };
 
 /// Reads GeoTIFF, PNG, JPEG, ENVI, ESRI ASCII, DTED, SRTM, USGS DEM, netCDF (of several

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <string_view>
 
@@ -28,11 +30,62 @@ std::string inside(const std::filesystem::path& file) {
     return "/vsizip/{" + absolute_name(file) + "}";
 }
 
-bool is_elevation_name(const std::string& member) {
+/// Whether a name ends in one of some endings, in small or capital letters.
+bool ends_in(const std::string& member, std::initializer_list<const char*> endings) {
     const std::string ends = small_letters(std::filesystem::path(member).extension().string());
-    constexpr std::array known{".hgt", ".tif", ".tiff", ".dt0", ".dt1", ".dt2", ".asc", ".dem"};
-    return std::find(known.begin(), known.end(), ends) != known.end();
+    return std::find(endings.begin(), endings.end(), ends) != endings.end();
 }
+
+/// Files that an archiver adds of itself: "__MACOSX/._N36W085.hgt", ".DS_Store".
+bool is_by_the_way(const std::string& member) {
+    const std::string name = std::filesystem::path(member).filename().string();
+    return member.starts_with("__MACOSX/") || member.find("/__MACOSX/") != std::string::npos ||
+           name.starts_with('.');
+}
+
+bool is_raster_name(const std::string& member, const std::vector<std::string>& members) {
+    if (ends_in(member, {".hgt", ".tif", ".tiff", ".dt0", ".dt1", ".dt2", ".asc", ".dem", ".bil",
+                         ".bip", ".bsq", ".flt", ".img", ".png", ".jpg", ".jpeg", ".nc"})) {
+        return true;
+    }
+    if (ends_in(member, {".hdr", ".prj", ".xml", ".txt", ".pdf", ".stx", ".clr"})) return false;
+    const std::string stem = std::filesystem::path(member).replace_extension(".hdr").string();
+    return std::find(members.begin(), members.end(), stem) != members.end() ||
+           std::find(members.begin(), members.end(), member + ".hdr") != members.end();
+}
+
+bool is_shape_name(const std::string& member) {
+    return ends_in(
+        member, {".shp", ".gpkg", ".geojson", ".json", ".geojsonl", ".geojsons", ".kml", ".fgb"});
+}
+
+/// GDAL's name of the one member that is wanted. `what` names it; `several` is the advice where
+/// there are more.
+std::string member_name(const std::filesystem::path& file, const std::vector<std::string>& members,
+                        const std::vector<std::string>& wanted, const char* what,
+                        const char* several) {
+    if (wanted.size() == 1) return inside(file) + "/" + wanted.front();
+    const auto shown = std::ptrdiff_t(std::min<std::size_t>(members.size(), 6));
+    if (wanted.empty()) {
+        throw InputError(file.string(),
+                         fmt::format("is a zip archive without a {}; it holds {}{}", what,
+                                     fmt::join(members.begin(), members.begin() + shown, ", "),
+                                     shown < std::ptrdiff_t(members.size()) ? " ..." : ""));
+    }
+    throw InputError(
+        file.string(),
+        fmt::format("is a zip archive of {} {}s, expected one: {}, {}{}", wanted.size(), what,
+                    wanted[0], wanted[1], wanted.size() > 2 ? " ..." : ""),
+        several);
+}
+
+std::vector<std::string> own_members(const std::filesystem::path& file) {
+    std::vector<std::string> members = zip_members(file);
+    std::erase_if(members, is_by_the_way);
+    return members;
+}
+
+bool is_gz_name(const std::string& path) { return small_letters(path).ends_with(".gz"); }
 
 }  // namespace
 
@@ -91,22 +144,51 @@ std::vector<std::byte> zip_member(const std::filesystem::path& file, const std::
 
 std::string gdal_raster_name(const std::filesystem::path& file) {
     const std::string path = absolute_name(file);
-    if (small_letters(path).ends_with(".hgt.gz")) return "/vsigzip/" + path;
+    if (is_gz_name(path)) return "/vsigzip/" + path;
     if (!is_zip(file)) return path;
-    const std::vector<std::string> members = zip_members(file);
+    const std::vector<std::string> members = own_members(file);
     std::vector<std::string> rasters;
-    std::copy_if(members.begin(), members.end(), std::back_inserter(rasters), is_elevation_name);
-    if (rasters.size() == 1) return inside(file) + "/" + rasters.front();
-    const auto shown = std::min<std::size_t>(members.size(), 6);
-    throw InputError(
-        file.string(),
-        rasters.empty()
-            ? fmt::format("is a zip archive without a raster; it holds {}{}",
-                          fmt::join(members.begin(), members.begin() + std::ptrdiff_t(shown), ", "),
-                          shown < members.size() ? " ..." : "")
-            : fmt::format("is a zip archive of {} rasters, expected one: {}, {}{}", rasters.size(),
-                          rasters[0], rasters[1], rasters.size() > 2 ? " ..." : ""),
-        rasters.empty() ? "" : "unpack it and name one, or several as more_tiles");
+    std::copy_if(members.begin(), members.end(), std::back_inserter(rasters),
+                 [&](const std::string& name) { return is_raster_name(name, members); });
+    return member_name(file, members, rasters, "raster",
+                       "unpack it and name one, or several as more_tiles");
+}
+
+std::string gdal_vector_name(const std::filesystem::path& file) {
+    const std::string path = absolute_name(file);
+    if (is_gz_name(path)) return "/vsigzip/" + path;
+    if (!is_zip(file)) return path;
+    const std::vector<std::string> members = own_members(file);
+    std::vector<std::string> shapes;
+    std::copy_if(members.begin(), members.end(), std::back_inserter(shapes), is_shape_name);
+    return member_name(file, members, shapes, "file of shape", "unpack it and name one");
+}
+
+bool holds_shapes(const std::filesystem::path& file) {
+    const std::string path = small_letters(file.string());
+    if (is_gz_name(path)) return is_shape_name(path.substr(0, path.size() - 3));
+    if (!is_zip(file)) return false;
+    const std::vector<std::string> members = own_members(file);
+    return std::any_of(members.begin(), members.end(), is_shape_name) &&
+           std::none_of(members.begin(), members.end(),
+                        [&](const auto& name) { return is_raster_name(name, members); });
+}
+
+std::string unpacked_text(const std::filesystem::path& file) {
+    constexpr std::size_t most = std::size_t{4} << 30;
+    const QuietGdal gdal;
+    const std::string name = gdal_raster_name(file);
+    VSILFILE* const in = VSIFOpenL(name.c_str(), "rb");
+    if (in == nullptr) throw InputError(file.string(), "cannot be read" + gdal.because());
+    std::string text;
+    std::vector<char> part(std::size_t{1} << 20);
+    for (std::size_t count; (count = VSIFReadL(part.data(), 1, part.size(), in)) > 0;) {
+        text.append(part.data(), count);
+        if (text.size() > most) break;
+    }
+    VSIFCloseL(in);
+    if (text.size() > most) throw InputError(file.string(), "holds over 4 GB of text");
+    return text;
 }
 
 }  // namespace diurna

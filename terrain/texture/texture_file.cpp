@@ -10,6 +10,7 @@
 #include "materials/base/error.hpp"
 #include "terrain/raster/crs.hpp"
 #include "terrain/raster/gdal_file.hpp"
+#include "terrain/raster/raster_reference.hpp"
 
 namespace diurna {
 
@@ -57,10 +58,9 @@ TextureImage read_texture_image(const std::filesystem::path& file, int channel,
             v = std::numeric_limits<float>::quiet_NaN();
         }
     }
-    const char* crs = data->GetProjectionRef();
-    image.georeferenced = data->GetGeoTransform(image.transform.data()) == CE_None &&
-                          crs != nullptr && crs[0] != '\0';
-    if (image.georeferenced) image.crs_wkt = crs;
+    const auto crs = raster_reference(*data, file);
+    image.georeferenced = data->GetGeoTransform(image.transform.data()) == CE_None && crs;
+    if (image.georeferenced) image.crs_wkt = wkt_of(*crs);
     return image;
 }
 

@@ -3,6 +3,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
@@ -152,4 +155,72 @@ TEST_CASE("the University of Wyoming's CSV has names of its own", "[materials][p
 TEST_CASE("two soundings in one list are refused", "[materials][profile]") {
     CHECK_THROWS_WITH(read_radiosonde(file_with(wyoming_list + wyoming_list)),
                       Catch::Contains("2 soundings"));
+}
+
+namespace {
+
+/// A list of 25 levels 500 m apart, from 300 m, with the pressures of an isothermal atmosphere.
+std::string even_list(std::size_t wrong, double pressure, double height) {
+    std::string text =
+        "-----------------------------------------------------------------------------\n"
+        "   PRES   HGHT   TEMP   DWPT   RELH   MIXR   DRCT   SKNT   THTA   THTE   THTV\n"
+        "    hPa     m      C      C      %    g/kg    deg   knot     K      K      K \n"
+        "-----------------------------------------------------------------------------\n";
+    for (std::size_t i = 0; i < 25; ++i) {
+        const double z = 300.0 + 500.0 * double(i), p = 980.0 * std::exp(-500.0 * double(i) / 8e3);
+        text +=
+            fmt::format("{:7.1f}{:7.0f}{:7.1f}{:7.1f}     40   1.00    180      5\n",
+                        i == wrong && pressure > 0.0 ? pressure : p,
+                        i == wrong && height > 0.0 ? height : z, 20.0 - double(i), 5.0 - double(i));
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE("one bad level of a list costs no good one", "[materials][profile]") {
+    const Profile good = read_radiosonde(file_with(even_list(99, 0.0, 0.0)));
+    CHECK(good.notes.empty());
+    const bool high = GENERATE(true, false);
+    const Profile bad =
+        read_radiosonde(file_with(even_list(4, high ? 0.0 : 400.0, high ? 9000.0 : 0.0)));
+    // Levels 500 m apart stay, but for the one.
+    for (const double km : {0.8, 1.3, 1.8, 2.8, 3.3, 5.3, 8.8, 12.3}) {
+        CAPTURE(high, km);
+        CHECK(air_at(bad, km).temperature == Approx(air_at(good, km).temperature).margin(1e-6));
+    }
+    REQUIRE(bad.notes.size() == 1);
+    CHECK_THAT(bad.notes[0],
+               Catch::Contains("1 of 25 levels left out") && Catch::Contains("line 9"));
+}
+
+TEST_CASE("a sounding of the Integrated Global Radiosonde Archive is read",
+          "[materials][profile][igra]") {
+    // Heights of the first, third and last level; the others are hydrostatic. At 0 °C throughout
+    // Δz = 287.05 · 273.15 / 9.80665 · ln(p1 / p2) = 7995.5 m · ln(p1 / p2).
+    const std::string first =
+        "#USM00072327 2018 07 15 00 2318    5 ncdc-gts ncdc-gts  362500  -865600\n"
+        "21 -9999 100000   180B    0B  500 -9999   180    30 \n"
+        "20 -9999  95000 -9999     0B-9999   100   180    30 \n"
+        "10 -9999  90000  1022B    0B  400 -9999   180    30 \n"
+        "30 -9999 -9999   1500 -9999 -9999 -9999   180    30 \n"
+        "20 -9999  85000 -9999     0B  300 -9999   180    30 \n";
+    const Profile p = read_radiosonde(file_with(first));
+    CHECK(p.height_km[0] == Approx(0.180));
+    CHECK(p.pressure_hPa[0] == Approx(1000.0));
+    CHECK(p.temperature[0] == Approx(273.15));
+    CHECK(p.height_km[1] == Approx(0.180 + 7.9955 * std::log(100.0 / 95.0)).epsilon(1e-3));
+    CHECK(p.height_km[3] == Approx(1.022 + 7.9955 * std::log(90.0 / 85.0)).epsilon(1e-4));
+    // Half saturated at 0 °C: 3.06 hPa; 10 K below: e(-10 °C) = 2.87 hPa (WMO-No. 8, water).
+    CHECK(sample_of(p, 0).vapour_pressure_hPa() == Approx(3.06).epsilon(0.01));
+    CHECK(sample_of(p, 1).vapour_pressure_hPa() == Approx(2.87).epsilon(0.01));
+    std::string second = first;
+    second.replace(second.find("07 15 00"), 8, "07 15 12");
+    CHECK_THROWS_WITH(read_radiosonde(file_with(first + second)),
+                      Catch::Contains("holds 2 soundings") &&
+                          Catch::Contains("sounding_time = \"2018-07-15T12\""));
+    const auto both = file_with(first + second);
+    CHECK(read_radiosonde(both, "US76", "2018-07-15T12").height_km[0] == Approx(0.180));
+    CHECK_THROWS_WITH(read_radiosonde(both, "US76", "2018-07-16T00"),
+                      Catch::Contains("no sounding"));
 }

@@ -328,3 +328,107 @@ TEST_CASE("voids of a file are marked in its picture", "[scenes][land][voids]") 
         return note.find("49 of") != std::string::npos;
     }));
 }
+
+namespace {
+
+/// A rectangle about the site's neighbourhood [deg east and north of its south-west corner],
+/// closed.
+std::string rectangle(double west, double south, double east, double north) {
+    std::string ring;
+    for (const auto& [x, y] :
+         {std::pair{west, south}, {east, south}, {east, north}, {west, north}, {west, south}}) {
+        ring +=
+            fmt::format("{}[{:.6f},{:.6f}]", ring.empty() ? "" : ",", -84.2033 + x, 36.3200 + y);
+    }
+    return "[" + ring + "]";
+}
+
+std::string block(const std::string& rings, const char* height) {
+    return fmt::format(R"({{"type":"Feature","properties":{{"h":{}}},"geometry":)"
+                       R"({{"type":"Polygon","coordinates":[{}]}}}})",
+                       height, rings);
+}
+
+Built with_blocks(const std::string& features) {
+    write_text(scratch.path / "blocks.geojson",
+               R"({"type":"FeatureCollection","features":[)" + features + "]}");
+    return built(small_scene() +
+                 "[[shapes]]\nfile = \"blocks.geojson\"\nheight_field = \"h\"\n"
+                 "wall = \"concrete_wall\"\nroof = \"painted_steel\"\n");
+}
+
+/// Of the buildings of shapes, which come last [m²].
+std::map<std::string, double> block_areas(const Built& b) {
+    std::map<std::string, double> area;
+    for (std::size_t f = 0; f < b.world.facets.size(); ++f) {
+        if (std::size_t(b.world.facets.object[f]) + 1 != b.world.objects.size()) continue;
+        const double up = b.world.facets.normal[f].z();
+        area[up > 0.9 ? "roof" : "wall"] += double{b.world.facets.area[f]};
+    }
+    return area;
+}
+
+}  // namespace
+
+TEST_CASE("a courtyard of a file of buildings is ground between walls",
+          "[scenes][land][buildings]") {
+    const std::string outer = rectangle(0.0040, 0.0020, 0.0050, 0.0030),
+                      court = rectangle(0.0043, 0.0023, 0.0047, 0.0027),
+                      shed = rectangle(0.0044, 0.0024, 0.0046, 0.0026);
+    const Built solid = with_blocks(block(outer, "6")), none = built(small_scene());
+    const Built open = with_blocks(block(outer + "," + court, "6"));
+    const auto of_solid = block_areas(solid), of_open = block_areas(open);
+    CHECK(of_open.at("roof") == Approx(0.84 * of_solid.at("roof")).epsilon(1e-4));
+    CHECK(of_open.at("wall") > 1.3 * of_solid.at("wall"));
+    const auto ground = [](const Built& b) {
+        double sum = 0.0;
+        for (std::size_t f = 0; f < b.world.ground_facets; ++f) {
+            sum += double{b.world.facets.area[f]} * b.world.facets.normal[f].z();
+        }
+        return sum;
+    };
+    const double plan = of_solid.at("roof");
+    CHECK(ground(none) - ground(solid) == Approx(plan).epsilon(5e-3));
+    CHECK(ground(none) - ground(open) == Approx(0.84 * plan).epsilon(5e-3));
+    // A shed in the courtyard stands on its ground, whichever comes first in the file.
+    for (const bool first : {false, true}) {
+        const std::string both = first ? block(shed, "3") + "," + block(outer + "," + court, "6")
+                                       : block(outer + "," + court, "6") + "," + block(shed, "3");
+        const Built with_shed = with_blocks(both);
+        CHECK(ground(none) - ground(with_shed) == Approx(0.88 * plan).epsilon(5e-3));
+        CHECK(block_areas(with_shed).at("roof") == Approx(0.88 * plan).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("a building that a file has twice is built once", "[scenes][land][buildings]") {
+    const std::string ring = rectangle(0.0040, 0.0020, 0.0050, 0.0030);
+    const Built once = with_blocks(block(ring, "6"));
+    const Built twice = with_blocks(block(ring, "4") + "," + block(ring, "6"));
+    CHECK(block_areas(twice).at("roof") == Approx(block_areas(once).at("roof")));
+    CHECK(block_areas(twice).at("wall") == Approx(block_areas(once).at("wall")));
+    REQUIRE(twice.world.notes.size() == 1);
+    CHECK_THAT(twice.world.notes[0], Catch::Contains("feature 1"));
+}
+
+TEST_CASE("a field that counts storeys is no height", "[scenes][land][buildings]") {
+    write_text(scratch.path / "levels.geojson",
+               R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":)"
+               R"({"building:levels":"3"},"geometry":{"type":"Polygon","coordinates":[)" +
+                   rectangle(0.0040, 0.0020, 0.0050, 0.0030) + "]}}]}");
+    const std::string table =
+        small_scene() +
+        "[[shapes]]\nfile = \"levels.geojson\"\nheight_field = \"building:levels\"\n"
+        "wall = \"concrete_wall\"\n";
+    CHECK_THROWS_WITH(scene_of(table), Catch::Contains("level_height_m"));
+    const Built b = built(table + "level_height_m = 3.5\n");
+    float top = -1e9f, bottom = 1e9f;
+    for (std::size_t f = b.world.ground_facets; f < b.world.facets.size(); ++f) {
+        if (std::size_t(b.world.facets.object[f]) + 1 != b.world.objects.size()) continue;
+        for (const std::uint32_t v : b.world.facets.corner[f]) {
+            top = std::max(top, b.world.facets.vertex[v].z());
+            bottom = std::min(bottom, b.world.facets.vertex[v].z());
+        }
+    }
+    CHECK(top - bottom > 10.4f);  // 10.5 m, more where the ground slopes
+    CHECK(top - bottom < 14.0f);
+}

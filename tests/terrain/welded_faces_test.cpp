@@ -1,8 +1,12 @@
 #include "terrain/objects/welded_faces.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
 
+#include "terrain/objects/facing.hpp"
 #include "terrain/objects/open_pieces.hpp"
+#include "tests/support/read_mesh.hpp"
 
 using namespace diurna;
 
@@ -117,4 +121,64 @@ TEST_CASE("patches in one place are found by their borders", "[terrain][objects]
     MeshFile beside = square_and({{1, 4, 2}});
     CHECK(weld_faces(beside, alike).removed == 0);
     CHECK(beside.triangle.size() == 3);
+}
+
+TEST_CASE("walls between boxes that touch are none, whichever way the boxes face",
+          "[terrain][objects]") {
+    // n x n unit boxes in one block, some inside out: surface 2 n² + 4 n, volume n².
+    const int n = GENERATE(2, 3, 4);
+    const unsigned turned = GENERATE(0u, 1u, 0x5a5au, 0xffffu);
+    CAPTURE(n, turned);
+    MeshFile mesh{.part = {{"a", ""}}};
+    std::map<std::array<double, 3>, std::uint32_t> number;
+    for (int k = 0; k < n * n; ++k) {
+        const read_mesh::Box box{.low = {double(k / n), double(k % n), 0.0},
+                                 .inside_out = (turned >> k & 1u) != 0};
+        for (const auto& corner : box.triangles()) {
+            Corners triangle{};
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto [known, fresh] = number.try_emplace(
+                    {corner[c].x(), corner[c].y(), corner[c].z()}, std::uint32_t(number.size()));
+                if (fresh) mesh.vertex.push_back(corner[c]);
+                triangle[c] = known->second;
+            }
+            mesh.triangle.push_back(triangle);
+            mesh.part_of.push_back(0);
+        }
+    }
+    const std::vector<std::string> tin = {"tin"};
+    const WeldedFaces found = weld_faces(mesh, tin);
+    CHECK(found.inner == std::size_t(2 * 2 * n * (n - 1)));
+    turn_outward(mesh, tin);
+    CHECK(read_mesh::area(mesh) == Approx(2.0 * n * n + 4.0 * n));
+    CHECK(read_mesh::volume(mesh) == Approx(double(n * n)));
+}
+
+TEST_CASE("a fin written twice on a box is kept once", "[terrain][objects]") {
+    MeshFile mesh{.part = {{"a", ""}}};
+    for (const auto& corner : read_mesh::Box{.low = {0, 0, 0}}.triangles()) {
+        Corners triangle{};
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto at = std::find(mesh.vertex.begin(), mesh.vertex.end(), corner[c]);
+            triangle[c] = std::uint32_t(at - mesh.vertex.begin());
+            if (at == mesh.vertex.end()) mesh.vertex.push_back(corner[c]);
+        }
+        mesh.triangle.push_back(triangle);
+        mesh.part_of.push_back(0);
+    }
+    const auto find = [&](const Eigen::Vector3d& at) {
+        return std::uint32_t(std::find(mesh.vertex.begin(), mesh.vertex.end(), at) -
+                             mesh.vertex.begin());
+    };
+    const std::uint32_t a = find({0, 0, 1}), b = find({1, 0, 1}),
+                        tip = std::uint32_t(mesh.vertex.size());
+    mesh.vertex.push_back({0.5, 0.0, 2.0});
+    for (const Corners& fin : {Corners{a, b, tip}, Corners{b, a, tip}}) {
+        mesh.triangle.push_back(fin);
+        mesh.part_of.push_back(0);
+    }
+    const WeldedFaces found = weld_faces(mesh, std::vector<std::string>{"tin"});
+    CHECK(found.inner == 0);
+    CHECK(found.removed == 1);
+    CHECK(mesh.triangle.size() == 13);
 }

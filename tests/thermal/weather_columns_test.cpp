@@ -45,7 +45,7 @@ TEST_CASE("ERA5 CSV: joules of an hour, components of wind, a dew point",
     CHECK(has(message_of(file, header + first +
                                    "2022-07-01 12:00:00,6,8,283,295,1e5,,296,98100,9160000,1116000,"
                                    "0,50.0,10.0\n"),
-              "sums since midnight"));
+              "taken apart only where they grow"));
 }
 
 TEST_CASE("ERA5 netCDF: packed values, time since an epoch, one point", "[thermal][weather_file]") {
@@ -99,8 +99,17 @@ TEST_CASE("ERA5 netCDF: packed values, time since an epoch, one point", "[therma
     // 10° of latitude and of longitude at 45° N: 1112 and 787 km.
     REQUIRE(w.warnings.size() == 1);
     CHECK(has(w.warnings.front().line(), "is 13"));
+    // Of an area the point nearest to the site: 49.75° N, whose values stand second.
     write(2);
-    CHECK_THROWS_WITH(read_weather(file), Catch::Contains("extract one point"));
+    const Weather near =
+        read_weather(file, {.site = Site{.latitude_deg = 49.8, .longitude_deg = -10.1}});
+    CHECK(near.sample[0].air.temperature == Approx(292.0));
+    CHECK(near.sample[0].shortwave_down == Approx(100.0));
+    CHECK(has(near.note, "2 x 1 grid points: that at 49.75 N -10.00 E"));
+    CHECK(near.warnings.empty());
+    const Weather north =
+        read_weather(file, {.site = Site{.latitude_deg = 50.1, .longitude_deg = -10.0}});
+    CHECK(north.sample[0].air.temperature == Approx(290.0));
 }
 
 TEST_CASE("ERA5 netCDF: of final and preliminary values the one that is there counts",

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
+#include "thermal/weather_file/era5_sums.hpp"
 #include "thermal/weather_file/joined_rows.hpp"
 
 namespace diurna {
@@ -22,7 +23,8 @@ void check_hourly(const WeatherTable& table, const std::string& name, double flu
     throw InputError(
         table.where[row],
         fmt::format("found {:.0f} J/m2 of {}, more than one hour brings", flux * hour, name),
-        "sums since midnight (ERA5-Land) must be taken apart into hours first");
+        "sums of more than an hour are taken apart only where they grow from 01:00 to 00:00 UTC, "
+        "hour by hour, as ERA5-Land's do");
 }
 
 }  // namespace
@@ -83,11 +85,16 @@ void join_era5(Era5Series& all, const Era5Series& more) {
     all.stamp = rows.stamp;
     all.where = std::move(where);
     all.values = std::move(values);
-    all.notes.insert(all.notes.end(), more.notes.begin(), more.notes.end());
+    for (const std::string& note : more.notes) {
+        if (std::find(all.notes.begin(), all.notes.end(), note) == all.notes.end()) {
+            all.notes.push_back(note);
+        }
+    }
     all.unused.insert(all.unused.end(), more.unused.begin(), more.unused.end());
 }
 
-WeatherTable era5_table(const Era5Series& series) {
+WeatherTable era5_table(Era5Series series) {
+    take_sums_apart(series);
     const Era5Values& values = series.values;
     WeatherTable table{.file = series.file, .format = series.format};
     for (std::size_t i = 0; i < series.stamp.size(); ++i) {

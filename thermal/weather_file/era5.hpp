@@ -41,8 +41,8 @@ void join_era5(Era5Series& all, const Era5Series& more);
 
 /// The table of a series. Sums are those of one hour whatever lies between the rows (ECMWF, ERA5
 /// data documentation: "accumulations are over the hour ending at the validity date/time"); fdir is
-/// the direct light on the horizontal, so the rest of ssrd is diffuse. A sum since midnight, as
-/// ERA5-Land's own files hold, is refused. Wind at 10 m, air at 2 m.
-WeatherTable era5_table(const Era5Series& series);
+/// the direct light on the horizontal, so the rest of ssrd is diffuse. Sums since midnight, as
+/// ERA5-Land's own files hold, are taken apart (era5_sums.hpp). Wind at 10 m, air at 2 m.
+WeatherTable era5_table(Era5Series series);
 
 }  // namespace diurna

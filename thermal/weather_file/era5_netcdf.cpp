@@ -4,6 +4,7 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -12,10 +13,18 @@
 #include "materials/base/hdf5_file.hpp"
 #include "thermal/weather_file/era5.hpp"
 #include "thermal/weather_file/stamps.hpp"
+#include "thermal/weather_file/station_warnings.hpp"
 
 namespace diurna {
 
 namespace {
+
+/// A grid point of an area by its places along latitude and longitude.
+struct GridPoint {
+    std::size_t row = 0, column = 0;
+};
+bool is_latitude(const std::string& name) { return name == "latitude" || name == "lat"; }
+bool is_longitude(const std::string& name) { return name == "longitude" || name == "lon"; }
 
 /// A netCDF file open for reading.
 class NetcdfFile {
@@ -45,27 +54,38 @@ class NetcdfFile {
     }
     /// The values of a variable at each of `count` instants, unpacked; NaN where filled. Along
     /// expver, which has the final and the preliminary value, the first that is there counts.
-    /// Throws InputError for other dimensions longer than one.
-    std::vector<double> values(const std::string& name, std::size_t count) const {
+    /// Of an area the values at its grid point `at`. Throws InputError for other dimensions longer
+    /// than one.
+    std::vector<double> values(const std::string& name, std::size_t count,
+                               const GridPoint& at = {}) const {
         const int id = variable(name);
         std::size_t versions = 1, size = 1, apart = 1, version_apart = 1;
         const std::vector<Dimension> dimensions = dimensions_of(id);
-        for (auto d = dimensions.rbegin(); d != dimensions.rend(); ++d) {
-            if (d->name == "expver") {
-                versions = d->length;
+        std::vector<std::size_t> first(dimensions.size(), 0), length(dimensions.size(), 1);
+        for (std::size_t d = dimensions.size(); d-- > 0;) {
+            const Dimension& one = dimensions[d];
+            length[d] = one.length;
+            if (one.name == "expver") {
+                versions = one.length;
                 version_apart = size;
-            } else if (d->length == count && (d->name == "time" || d->name == "valid_time")) {
+            } else if (one.length == count && (one.name == "time" || one.name == "valid_time")) {
                 apart = size;
+            } else if (is_latitude(one.name) && at.row < one.length) {
+                first[d] = at.row;
+                length[d] = 1;
+            } else if (is_longitude(one.name) && at.column < one.length) {
+                first[d] = at.column;
+                length[d] = 1;
             }
-            size *= d->length;
+            size *= length[d];
         }
         constexpr std::size_t most_versions = 100;
         if (versions == 0 || versions > most_versions || size != count * versions) {
             throw InputError(path_ + ": " + name,
                              fmt::format("holds {} values for {} instants", size, count),
-                             "extract one point");
+                             "expected dimensions of time, latitude and longitude, and expver");
         }
-        const std::vector<double> all = unpacked(id, name, size);
+        const std::vector<double> all = unpacked(id, name, first, length, size);
         std::vector<double> chosen(count, not_measured);
         for (std::size_t i = 0; i < count; ++i) {
             for (std::size_t v = 0; v < versions && std::isnan(chosen[i]); ++v) {
@@ -73,6 +93,14 @@ class NetcdfFile {
             }
         }
         return chosen;
+    }
+    /// All values of a variable of one dimension, such as those of latitude.
+    std::vector<double> axis(const std::string& name) const {
+        const int id = variable(name);
+        if (id < 0 || dimensions_of(id).size() > 1) return {};
+        const std::size_t size = size_of(id);
+        std::vector<std::size_t> first(dimensions_of(id).size(), 0), length(first.size(), size);
+        return unpacked(id, name, first, length, size);
     }
     /// The names of all variables.
     std::vector<std::string> variables() const {
@@ -121,9 +149,12 @@ class NetcdfFile {
         }
         return dimensions;
     }
-    std::vector<double> unpacked(int id, const std::string& name, std::size_t count) const {
+    std::vector<double> unpacked(int id, const std::string& name,
+                                 const std::vector<std::size_t>& first,
+                                 const std::vector<std::size_t>& length, std::size_t count) const {
         std::vector<double> raw(count);
-        check(nc_get_var_double(id_, id, raw.data()), name + " cannot be read");
+        check(nc_get_vara_double(id_, id, first.data(), length.data(), raw.data()),
+              name + " cannot be read");
         const double scale = attribute(id, "scale_factor", 1.0);
         const double offset = attribute(id, "add_offset", 0.0);
         const double fill = attribute(id, "_FillValue", not_measured);
@@ -163,7 +194,59 @@ std::pair<Instant, double> time_units(const std::string& units, const std::strin
     return {stamp_in(date + "T" + clock, 0.0, where), seconds};
 }
 
-Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::path& file) {
+double east_of(double longitude_deg) {
+    return longitude_deg > 180.0 ? longitude_deg - 360.0 : longitude_deg;
+}
+
+/// The point of an area nearest to the site that has values, its place put into the series.
+GridPoint point_of_area(const NetcdfFile& netcdf, std::size_t instants,
+                        const std::optional<Geodetic>& site, Era5Series& series) {
+    const std::vector<double> north =
+        netcdf.axis(netcdf.variable("latitude") >= 0 ? "latitude" : "lat");
+    const std::vector<double> east =
+        netcdf.axis(netcdf.variable("longitude") >= 0 ? "longitude" : "lon");
+    if (north.empty() || east.empty()) return {};
+    const auto place_of = [&](const GridPoint& point) {
+        return Geodetic{north[point.row], east_of(east[point.column]), 0.0};
+    };
+    const Geodetic near = site.value_or(Geodetic{0.5 * (north.front() + north.back()),
+                                                 east_of(0.5 * (east.front() + east.back())), 0.0});
+    std::vector<GridPoint> points;
+    for (std::size_t row = 0; row < north.size(); ++row) {
+        for (std::size_t column = 0; column < east.size(); ++column)
+            points.push_back({row, column});
+    }
+    constexpr std::size_t most_tried = 9;
+    const std::size_t tried = std::min(most_tried, points.size());
+    std::partial_sort(points.begin(), points.begin() + std::ptrdiff_t(tried), points.end(),
+                      [&](const GridPoint& a, const GridPoint& b) {
+                          return distance_km(place_of(a), near) < distance_km(place_of(b), near);
+                      });
+    GridPoint chosen = points.front();
+    const std::vector<std::string> names = netcdf.variables();
+    const auto known = std::find_if(names.begin(), names.end(), is_era5_name);
+    for (std::size_t k = 0; k < tried && points.size() > 1 && known != names.end(); ++k) {
+        const std::vector<double> values = netcdf.values(*known, instants, points[k]);
+        if (std::all_of(values.begin(), values.end(), [](double v) { return std::isnan(v); })) {
+            continue;
+        }
+        chosen = points[k];
+        break;
+    }
+    series.place = place_of(chosen);
+    series.place->height = not_measured;
+    if (points.size() > 1) {
+        series.notes.push_back(fmt::format(
+            "an area of {} x {} grid points: that at {:.2f} N {:.2f} E is used, {}", north.size(),
+            east.size(), series.place->latitude_deg, series.place->longitude_deg,
+            site ? fmt::format("{:.0f} km from the site", distance_km(place_of(chosen), near))
+                 : "the nearest to its middle; in a scene it is the nearest to the site"));
+    }
+    return chosen;
+}
+
+Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::path& file,
+                            const std::optional<Geodetic>& site) {
     const std::string time = netcdf.variable("valid_time") >= 0 ? "valid_time" : "time";
     const std::string where = file.string() + ": " + time;
     if (netcdf.variable(time) < 0) {
@@ -177,29 +260,27 @@ Era5Series netcdf_series_of(const NetcdfFile& netcdf, const std::filesystem::pat
         add_stamp(series, later(start, value * step),
                   fmt::format("{}[{}]", where, series.stamp.size()));
     }
+    const GridPoint point = point_of_area(netcdf, count, site, series);
     for (const std::string& name : netcdf.variables()) {
         if (is_era5_name(name)) {
-            series.values[name] = netcdf.values(name, count);
+            series.values[name] = netcdf.values(name, count, point);
         } else if (name != time) {
             series.unused.push_back(name);
         }
-    }
-    if (netcdf.variable("latitude") >= 0 && netcdf.variable("longitude") >= 0) {
-        double east = netcdf.values("longitude", 1).front();
-        if (east > 180.0) east -= 360.0;
-        series.place = {netcdf.values("latitude", 1).front(), east, not_measured};
     }
     return series;
 }
 
 }  // namespace
 
-Era5Series read_era5_netcdf(const std::filesystem::path& file) {
-    return netcdf_series_of(NetcdfFile(file), file);
+Era5Series read_era5_netcdf(const std::filesystem::path& file,
+                            const std::optional<Geodetic>& site) {
+    return netcdf_series_of(NetcdfFile(file), file, site);
 }
 
-Era5Series era5_netcdf_series(const std::filesystem::path& file, std::span<const std::byte> bytes) {
-    return netcdf_series_of(NetcdfFile(file, bytes), file);
+Era5Series era5_netcdf_series(const std::filesystem::path& file, std::span<const std::byte> bytes,
+                              const std::optional<Geodetic>& site) {
+    return netcdf_series_of(NetcdfFile(file, bytes), file, site);
 }
 
 }  // namespace diurna

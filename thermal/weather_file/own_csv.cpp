@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
 #include "thermal/weather_file/stamps.hpp"
+#include "thermal/weather_file/weather_text.hpp"
 
 namespace diurna {
 
@@ -128,9 +130,9 @@ Layout layout_of(const CsvTable& csv, const std::vector<DeclaredColumn>& declare
 }
 
 bool missing(const std::string& cell, bool foreign) {
-    if (cell.empty()) return true;
-    return foreign &&
-           (cell == "M" || cell == "NA" || cell == "null" || cell == "nan" || cell == "NaN");
+    if (cell.empty() || cell == "nan" || cell == "NaN" || cell == "NA" || cell == "null")
+        return true;
+    return foreign && cell == "M";
 }
 
 /// The instant of a row's stamp.
@@ -146,7 +148,7 @@ Instant stamp_of(const CsvTable& csv, std::size_t row, const Layout& layout,
 
 /// What counts as nothing measured.
 struct Missing {
-    bool foreign;                     // words too
+    bool foreign;                     // "M" too, and "T" of rain
     const std::vector<double>& code;  // as the file has it
 };
 
@@ -163,6 +165,17 @@ double value_of(const CsvTable& csv, std::size_t row, const UsedColumn& c, const
     const double value = c.unit.factor * read + c.unit.offset;
     if (!c.unit.per_interval) return value;
     return interval > 0.0 ? value / interval : not_measured;
+}
+
+/// Lines that known services put above the header: Open-Meteo's place and its values, NASA POWER's
+/// text between -BEGIN HEADER- and -END HEADER-.
+int known_lines_above(const std::string& text) {
+    const std::size_t begin = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
+    const std::string_view all = std::string_view(text).substr(begin);
+    if (all.starts_with("latitude,longitude,elevation,utc_offset_seconds")) return 2;
+    const std::size_t end = all.find("-END HEADER-");
+    if (!all.starts_with("-BEGIN HEADER-") || end == std::string_view::npos) return 0;
+    return 1 + int(std::count(all.begin(), all.begin() + std::ptrdiff_t(end), '\n'));
 }
 
 }  // namespace
@@ -197,8 +210,10 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
 
 WeatherTable read_own_csv(const std::filesystem::path& file,
                           const std::vector<DeclaredColumn>& declared,
-                          const std::vector<double>& missing_codes) {
-    const CsvTable csv = read_csv(file);
+                          const std::vector<double>& missing_codes, int skip_lines) {
+    const std::string text = weather_text(file);
+    const CsvTable csv =
+        csv_table(file, text, skip_lines > 0 ? skip_lines : known_lines_above(text));
     const bool foreign = !declared.empty();
     const Layout layout = layout_of(csv, declared);
     if (csv.rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
@@ -213,7 +228,9 @@ WeatherTable read_own_csv(const std::filesystem::path& file,
     for (const UsedColumn& c : layout.used) {
         for (std::size_t row = 0; row < csv.rows.size(); ++row) {
             const double value = value_of(csv, row, c, none, interval);
-            check_range(c.quantity, value, csv.where(row, c.column), true);
+            double read = value;
+            if (!std::isnan(value) && !parse_number(csv.rows[row][c.column], read)) read = value;
+            check_range(c.quantity, value, csv.where(row, c.column), true, read);
             table.of(c.quantity).push_back(value);
         }
     }

@@ -28,13 +28,14 @@ DeclaredColumn declared_column(const std::string& name, const std::string& says,
                                const std::string& where);
 
 /// A CSV file with the program's own columns (thermal/weather_file/README.md) and those declared
-/// besides. Where columns are declared, others are passed over and named in a note, and cells "M",
-/// "NA", "null" and "nan" are missing as empty ones are; where none are, unknown columns are
+/// besides. Where columns are declared, others are passed over and named in a note, and cells "M"
+/// are missing as empty ones and "NA", "null" and "nan" are; where none are, unknown columns are
 /// mistakes. A time may stand in several columns (time_parts.hpp).
 ///
-/// missing  numbers that mean that nothing was measured, as the file has them: -9999
+/// missing     numbers that mean that nothing was measured, as the file has them: -9999
+/// skip_lines  that stand above the header; those of Open-Meteo and NASA POWER are known
 WeatherTable read_own_csv(const std::filesystem::path& file,
                           const std::vector<DeclaredColumn>& declared,
-                          const std::vector<double>& missing = {});
+                          const std::vector<double>& missing = {}, int skip_lines = 0);
 
 }  // namespace diurna

@@ -23,7 +23,7 @@ struct PvgisColumn {
     Quantity quantity;
     double factor = 1.0, offset = 0.0;
 };
-constexpr std::array<PvgisColumn, 8> pvgis_columns{{
+constexpr std::array<PvgisColumn, 10> pvgis_columns{{
     {"T2m", Quantity::air_temperature, 1.0, zero_celsius},
     {"RH", Quantity::relative_humidity, 0.01},
     {"G(h)", Quantity::shortwave_down},
@@ -32,7 +32,12 @@ constexpr std::array<PvgisColumn, 8> pvgis_columns{{
     {"IR(h)", Quantity::longwave_down},
     {"WS10m", Quantity::wind_speed},
     {"SP", Quantity::pressure},
+    {"G(i)", Quantity::shortwave_down},  // of a series in the horizontal
+    {"Gd(i)", Quantity::diffuse},
 }};
+/// What no weather is made of: the sun's height, power of a PV system, the wind's direction, a flag
+/// of reconstructed values.
+constexpr std::array pvgis_beside{"H_sun", "P", "WD10m", "Int", "Gb(i)", "Gr(i)"};
 constexpr std::size_t most_header_lines = 40;
 
 /// The number of a line "Elevation (m): 250.0"; `otherwise` where no line begins so.
@@ -45,6 +50,70 @@ double header_number(const TextLines& lines, std::string_view name, double other
         return number_in(words.empty() ? "" : words.front(), lines.where(i));
     }
     return otherwise;
+}
+
+/// The cells of a PVGIS file by its line of columns.
+struct PvgisCells {
+    std::vector<std::string> names;
+    std::vector<LocalRow> rows;
+    std::vector<std::vector<std::string>> cells;
+
+    bool has(const char* name) const {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    }
+    /// NaN of an empty cell; the column must be there.
+    double number(std::size_t row, const char* name) const {
+        const auto column =
+            std::size_t(std::find(names.begin(), names.end(), name) - names.begin());
+        const std::string& cell = cells[row][column];
+        return cell.empty() ? not_measured : number_in(cell, where(row, column));
+    }
+    std::string where(std::size_t row, std::size_t column) const {
+        return fmt::format("{}:{}", rows[row].where, column + 1);
+    }
+};
+
+/// The line of the head that begins with a name; none: the number of lines.
+std::size_t header_line_of(const TextLines& lines, std::string_view name) {
+    const std::size_t count = std::min(lines.line.size(), most_header_lines);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (lines.line[i].starts_with(name)) return i;
+    }
+    return lines.line.size();
+}
+
+/// Throws InputError unless the irradiance of a series is of the horizontal plane: its slope is 0,
+/// or, where the file names none, no light is reflected onto it from the ground.
+void check_horizontal(const TextLines& lines, const PvgisCells& series) {
+    constexpr double level = 0.5;  // [deg]
+    constexpr const char* remedy =
+        "download the series with slope 0, or a typical year (TMY), whose sunlight is of the "
+        "horizontal plane and of the beam";
+    const std::size_t at = header_line_of(lines, "Slope");
+    if (at < lines.line.size()) {
+        const std::size_t colon = lines.line[at].find(':');
+        const auto words =
+            words_of(lines.line[at].substr(colon == std::string_view::npos ? 0 : colon + 1));
+        double slope = 0.0;
+        if (!words.empty() && parse_number(std::string(words.front()), slope) &&
+            std::abs(slope) < level) {
+            return;
+        }
+        throw InputError(lines.where(at),
+                         fmt::format("found '{}'; expected 'Slope: 0 deg.': the sunlight of this "
+                                     "series is of an inclined or moving plane",
+                                     lines.line[at].substr(0, 60)),
+                         remedy);
+    }
+    bool reflected = !series.has("Gr(i)");
+    for (std::size_t row = 0; row < series.rows.size() && !reflected; ++row) {
+        reflected = series.number(row, "Gr(i)") > 0.0;
+    }
+    if (!reflected) return;
+    throw InputError(lines.path.string(),
+                     "no line 'Slope: 0 deg.' in its head: the plane that its sunlight falls on "
+                     "is not known",
+                     remedy);
 }
 
 }  // namespace
@@ -69,9 +138,13 @@ WeatherTable read_pvgis(const std::filesystem::path& file, const AskedSpan& aske
     const double offset_h = header_number(lines, "Irradiance Time Offset", 0.0);
     check_within(file.string() + ": irradiance time offset [h]", offset_h, -24.0, 24.0);
     table.light_offset = 3600.0 * offset_h;
-    const std::vector<std::string> names = csv_cells(lines.line[head]);
-    std::vector<LocalRow> rows;
-    std::vector<std::vector<std::string>> cells;
+    PvgisCells file_cells;
+    std::vector<std::string>& names = file_cells.names;
+    for (std::string& name : names = csv_cells(lines.line[head])) {
+        name = name.substr(0, name.find_last_not_of(" \t\r") + 1);
+    }
+    std::vector<LocalRow>& rows = file_cells.rows;
+    std::vector<std::vector<std::string>>& cells = file_cells.cells;
     for (std::size_t i = head + 1; i < lines.line.size(); ++i) {
         std::vector<std::string> row = csv_cells(lines.line[i]);
         if (row.size() != names.size()) break;  // the legend below
@@ -89,17 +162,33 @@ WeatherTable read_pvgis(const std::filesystem::path& file, const AskedSpan& aske
         cells.push_back(std::move(row));
     }
     if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    const bool series = file_cells.has("G(i)") || file_cells.has("Gb(i)");
+    const bool in_parts =
+        !file_cells.has("G(i)") && file_cells.has("Gb(i)") && file_cells.has("Gd(i)");
+    if (series) check_horizontal(lines, file_cells);
     add_local_rows(rows, 0.0, asked, table, [&](std::size_t i) {
         for (const PvgisColumn& c : pvgis_columns) {
-            const auto at = std::find(names.begin(), names.end(), c.name);
-            if (at == names.end()) continue;
-            const auto column = std::size_t(at - names.begin());
-            const std::string where = fmt::format("{}:{}", rows[i].where, column + 1);
-            const double value =
-                cells[i][column].empty() ? not_measured : number_in(cells[i][column], where);
-            put(table, c.quantity, c.factor * value + c.offset, where);
+            if (!file_cells.has(c.name)) continue;
+            put(table, c.quantity, c.factor * file_cells.number(i, c.name) + c.offset,
+                rows[i].where);
         }
+        if (!in_parts) return;
+        const double reflected = file_cells.has("Gr(i)") ? file_cells.number(i, "Gr(i)") : 0.0;
+        put(table, Quantity::shortwave_down,
+            file_cells.number(i, "Gb(i)") + file_cells.number(i, "Gd(i)") + reflected,
+            rows[i].where);
     });
+    for (std::size_t k = 1; k < names.size(); ++k) {
+        const bool beside =
+            std::find(pvgis_beside.begin(), pvgis_beside.end(), names[k]) != pvgis_beside.end();
+        const bool used = std::any_of(pvgis_columns.begin(), pvgis_columns.end(),
+                                      [&](const PvgisColumn& c) { return names[k] == c.name; });
+        if (!used && !beside) table.unused.push_back(names[k]);
+    }
+    if (series) {
+        table.notes.push_back(
+            "PVGIS' series of hours: sunlight of the horizontal plane, at the rows' times");
+    }
     if (offset_h != 0.0) {
         table.notes.push_back(
             fmt::format("sunlight is of the instants {:.0f} min {} the rows' "

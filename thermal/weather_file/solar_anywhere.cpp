@@ -11,6 +11,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather_file/text_lines.hpp"
+#include "thermal/weather_file/weather_text.hpp"
 
 namespace diurna {
 
@@ -30,6 +31,8 @@ constexpr std::array<SolarAnywhereColumn, 7> solar_anywhere_columns{{
     {"Relative Humidity (%)", Quantity::relative_humidity, 0.01},
     {"WindSpeed (m/s)", Quantity::wind_speed},
 }};
+/// Of the interval: 1 kg m⁻² of water is 1 mm.
+constexpr const char* liquid_rain = "Liquid Precipitation (kg/m2)";
 constexpr const char *local_time = "ObservationTime(LST)", *utc_time = "ObservationTime(GMT)";
 
 LocalRow solar_anywhere_row(const std::string& text, const std::string& where) {
@@ -71,7 +74,7 @@ WeatherTable read_solar_anywhere(const std::filesystem::path& file, const AskedS
     const auto of_place = [&](std::size_t i) {
         return number_in(place[i], fmt::format("{}:{}", lines.where(0), i + 1));
     };
-    const CsvTable csv = read_csv(file, 1);
+    const CsvTable csv = csv_table(file, weather_text(file), 1);
     WeatherTable table{.file = file, .format = "SolarAnywhere"};
     table.stamps = Stamp::end;
     table.place = {of_place(4), of_place(5), of_place(6)};
@@ -82,6 +85,14 @@ WeatherTable read_solar_anywhere(const std::filesystem::path& file, const AskedS
         rows.push_back(solar_anywhere_row(csv.rows[row][time], csv.where(row, time)));
     }
     if (rows.empty()) throw InputError(file.string(), "holds no weather, only a header");
+    // Of the day's hours, so that years that a typical year joins do not count.
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double step = rows[i].seconds - rows[i - 1].seconds;
+        if (step > 0.0) steps.push_back(step);
+    }
+    std::sort(steps.begin(), steps.end());
+    const double interval_h = steps.empty() ? 0.0 : steps[steps.size() / 2] / 3600.0;
     const bool typical = small_letters(lines.line.front()).find("typical") != std::string::npos;
     add_local_rows(
         rows, local ? of_place(3) : 0.0, asked, table,
@@ -94,11 +105,18 @@ WeatherTable read_solar_anywhere(const std::filesystem::path& file, const AskedS
                 put(table, c.quantity, value <= -999.0 ? not_measured : c.factor * value + c.offset,
                     csv.where(i, column));
             }
+            if (!csv.has(liquid_rain) || !(interval_h > 0.0)) return;
+            const std::size_t column = csv.column(liquid_rain);
+            const bool empty = csv.rows[i][column].empty() || csv.rows[i][column] == "NaN";
+            const double value = empty ? not_measured : csv.number(i, column);
+            put(table, Quantity::rain, value <= -999.0 ? not_measured : value / interval_h,
+                csv.where(i, column));
         },
         typical);
     for (const std::string& name : csv.header) {
         const bool used = std::any_of(solar_anywhere_columns.begin(), solar_anywhere_columns.end(),
-                                      [&](const auto& c) { return name == c.name; });
+                                      [&](const auto& c) { return name == c.name; }) ||
+                          name == liquid_rain;
         if (!used && !name.empty()) table.unused.push_back(name);
     }
     return table;

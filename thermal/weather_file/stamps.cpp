@@ -10,6 +10,9 @@ namespace diurna {
 Instant stamp_in(std::string text, double offset_h, const std::string& where) {
     constexpr std::size_t date_length = 10;  // of 2022-01-01
     if (text.size() > date_length && text[date_length] == ' ') text[date_length] = 'T';
+    if (text.size() > date_length + 4 && text.ends_with(" UTC")) {
+        text.replace(text.size() - 4, 4, "Z");
+    }
     const bool has_offset =
         text.size() > date_length && text.find_first_of("Z+-", date_length) != std::string::npos;
     if (!has_offset && std::isnan(offset_h)) {
@@ -17,6 +20,14 @@ Instant stamp_in(std::string text, double offset_h, const std::string& where) {
         throw InputError(where, "found '" + text + "' without an offset from UTC",
                          "write it behind each time, 2003-10-17T12:30:30-07:00, or once: "
                          "[weather.columns] time = \"time -07:00\"");
+    }
+    // pandas' %z: "+0000", or "+00".
+    const std::size_t sign = has_offset ? text.find_last_of("+-") : std::string::npos;
+    if (sign != std::string::npos && sign > date_length &&
+        text.find_first_not_of("0123456789", sign + 1) == std::string::npos) {
+        const std::size_t digits = text.size() - sign - 1;
+        if (digits == 4) text.insert(sign + 3, ":");
+        if (digits == 2) text += ":00";
     }
     if (has_offset) return parse_instant(text, where);
     return later(parse_instant(text + "Z", where), -3600.0 * offset_h);

@@ -5,11 +5,11 @@
 
 #include "materials/base/csv.hpp"
 #include "materials/base/error.hpp"
-#include "materials/base/files.hpp"
+#include "thermal/weather_file/weather_text.hpp"
 
 namespace diurna {
 
-TextLines::TextLines(const std::filesystem::path& file) : path(file), text(read_text(file)) {
+TextLines::TextLines(const std::filesystem::path& file) : path(file), text(weather_text(file)) {
     std::string_view all = text;
     if (all.starts_with(byte_order_mark)) all.remove_prefix(byte_order_mark.size());
     for (std::size_t begin = 0; begin < all.size();) {

@@ -42,9 +42,15 @@ void read_date(const std::string& text, const std::string& where, CalendarRow& r
 
 void read_clock(const std::string& text, const std::string& where, CalendarRow& row) {
     int hour = 0, minute = 0, second = 0, taken = 0;
-    if (all_taken(std::sscanf(text.c_str(), "%2d:%2d:%2d%n", &hour, &minute, &second, &taken), 3,
-                  taken, text) ||
-        all_taken(std::sscanf(text.c_str(), "%2d:%2d%n", &hour, &minute, &taken), 2, taken, text)) {
+    // Each read by itself: what was taken is known only behind it.
+    int read = std::sscanf(text.c_str(), "%2d:%2d:%2d%n", &hour, &minute, &second, &taken);
+    bool whole = all_taken(read, 3, taken, text);
+    if (!whole) {
+        second = taken = 0;
+        read = std::sscanf(text.c_str(), "%2d:%2d%n", &hour, &minute, &taken);
+        whole = all_taken(read, 2, taken, text);
+    }
+    if (whole) {
         row.seconds += 3600.0 * hour + 60.0 * minute + second;
         return;
     }

@@ -10,6 +10,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
 #include "thermal/weather_file/text_lines.hpp"
+#include "thermal/weather_file/weather_text.hpp"
 
 namespace diurna {
 
@@ -78,7 +79,7 @@ WeatherTable read_tmy3(const std::filesystem::path& file, const AskedSpan& asked
     const auto of_place = [&](std::size_t i) {
         return number_in(place[i], fmt::format("{}:{}", lines.where(0), i + 1));
     };
-    const CsvTable csv = read_csv(file, 1);
+    const CsvTable csv = csv_table(file, weather_text(file), 1);
     WeatherTable table{.file = file, .format = "TMY3"};
     table.stamps = Stamp::end;
     table.states_at_stamp = true;

@@ -30,6 +30,12 @@ bool is_era5(WeatherFormat format) {
            format == WeatherFormat::era5_zip;
 }
 
+/// Of the site, if it is known.
+std::optional<Geodetic> place_of(const WeatherOptions& options) {
+    if (!options.site) return std::nullopt;
+    return Geodetic{options.site->latitude_deg, options.site->longitude_deg, 0.0};
+}
+
 void check_same_kind(const WeatherTable& all, const WeatherTable& more) {
     if (all.format != more.format || all.stamps != more.stamps ||
         all.light_offset != more.light_offset) {
@@ -125,14 +131,15 @@ WeatherTable read_weather_table(const std::filesystem::path& file, const Weather
             return read_bsrn(file);
         case WeatherFormat::era5_netcdf:
         case WeatherFormat::era5_zip:
-            return era5_table(read_era5_series(file));
+            return era5_table(read_era5_series(file, place_of(options)));
         case WeatherFormat::era5_csv:
-            if (options.columns.empty()) return era5_table(read_era5_series(file));
+            if (options.columns.empty())
+                return era5_table(read_era5_series(file, place_of(options)));
             [[fallthrough]];
         case WeatherFormat::csv:
             break;
     }
-    return read_own_csv(file, options.columns, options.missing);
+    return read_own_csv(file, options.columns, options.missing, options.skip_lines);
 }
 
 WeatherTable read_weather_tables(std::span<const std::filesystem::path> files,
@@ -144,8 +151,9 @@ WeatherTable read_weather_tables(std::span<const std::filesystem::path> files,
             return is_era5(weather_format(file));
         });
     if (all_era5) {
-        Era5Series all = read_era5_series(files.front());
-        for (const auto& file : files.subspan(1)) join_era5(all, read_era5_series(file));
+        Era5Series all = read_era5_series(files.front(), place_of(options));
+        for (const auto& file : files.subspan(1))
+            join_era5(all, read_era5_series(file, place_of(options)));
         return era5_table(all);
     }
     WeatherTable all = read_weather_table(files.front(), options);

@@ -14,14 +14,20 @@
 #include "thermal/weather_file/pvgis.hpp"
 #include "thermal/weather_file/surfrad.hpp"
 #include "thermal/weather_file/text_lines.hpp"
+#include "thermal/weather_file/weather_text.hpp"
 
 namespace diurna {
 
 namespace {
 
-/// The first bytes of a file; empty if it cannot be read (the readers tell why).
+/// The first bytes of a file, or of the weather in a zip archive; empty if it cannot be read (the
+/// readers tell why).
 std::string head_of(const std::filesystem::path& file) {
     constexpr std::size_t enough = 8192;
+    if (!weather_member(file).empty()) {
+        const std::string text = weather_text(file).substr(0, enough);
+        return text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text;
+    }
     std::string head(enough, '\0');
     std::ifstream in(file, std::ios::binary);
     in.read(head.data(), std::streamsize(enough));
@@ -74,9 +80,19 @@ bool is_era5_zip(const std::filesystem::path& file) {
     const std::vector<std::string> members = zip_members(file);
     const bool spreadsheet =
         std::find(members.begin(), members.end(), "[Content_Types].xml") != members.end();
-    return !spreadsheet && std::any_of(members.begin(), members.end(), [](const auto& name) {
-        return small_letters(name).ends_with(".nc") || small_letters(name).ends_with(".csv");
-    });
+    if (spreadsheet) return false;
+    const auto any = [&](const char* ends) {
+        return std::any_of(members.begin(), members.end(),
+                           [&](const auto& name) { return small_letters(name).ends_with(ends); });
+    };
+    if (any(".nc")) return true;
+    // Several tables are the store's, one may be anybody's.
+    if (weather_member(file).empty()) return any(".csv");
+    return format_of_content(head_of(file)) == WeatherFormat::era5_csv;
+}
+
+bool is_weather_zip(const std::filesystem::path& file) {
+    return is_era5_zip(file) || !weather_member(file).empty();
 }
 
 WeatherFormat weather_format(const std::filesystem::path& file) {
@@ -87,11 +103,18 @@ WeatherFormat weather_format(const std::filesystem::path& file) {
         throw InputError(file.string(), fmt::format("is named {} but is {}", extension, what));
     };
     if (head.empty()) return found;
+    if (found == WeatherFormat::era5_csv && is_zip(file)) return WeatherFormat::era5_zip;
     if (head.starts_with("PK\x03\x04")) {
         const bool named_as_sheet = extension == ".xlsx" || extension == ".ods";
         if (!named_as_sheet && is_era5_zip(file)) return WeatherFormat::era5_zip;
-        throw InputError(file.string(), "is a spreadsheet or another archive",
-                         "save it as CSV with commas between cells");
+        throw InputError(file.string(), "is a spreadsheet, or an archive without one weather file",
+                         "save a sheet as CSV with commas between cells; of an archive unpack the "
+                         "file that is meant");
+    }
+    const std::size_t first = head.find_first_not_of(" \t\r\n");
+    if (first != std::string::npos && head[first] == '{') {
+        throw InputError(file.string(), "is JSON, which is not read as weather",
+                         "PVGIS, Open-Meteo and NASA POWER give the same as CSV");
     }
     if (extension == ".epw" && found != WeatherFormat::epw) {
         refuse("no EPW file: those begin with LOCATION");

@@ -25,6 +25,7 @@ struct WeatherOptions {
     bool at_station = false;
     std::vector<DeclaredColumn> columns{};
     std::vector<double> missing{};  // of CSV: numbers that mean that nothing was measured
+    int skip_lines = 0;             // of CSV: above the header
     OnGap on_gap = OnGap::refuse;
     WeatherChange change{};
     AskedSpan asked{};           // what must be covered; none: nothing in particular

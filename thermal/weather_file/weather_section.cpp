@@ -62,6 +62,9 @@ WeatherOptions read_weather_options(const Section& section, double lowest_wind) 
     options.missing = section.numbers_or(
         "missing", "numbers that a CSV file has where nothing was measured, such as [-9999]",
         {std::vector<double>{}, "none"});
+    options.skip_lines = section.integer_or(
+        "skip_lines", "of a CSV file: lines above the one that names its columns", 0,
+        {0.0, 1000.0});
     if (!options.missing.empty()) options.where_missing = section.where("missing");
     options.columns =
         read_columns(section.section("columns", "of a CSV file with names and units of its own"));

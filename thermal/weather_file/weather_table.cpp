@@ -54,17 +54,24 @@ bool stands_for_none(double value) {
 
 }  // namespace
 
-void check_range(Quantity quantity, double value, const std::string& where, bool declarable) {
+void check_range(Quantity quantity, double value, const std::string& where, bool declarable,
+                 double read) {
     const QuantityFacts& f = facts(quantity);
     if (!(value < f.least || value > f.most)) return;
-    const std::string unit = likely_unit(quantity, value);
+    const double cell = std::isnan(read) ? value : read;
+    const bool converted = cell != value;
+    const std::string unit = converted ? "" : likely_unit(quantity, value);
     throw InputError(
         where,
-        fmt::format("found {:g}; {} lies between {:g} and {:g}", value, f.column, f.least, f.most),
-        stands_for_none(value) && declarable
+        fmt::format(
+            "found {:g}{}; {} lies between {:g} and {:g}", cell,
+            converted ? fmt::format(", which is {:g} in the unit of {}", value, f.column) : "",
+            f.column, f.least, f.most),
+        stands_for_none(cell) && declarable
             ? fmt::format("where nothing was measured, leave the cell empty, or name the code: "
                           "missing = [{:g}] in [weather]",
-                          value)
+                          cell)
+        : converted && declarable ? "is the unit that [weather.columns] declares the right one?"
         : unit.empty() || !declarable
             ? ""
             : fmt::format("looks like another unit: [weather.columns] takes "

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,8 +50,9 @@ void add_row(WeatherTable& table, Instant stamp, const std::string& where);
 void put(WeatherTable& table, Quantity quantity, double value, const std::string& where);
 /// Throws InputError for a value [SI] that no instrument has ever read.
 /// declarable  the hint may advise [weather.columns], where columns of another unit are declared
-void check_range(Quantity quantity, double value, const std::string& where,
-                 bool declarable = false);
+/// read        the number as the file has it, in its own unit; NaN: the value
+void check_range(Quantity quantity, double value, const std::string& where, bool declarable = false,
+                 double read = std::numeric_limits<double>::quiet_NaN());
 
 /// The interval between most rows [s]: the median; 0 for a lone row.
 double usual_interval(const std::vector<Instant>& stamp);

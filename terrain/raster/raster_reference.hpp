@@ -1,0 +1,23 @@
+#pragma once
+
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <filesystem>
+#include <optional>
+
+namespace diurna {
+
+/// The coordinate reference system of an open raster; none where it names none.
+///
+/// - As the file says.
+/// - netCDF without a grid_mapping, whose axes are latitude and longitude by the CF conventions
+///   (units degrees_north and degrees_east, standard_name, or their usual names): WGS84, as files
+///   of ERA5, ETOPO and of NOAA mean it.
+/// - A gzipped ESRI ASCII grid, dem.asc.gz: of dem.prj beside it.
+///
+/// Throws InputError of netCDF whose values are in the order longitude, latitude.
+std::optional<OGRSpatialReference> raster_reference(GDALDataset& raster,
+                                                    const std::filesystem::path& file);
+
+}  // namespace diurna

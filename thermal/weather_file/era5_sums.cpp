@@ -1,0 +1,71 @@
+#include "thermal/weather_file/era5_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+namespace diurna {
+
+namespace {
+
+constexpr double one_hour = 3600.0;     // [s]
+constexpr double most_of_hour = 5.4e6;  // [J m⁻²] 1500 W m⁻² over an hour
+constexpr double packing = 2e-3;        // of the largest sum: what packed values differ by
+constexpr std::array sums{"ssrd", "strd", "fdir", "tp"};
+
+/// Hours since midnight UTC, 1 to 24, at the end of which a stamp is.
+int hours_summed(Instant stamp) {
+    const auto day = std::chrono::floor<std::chrono::days>(stamp);
+    const int hour = int(std::lround(seconds_between(Instant(day), stamp) / one_hour));
+    return hour == 0 ? 24 : hour;
+}
+
+/// Whether row i follows the row before by an hour, within the sums of one day.
+bool goes_on(const Era5Series& series, std::size_t i) {
+    return i > 0 && hours_summed(series.stamp[i]) > 1 &&
+           std::abs(seconds_between(series.stamp[i - 1], series.stamp[i]) - one_hour) < 1.0;
+}
+
+double largest_of(const std::vector<double>& column) {
+    double largest = 0.0;
+    for (const double value : column) {
+        if (!std::isnan(value)) largest = std::max(largest, value);
+    }
+    return largest;
+}
+
+bool grows_through_days(const Era5Series& series, const std::vector<double>& column) {
+    const double slack = packing * largest_of(column);
+    for (std::size_t i = 1; i < column.size(); ++i) {
+        if (goes_on(series, i) && column[i] < column[i - 1] - slack) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void take_sums_apart(Era5Series& series) {
+    bool too_large = false;
+    for (const char* name : {"ssrd", "strd", "fdir"}) {
+        const auto found = series.values.find(name);
+        if (found == series.values.end()) continue;
+        too_large |= largest_of(found->second) > most_of_hour;
+        if (!grows_through_days(series, found->second)) return;
+    }
+    if (!too_large) return;
+    for (const char* name : sums) {
+        const auto found = series.values.find(name);
+        if (found == series.values.end()) continue;
+        const std::vector<double> sum = found->second;
+        for (std::size_t i = 0; i < sum.size(); ++i) {
+            if (hours_summed(series.stamp[i]) == 1) continue;
+            found->second[i] =
+                goes_on(series, i) ? std::max(0.0, sum[i] - sum[i - 1]) : not_measured;
+        }
+    }
+    series.notes.push_back(
+        "radiation and rain are sums since midnight UTC, as in ERA5-Land: taken apart into hours");
+}
+
+}  // namespace diurna

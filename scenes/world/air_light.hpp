@@ -31,7 +31,7 @@ struct CloudlessLight {
 /// Only corners of cells that moments lie in are computed, some 40 for a day, 150 for a year, at
 /// 7 and 2 ms each.
 ///
-/// Against ground_fluxes() at each moment: beam and diffuse 1.5 % (3 % at a visibility of 3 km)
+/// Against ground_fluxes() at each moment: beam and diffuse 1.5 % (4 % at a visibility of 3 km)
 /// and 1 W/m² (3 below 3°), longwave 1 W/m² (tests/scenes/air_light_test.cpp). Pictures are made to
 /// have these sums exactly (materials/atmosphere/light_of_instant.hpp).
 class AirLight {

@@ -50,7 +50,7 @@ class SampleCaster {
  public:
     SampleCaster(const View& view, const SunOverFacets& sun, const PixelSamples& samples,
                  const ViewOptions& options, std::span<const std::uint8_t> crossed, PixelSun& out,
-                 std::span<std::uint8_t> mixed)
+                 std::span<std::uint8_t> mixed, bool every)
         : view_(view),
           sun_(sun),
           disc_(sun.to_sun),
@@ -65,7 +65,7 @@ class SampleCaster {
         rays_.set_origin(samples.origin());
         // One in each row of cells and in each column: rooks a knight's move apart.
         const auto [columns, rows] = nearly_square(options.samples);
-        is_first_.assign(std::size_t(options.samples), options.samples < 8);
+        is_first_.assign(std::size_t(options.samples), every || options.samples < 8);
         for (int r = 0; r < rows; ++r) {
             const int column = std::min((2 * r + 1) % (columns + 1), columns - 1);
             is_first_[std::size_t(r * columns + column)] = true;
@@ -245,16 +245,19 @@ class SampleCaster {
 };
 
 /// Finds all shares of `out`; returns (pixel of out) 1 where samples differ.
+///
+/// - every: asks at every sample, though the first ones be alike
 std::vector<std::uint8_t> cast_all(const View& view, const SunOverFacets& sun,
                                    const Observer& observer, const ViewOptions& options,
-                                   std::span<const std::uint8_t> crossed, PixelSun& out) {
+                                   std::span<const std::uint8_t> crossed, bool every,
+                                   PixelSun& out) {
     std::vector<std::uint8_t> mixed(out.pixel.size(), 0);
     out.share.resize(out.sighting.size());
     const PixelSamples samples(observer, options.samples, options.seed);
     constexpr std::size_t grain = 256;
     std::vector<std::size_t> rays((out.pixel.size() + grain - 1) / grain);
     for_each_block(out.pixel.size(), grain, [&](std::size_t begin, std::size_t end) {
-        SampleCaster caster(view, sun, samples, options, crossed, out, mixed);
+        SampleCaster caster(view, sun, samples, options, crossed, out, mixed, every);
         rays[begin / grain] = caster.cast(begin, end);
     });
     out.rays += std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
@@ -283,7 +286,7 @@ void refine(const View& view, const SunOverFacets& sun, const Observer& observer
     ViewOptions more = options;
     more.samples = times_more * options.samples;
     more.seed = options.seed + golden_step;
-    cast_all(view, sun, observer, more, crossed, finer);
+    cast_all(view, sun, observer, more, crossed, true, finer);
     constexpr float share = float(times_more) / float(1 + times_more);
     for (std::size_t i = 0; i < entry.size(); ++i) {
         float& of = out.share[entry[i]];
@@ -324,7 +327,7 @@ PixelSun cast_pixel_sun(const View& view, const SunOverFacets& sun, const Observ
                         const ViewOptions& options) {
     std::vector<std::uint8_t> crossed = facets_with_edges(sun, options.texture_levels);
     PixelSun out = entries_of(view, crossed, {options.texture_levels});
-    std::vector<std::uint8_t> mixed = cast_all(view, sun, observer, options, crossed, out);
+    std::vector<std::uint8_t> mixed = cast_all(view, sun, observer, options, crossed, false, out);
     if (options.samples >= least_refined) refine(view, sun, observer, options, crossed, mixed, out);
     out.crossed = std::move(crossed);
     return out;

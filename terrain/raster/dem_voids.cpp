@@ -58,7 +58,7 @@ void apply_void_policy(Dem& dem, VoidPolicy policy) {
     if (policy == VoidPolicy::refuse) {
         const double percent = 100.0 * double(dem.voids) / double(dem.height.size());
         throw InputError(dem.source,
-                         fmt::format("{} posts ({:.3g} %) have no elevation", dem.voids, percent),
+                         fmt::format("{} posts ({:.2g} %) have no elevation", dem.voids, percent),
                          "voids = \"fill\" fills them from what is around");
     }
     Grid grid{dem.columns, dem.rows, std::move(dem.height)};

@@ -66,7 +66,7 @@ TEST_CASE("a scene asks for adaptive sampling", "[scenes][adaptive]") {
 
 TEST_CASE("a job samples as its tolerance asks", "[scenes][adaptive]") {
     const Frame truth = SampledScene("samples = 900").picture();
-    const double rough = rms(SampledScene("samples = 16").picture(), truth);
+    const double rough = rms(SampledScene("adaptive = { from = 16, to = 16 }").picture(), truth);
     const double fine = rms(
         SampledScene("adaptive = { from = 16, to = 512, tolerance_K = 0.03 }").picture(), truth);
     CAPTURE(rough, fine);

@@ -69,7 +69,7 @@ TEST_CASE("bad usage gets one line and code 2", "[command_line]") {
              {"run", "SCENE is required"},
              {"check nowhere.toml", "nowhere.toml: no such file"},
              {"sun --latitude-deg 95 --longitude-deg 0 --time 2026-01-01T00:00:00Z",
-              "--latitude-deg: found 95"},
+              "--latitude-deg: found '95', expected -90 to 90"},
              {"sun --latitude-deg 5 --longitude-deg 0 --time yesterday", "--time"},
              {"path --band 8:12 --profile MLSS --to-space", "did you mean 'MLS'?"},
              {"path --band 12:8 --to-space", "12"},

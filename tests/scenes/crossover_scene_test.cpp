@@ -79,6 +79,7 @@ struct Day {
         Scene scene = read_scene(DIURNA_SOURCE_DIR "/scenes/crossover/scene.toml");
         scene.observers.resize(1);
         scene.observers[0].bands = {"8-12"};
+        scene.time.every_step = true;  // harmonics of half-hours would alias
         return scene;
     }
     Day() {

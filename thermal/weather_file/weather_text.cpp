@@ -35,7 +35,8 @@ std::vector<std::string> members_named(const std::vector<std::string>& members,
 }  // namespace
 
 std::string weather_member(const std::filesystem::path& file) {
-    if (!is_zip(file)) return "";
+    const std::string ends = small_letters(file.extension().string());
+    if (ends == ".xlsx" || ends == ".ods" || !is_zip(file)) return "";  // a sheet, even if damaged
     const std::vector<std::string> members = zip_members(file);
     if (std::find(members.begin(), members.end(), "[Content_Types].xml") != members.end())
         return "";

@@ -96,7 +96,10 @@ void BackgroundTable::add_sunlight(const RadianceInput& input, const BandLight& 
 }
 
 double BackgroundTable::operator()(double zenith_deg, double azimuth_from_sun) const {
-    const HorizonScale::Side side = horizon_.side_of(zenith_deg);
+    // A pixel's mean direction may lie by a rounding on the other side of the horizon than all of
+    // its rays do.
+    HorizonScale::Side side = horizon_.side_of(zenith_deg);
+    if (part_[side].heat.empty()) side = side == sides[0] ? sides[1] : sides[0];
     const Part& of = part_[side];
     const double variable = horizon_.of(side, zenith_deg);
     const double heat = interpolated(of.heat, of.nodes.place(variable));

@@ -70,7 +70,8 @@ TEST_CASE("a scene without observer, elevation or weather says so in one line ea
     const std::string blind = small_scene().substr(0, small_scene().find("[[observer]]"));
     auto found = mistakes_of(blind);
     REQUIRE(found.size() == 1);
-    CHECK(found[0].problem == "missing, expected at least one table [[observer]]");
+    CHECK(found[0].problem ==
+          "missing, expected at least one table [[observer]] or [[radiometer]]");
 
     found = mistakes_of(with(small_scene(), "elevation.tif", "nowhere.tif"));
     REQUIRE(found.size() == 1);

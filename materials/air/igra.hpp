@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "materials/air/sounding_table.hpp"
+#include "materials/air/sounding_rows.hpp"
 
 namespace diurna {
 

@@ -2,18 +2,10 @@
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "materials/base/csv.hpp"
+#include "materials/air/sounding_rows.hpp"
 
 namespace diurna {
-
-/// A radiosonde's levels, as a table.
-struct SoundingTable {
-    CsvTable table;
-    bool archive = false;              // from a university or a weather service, not one's own CSV
-    std::vector<std::string> notes{};  // what a reader of the report should know
-};
 
 /// The table of a radiosonde's levels, whatever its format (materials/air/radiosonde.hpp), with the
 /// names that plain CSV has for its columns; rows stand as in the file.

@@ -11,9 +11,10 @@ namespace diurna {
 
 namespace {
 
-/// By its name: building:levels, num_floors, STOREYS.
+/// By its name: building:levels, num_floors, STOREYS; not storeys_m, which is in metres.
 bool counts_storeys(const std::string& field) {
     const std::string name = small_letters(field);
+    if (name.ends_with("_m")) return false;
     for (const char* word :
          {"level", "storey", "storeys", "stories", "floors", "etage", "geschoss"}) {
         if (name.find(word) != std::string::npos) return true;

@@ -18,6 +18,7 @@
 #include "scenes/world/heights.hpp"
 #include "scenes/world/measured_albedo.hpp"
 #include "scenes/world/plumes.hpp"
+#include "scenes/world/scene_weather.hpp"
 #include "scenes/world/stepping.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
@@ -220,7 +221,7 @@ Prepared prepare(Scene scene) {
     }
     std::vector<Mistake> warnings = dem.warnings;
     warnings.insert(warnings.end(), weather_warnings.begin(), weather_warnings.end());
-    auto light = std::make_shared<const SceneLight>(scene, world, weather);
+    auto light = std::make_shared<const InstantLights>(scene, world, weather);
     scene.files = merged(scene.files, opened.files());
     return {std::move(scene),    std::move(world),
             std::move(rays),     std::move(weather),

@@ -9,8 +9,8 @@
 #include "scenes/input/scene.hpp"
 #include "scenes/plan/plan.hpp"
 #include "scenes/plan/sequence.hpp"
+#include "scenes/world/instant_lights.hpp"
 #include "scenes/world/movers.hpp"
-#include "scenes/world/scene_light.hpp"
 #include "scenes/world/world.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "thermal/weather/weather.hpp"
@@ -36,7 +36,7 @@ struct Prepared {
     std::vector<std::string> notes;  // what a reader should know of elevation and weather data
     Movement movement;               // of objects that go
     std::vector<Mistake> warnings;   // of the files read: what is implausible in them
-    std::shared_ptr<const SceneLight> light;  // of that weather, as the heat balance has it
+    std::shared_ptr<const InstantLights> light;  // of that weather, as the heat balance has it
 };
 
 /// The light of an instant: what the heat balance receives, by wavelength and direction.

@@ -32,7 +32,7 @@ Facts camera_facts(const World& world, const Observer& observer);
 ///     time.utc, time.local, time.utc_offset_s   ISO 8601; the scene's clock ahead of UTC
 ///     sun.azimuth_deg, .elevation_deg, .direction   as seen through the air; east, north, up
 ///     sun.direct_normal_W_m2, .diffuse_horizontal_W_m2   sunlight on open ground, of the picture
-///                                   as of the heat balance (scenes/world/scene_light.hpp)
+///                                   as of the heat balance (scenes/world/instant_lights.hpp)
 ///     sky.longwave_down_W_m2        likewise
 ///     sky.cloud_cover               0 to 1; with cloud its base and top [m] above the ground, its
 ///     sky.cloud_base_m, _top_m      thermal emissivity, and the part of the sky whose sunlight it

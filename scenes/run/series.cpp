@@ -70,10 +70,11 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
         s.bands.push_back(named_band(scene.bands, band, bin_edges_um()));
     }
     // Where nothing is said of it, by what is seen in 8-12 um, so that a band alone has the samples
-    // that it has among others.
+    // that it has among others. Not where each pixel's surfaces are listed: more samples see more
+    // than the list holds.
     std::optional<AdaptiveOptions> adaptive = s.input.adaptive;
     std::vector<Band> looked_at = s.bands;
-    if (!adaptive && asked.empty() && s.input.samples >= 4) {
+    if (!adaptive && asked.empty() && s.input.samples >= 4 && s.input.surfaces == 0) {
         adaptive = finer_at_edges(s.input.samples);
         looked_at = {named_band(scene.bands, "8-12", bin_edges_um())};
     }

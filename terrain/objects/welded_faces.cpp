@@ -219,8 +219,8 @@ void drop_inner_walls(MeshFile& mesh, std::vector<std::uint8_t> doubled, WeldedF
 WeldedFaces weld_faces(MeshFile& mesh, std::span<const std::string> material) {
     std::vector<std::uint8_t> doubled;
     WeldedFaces found = weld_triangles(mesh, material, doubled);
-    weld_squares(mesh, material, found, doubled);
     weld_patches(mesh, material, found, doubled);
+    weld_squares(mesh, material, found, doubled);
     drop_inner_walls(mesh, std::move(doubled), found);
     return found;
 }

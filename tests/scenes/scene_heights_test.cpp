@@ -1,4 +1,5 @@
 #include "scenes/world/heights.hpp"
+#include "scenes/world/scene_weather.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -23,9 +23,9 @@ LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeri
 
 /// The sky of a scene's weather, and the light of the instants that were asked for: each is found
 /// once, whoever asks. Safe to share between threads.
-class SceneLight {
+class InstantLights {
  public:
-    SceneLight(const Scene& scene, const World& world, const Weather& weather);
+    InstantLights(const Scene& scene, const World& world, const Weather& weather);
 
     const SkySeries& sky() const { return sky_; }
     /// - world: whose surfaces may have moved

@@ -1,4 +1,4 @@
-#include "scenes/world/scene_light.hpp"
+#include "scenes/world/instant_lights.hpp"
 
 #include <cmath>
 #include <utility>
@@ -58,10 +58,10 @@ LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeri
     return light_over(scene, world, sky, heights_of_surfaces(world), instant);
 }
 
-SceneLight::SceneLight(const Scene& scene, const World& world, const Weather& weather)
+InstantLights::InstantLights(const Scene& scene, const World& world, const Weather& weather)
     : sky_(weather, world.site, weather.height, scene.sky, scene.time.start, scene.time.end()) {}
 
-LightOfInstant SceneLight::at(const Scene& scene, const World& world, Instant instant) const {
+LightOfInstant InstantLights::at(const Scene& scene, const World& world, Instant instant) const {
     const HeightSpan ground = heights_of_surfaces(world);
     const Key key{seconds_between(Instant{}, instant), ground.low, ground.high};
     {

@@ -38,7 +38,7 @@ SunExposure cast(const Prepared& prepared, const ReliefVisibility& light,
     const SunFractionOptions options{.samples = prepared.scene.sun_samples,
                                      .seed = prepared.scene.seed};
     SunFractionOptions refined = options;
-    refined.edge_samples = 3 * options.samples;
+    refined.edge_samples = edge_samples(options.samples);
     const std::size_t facets = world.facets.size();
     SunExposure sun{.instant = instants, .fraction = {}};
     sun.fraction.assign(instants.size() * facets, 0.0f);

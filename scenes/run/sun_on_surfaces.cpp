@@ -21,8 +21,10 @@ std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& 
     const World& world = prepared.world;
     const TextureLevels& levels = world.texture_levels;
     std::vector<float> fraction(world.facets.size(), 0.0f);
-    const SunFractionOptions options{
-        .samples = samples, .edge_samples = 7 * samples, .seed = prepared.scene.seed, .time = time};
+    const SunFractionOptions options{.samples = samples,
+                                     .edge_samples = edge_samples(samples),
+                                     .seed = prepared.scene.seed,
+                                     .time = time};
     if (wanted.empty()) {
         sun_fraction(world.facets, prepared.rays, sun_direction(sun), fraction, options);
     } else {

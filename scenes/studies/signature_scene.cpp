@@ -198,7 +198,10 @@ CloseUp close_up(const StudiedTarget& target, const Observer& eye,
     input.height = eye.height;
     input.samples = samples;
     input.bands = bands;
-    const Series series = cast_series(prepared, input, eye, {&when, 1}, target.stage.views, field);
+    // All pixels alike: sums over a picture want its samples spread evenly.
+    const std::vector<std::uint8_t> all(std::size_t(input.width) * std::size_t(input.height), 1);
+    const Series series =
+        cast_series(prepared, input, eye, {&when, 1}, target.stage.views, field, all);
     Picture picture = picture_at(prepared, series, target.stage.views, field, when);
     CloseUp found{.frame = std::move(picture.frame),
                   .cover = region_cover(

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "thermal/weather_file/era5.hpp"
+#include "thermal/weather_file/era5_series.hpp"
 
 namespace diurna {
 

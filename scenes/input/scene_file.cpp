@@ -59,12 +59,15 @@ void read_about(const Section& about, Scene& scene) {
     scene.title = about.text_or("title", "of the report", {scene.name, "name"});
     scene.seed = static_cast<std::uint64_t>(
         about.integer_or("seed", "of all that is drawn at random but textures", 1, {0, 1 << 30}));
-    scene.sky_rays =
-        about.integer_or("sky_rays", "to the sky, for each facet of the ground", 64, {16, 4096});
+    scene.sky_rays = about.integer_or(
+        "sky_rays", "to the sky, for each facet of the ground; near objects 2 to 32 times as many",
+        64, {16, 4096});
     scene.object_sky_rays = about.integer_or(
         "object_sky_rays", "to the sky, for each facet of buildings and objects", 256, {16, 4096});
-    scene.sun_samples = about.integer_or(
-        "sun_samples", "rays to the sun's disc, for each facet and instant", 4, {1, 256});
+    scene.sun_samples = about.integer_or("sun_samples",
+                                         "rays to the sun's disc, for each facet and instant; four "
+                                         "times as many where a shadow's edge may pass",
+                                         4, {1, 256});
 }
 
 /// The scene's own materials, each of which may start from those above it.

@@ -145,9 +145,10 @@ std::vector<HemisphereRays> finer_rays(const FacetViewOptions& options) {
     return finer;
 }
 
-/// Which of them suits ground from which so much of the sky is hidden.
+/// Which of them suits ground from which so much of the sky is hidden: in streets and courtyards,
+/// where all ground is near objects, no more than four times as many rays.
 std::size_t finer_level(double hidden, std::size_t levels) {
-    const std::size_t wanted = hidden < 0.05 ? 5 : hidden < 0.2 ? 4 : 3;
+    const std::size_t wanted = hidden < 0.05 ? 5 : hidden < 0.2 ? 4 : hidden < 0.5 ? 2 : 1;
     return std::min(wanted, levels - 1);
 }
 

@@ -11,7 +11,7 @@ namespace diurna {
 
 /// The air at an instant: the scene's profile, made to have along the ground the air that the heat
 /// balance has there (materials/air/air_by_height.hpp), with the weather's rain and cloud. Its
-/// light is its own; scene_light() (scenes/world/scene_light.hpp) has what the heat balance
+/// light is its own; scene_light() (scenes/world/instant_lights.hpp) has what the heat balance
 /// receives.
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
                          Instant instant);

@@ -8,7 +8,7 @@
 
 namespace diurna {
 
-/// What of a scene can be computed but is hardly meant: of its weather as it was
+/// What of a scene can be computed but is implausible: of its weather as it was
 /// read (thermal/weather/weather_doubts.hpp), its places, its objects and what its observers see.
 /// Each with the key that mends it; none is a mistake of the file. Takes a few rays per object and
 /// observer, of large scenes a second.

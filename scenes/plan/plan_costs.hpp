@@ -5,7 +5,7 @@ namespace diurna {
 /// What the work of a job costs, for the estimate of a plan only: seconds of the processor for each
 /// thing that is counted before anything is computed (scenes/plan/plan.cpp), and bytes. `bench/
 /// plan_costs.py` measures each on a small scene in which it is most of a stage, and writes this
-/// file anew; the numbers are those of the machine class that bench/results names.
+/// file again; the numbers are those of the machine class that bench/results names.
 struct PlanCosts {
     // [s] The world, which is there before the plan is: of the program, and of a facet.
     double start = 0.30;

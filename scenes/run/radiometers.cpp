@@ -137,7 +137,7 @@ struct Readings {
     std::vector<Receiver> receivers;
     FacetSet facets;
     double height;                 // [m] above the sea
-    std::vector<StageView> stage;  // as they are first asked for
+    std::vector<StageView> stage;  // filled when a stage is first needed
     fmt::memory_buffer csv{};
     Extremes shortwave{}, longwave{}, radiant{};  // on the first receiver; of all six
 };

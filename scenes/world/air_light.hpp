@@ -38,7 +38,7 @@ class AirLight {
  public:
     /// - air_of: the scene's air, cloudless, for air at the ground
     /// - ground_km: above the sea, where the light is wanted
-    /// - moments: all that will be asked for
+    /// - moments: all that will be requested
     /// - sunlight, longwave, overcast: which of the three are wanted
     struct Wanted {
         bool sunlight = true, longwave = true, overcast = true;

@@ -21,7 +21,7 @@ namespace diurna {
 LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeries& sky,
                            Instant instant);
 
-/// The sky of a scene's weather, and the light of the instants that were asked for: each is found
+/// The sky of a scene's weather, and the light of the instants that were requested: each is found
 /// once, whoever asks. Safe to share between threads.
 class InstantLights {
  public:

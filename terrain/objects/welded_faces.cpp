@@ -82,6 +82,21 @@ std::vector<std::uint32_t> first_of_material(std::span<const std::string> materi
     return first;
 }
 
+/// Takes out the triangles that are marked.
+void take_out(const std::vector<std::uint8_t>& gone, MeshFile& mesh,
+              std::vector<std::uint8_t>& doubled) {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
+        if (gone[t] != 0) continue;
+        doubled[kept] = std::uint8_t{doubled[t]};
+        mesh.triangle[kept] = Corners{mesh.triangle[t]};
+        mesh.part_of[kept++] = std::uint16_t{mesh.part_of[t]};
+    }
+    mesh.triangle.resize(kept);
+    mesh.part_of.resize(kept);
+    doubled.resize(kept);
+}
+
 /// Patches in the place of others that are cut along other lines. What is kept of another material
 /// gets the triangles of the first, so that they are back to back.
 void weld_patches(MeshFile& mesh, std::span<const std::string> material, WeldedFaces& found,
@@ -108,16 +123,7 @@ void weld_patches(MeshFile& mesh, std::span<const std::string> material, WeldedF
             doubled.push_back(0);
         }
     }
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-        if (gone[t] != 0) continue;
-        doubled[kept] = std::uint8_t{doubled[t]};
-        mesh.triangle[kept] = Corners{mesh.triangle[t]};
-        mesh.part_of[kept++] = std::uint16_t{mesh.part_of[t]};
-    }
-    mesh.triangle.resize(kept);
-    mesh.part_of.resize(kept);
-    doubled.resize(kept);
+    take_out(gone, mesh, doubled);
 }
 
 /// Squares in the place of others, cut along the other diagonal, where bodies touch: the files of
@@ -162,16 +168,7 @@ void weld_squares(MeshFile& mesh, std::span<const std::string> material, WeldedF
         doubled[c] = doubled[d] = 1;
         found.removed += 2;
     });
-    std::size_t kept = 0;
-    for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
-        if (gone[t] != 0) continue;
-        doubled[kept] = std::uint8_t{doubled[t]};
-        mesh.triangle[kept] = Corners{mesh.triangle[t]};
-        mesh.part_of[kept++] = std::uint16_t{mesh.part_of[t]};
-    }
-    mesh.triangle.resize(kept);
-    mesh.part_of.resize(kept);
-    doubled.resize(kept);
+    take_out(gone, mesh, doubled);
 }
 
 /// Takes out, of the triangles that lay there twice, patches that are walls between bodies.

@@ -18,7 +18,7 @@ struct FacetViewOptions {
     std::size_t first_object = std::numeric_limits<std::size_t>::max();
     int object_rays = 256;
     /// (ground facet) 1 where something may be seen that is no ground: `rays` find how much that is
-    /// and the less, the more others are taken, 8 to 32 times as many: what a vehicle hides ten
+    /// and the less, the more others are taken, 2 to 32 times as many: what a vehicle hides ten
     /// metres away is 1 % of the sky, and 64 rays meet it once or not at all, which is 0.1 K
     /// between neighbours at night. Empty: nowhere.
     std::span<const std::uint8_t> near_objects{};

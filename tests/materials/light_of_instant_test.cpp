@@ -89,7 +89,7 @@ TEST_CASE("a colder sky than the air's is colder in its windows, not where the a
     CHECK(after[1] == Approx(before[1]).epsilon(0.01));
 }
 
-TEST_CASE("air that is asked for its own sums is left as it is", "[materials][light]") {
+TEST_CASE("air that has the known sums already is left as it is", "[materials][light]") {
     const BandModel model = air("US76", 23.0, 0.0);
     const SunLight sun{.zenith_deg = 40.0};
     const GroundFluxes own = ground_fluxes(model, sun, ground_km);

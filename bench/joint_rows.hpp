@@ -12,10 +12,10 @@
 #include "tests/support/box_shadow.hpp"
 #include "tests/support/canyon.hpp"
 #include "tests/support/hall.hpp"
+#include "tests/support/hanging_sheets.hpp"
 #include "tests/support/hourly_sun.hpp"
 #include "tests/support/level_squares.hpp"
 #include "tests/support/redone.hpp"
-#include "tests/support/sheets.hpp"
 #include "tests/support/triangle_sheet.hpp"
 #include "thermal/solve/facet_exchange.hpp"
 

@@ -16,7 +16,7 @@
 #include "render/path/path_table.hpp"
 #include "render/path/view_backgrounds.hpp"
 #include "render/path/view_scattered_path.hpp"
-#include "render/rays/hop_light.hpp"
+#include "render/rays/secondary_light.hpp"
 
 namespace diurna {
 
@@ -123,7 +123,7 @@ void add_planes(const Band& band, std::span<std::vector<float>> terms, Frame& fr
     }
 }
 
-/// Band, error estimate, size of the grid, and a bound on what is left out.
+/// Band, error estimate, size of the grid, and a bound on what is skipped.
 void add_notes(std::size_t b, const SceneLight& light, const PathTable& path, const EyeGrid& eye,
                Frame& frame) {
     const BandLight& of = light.band[b];
@@ -151,9 +151,9 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
     if (!bands.empty()) {
         // Light the facets that the picture depends on.
         std::optional<LitFacets> own;
-        const bool hops = options.hops && !options.hops->empty();
+        const bool secondary_rays = options.secondary_rays && !options.secondary_rays->empty();
         const std::vector<FacetId> seen =
-            hops ? seen_facets(view.facet, *options.hops) : view.facet;
+            secondary_rays ? seen_facets(view.facet, *options.secondary_rays) : view.facet;
         if (!options.lit) own = lit_facets(input, seen, bands);
         const LitFacets& lit = options.lit ? *options.lit : *own;
         check_lit(lit, seen.size(), bands.size());
@@ -173,14 +173,15 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         add_scattered(view, observer, light, planes, frame);
 
         // Follow the rays that go through panes, nets and plumes and off mirrors.
-        std::optional<HopLight> of_hops;
-        if (hops) {
-            of_hops.emplace(*options.hops, options.plumes, light, view.facet.size(),
-                            HopOptions{.bounces = options.bounces,
-                                       .tolerance = options.tolerance,
-                                       .by_term = eye.columns_of_band() > 1,
-                                       .path = &path});
-            of_hops->add(planes);
+        std::optional<SecondaryLight> of_secondary_rays;
+        if (secondary_rays) {
+            of_secondary_rays.emplace(*options.secondary_rays, options.plumes, light,
+                                      view.facet.size(),
+                                      SecondaryOptions{.bounces = options.bounces,
+                                                       .tolerance = options.tolerance,
+                                                       .by_term = eye.columns_of_band() > 1,
+                                                       .path = &path});
+            of_secondary_rays->add(planes);
         }
 
         // Write what has been found.
@@ -191,7 +192,8 @@ Frame render(const View& view, const Observer& observer, std::span<const Band> b
         if (options.surfaces > 0) {
             add_surface_planes(view, light, eye, options.pixel_sun,
                                static_cast<std::size_t>(options.surfaces), frame);
-            if (hops) of_hops->add_surfaces(static_cast<std::size_t>(options.surfaces), frame);
+            if (secondary_rays)
+                of_secondary_rays->add_surfaces(static_cast<std::size_t>(options.surfaces), frame);
         }
     }
     if (options.truth) add_truth(view, input, options.pixel_sun, frame);

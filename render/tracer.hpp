@@ -6,8 +6,8 @@
 #include "render/light/lit_facets.hpp"
 #include "render/light/radiance_input.hpp"
 #include "render/picture/frame.hpp"
-#include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
+#include "render/rays/secondary_rays.hpp"
 #include "render/view/observer.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "render/view/view.hpp"
@@ -20,11 +20,12 @@ struct FrameOptions {
     int surfaces = 0;           // of each pixel in planes (surface_planes.hpp); with `terms`
     double tolerance = 1e-3;    // [K] aimed at by the tables, in apparent temperature
     int bounces = all_bounces;  // of light between surfaces, at most (radiosity.hpp)
-    /// lit_facets(input, seen_facets(view.facet, hops), bands), for a series of frames in which
-    /// nothing moves.
+    /// lit_facets(input, seen_facets(view.facet, secondary rays), bands), for a series of frames in
+    /// which nothing moves.
     const LitFacets* lit = nullptr;
-    /// follow_rays() of the view where it sees panes, nets, mirrors or plumes (hop_light.hpp).
-    const Hops* hops = nullptr;
+    /// follow_rays() of the view where it sees panes, nets, mirrors or plumes
+    /// (secondary_light.hpp).
+    const SecondaryRays* secondary_rays = nullptr;
     /// cast_pixel_sun() of the view and the instant: shadows by pixel, not by facet. Null: none.
     const PixelSun* pixel_sun = nullptr;
     std::span<const Plume> plumes{};

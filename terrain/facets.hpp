@@ -34,7 +34,7 @@ struct FacetSet {
 
 /// Appends triangles as facets of one object. Facets follow a space-filling curve (Morton order of
 /// the centroids in plan), so that neighbours lie together in memory. Triangles without area are
-/// left out, and so are slivers thinner than a float can tell at their place (1 mm at 10 km): their
+/// skipped, and so are slivers thinner than a float can tell at their place (1 mm at 10 km): their
 /// normals would be noise. Throws InputError if a vertex is not finite or further than 100 km from
 /// the origin.
 void append_facets(FacetSet& facets, std::span<const Eigen::Vector3d> vertex,

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Which facets have the temperatures of others, as far as the file tells it.
+/// Which facets have the temperatures of others, as far as the file reports it.
 std::vector<std::uint32_t> read_solved_as(const NetcdfFile& file, std::size_t facets, int facet_dim,
                                           const fs::path& path) {
     int variable = -1, rank = 0, shape = -1;
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> read_solved_as(const NetcdfFile& file, std::size_t fa
     return {number.begin(), number.end()};
 }
 
-/// What lies on facets, as far as the file tells it: each 0 to 1, none where it does not.
+/// What lies on facets, as far as the file reports it: each 0 to 1, none where it does not.
 CoveredFacets read_cover(const NetcdfFile& file, std::size_t instants, std::size_t facets,
                          const std::array<int, 2>& dims, const fs::path& path) {
     const auto fail = [&](const char* name, const char* problem) {

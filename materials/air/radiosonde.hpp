@@ -18,7 +18,7 @@ namespace diurna {
 /// temperature_C or temperature_K
 /// relative_humidity_percent, dew_point_C or mixing_ratio_g_kg; empty: as in `above` there
 ///
-/// Levels at which the pressure rises or the height falls for a moment are left out and noted
+/// Levels at which the pressure rises or the height falls for a moment are skipped and noted
 /// (sounding_levels.hpp). Gases besides water, and everything above the last level, are those of
 /// the AFGL profile `above`; temperature and pressure join it over 5 km. Two levels or more, up to
 /// 5000. Throws InputError with file:line:column for what cannot be.

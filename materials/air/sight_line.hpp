@@ -71,7 +71,7 @@ SightLine joined(const SightLine& near, const SightLine& far);
 bool meets_ground(double height_km, double zenith_deg);
 
 /// Refractivity of dry air, (n − 1) = 77.6e-6 P/T [hPa, K]: that of infrared light, 2 % low in the
-/// visible; water vapour left out (Edlén; Hill's term for vapour is below 1 % beyond 1 µm).
+/// visible; water vapour skipped (Edlén; Hill's term for vapour is below 1 % beyond 1 µm).
 double refractivity(const Profile& profile, double height_km);
 
 /// The same lines bent by the profile's refraction: n r sin(zenith) is the same at all ends of

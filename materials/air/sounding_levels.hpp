@@ -17,8 +17,8 @@ namespace diurna {
 /// table     rows from the ground up
 /// height    column of heights
 /// pressure  column of pressures
-/// most      share of the levels that may be left out
-/// returns   a note of what was left out; "" for nothing
+/// most      share of the levels that may be skipped
+/// returns   a note of what was skipped; "" for nothing
 std::string leave_out_bounces(CsvTable& table, std::size_t height, std::size_t pressure,
                               double most = 0.1);
 

@@ -18,7 +18,7 @@ namespace diurna {
 /// - the Integrated Global Radiosonde Archive, version 2 (materials/air/igra.hpp)
 ///
 /// Of the university's formats, levels without height, pressure or temperature (those below the
-/// ground) and levels less than 5 m or 0.05 hPa from the one before are left out. Levels out of
+/// ground) and levels less than 5 m or 0.05 hPa from the one before are skipped. Levels out of
 /// order stay, for sounding_levels.hpp to leave out and to note.
 ///
 /// time  of the sounding, where the file is the archive's: "2018-07-15T00"; "": it holds one

@@ -41,7 +41,7 @@ PathSpectrum path_at_nodes(const Atmosphere& atmosphere, const SightLine& line,
 /// `space_temperature` in every direction.
 ///
 /// onward  leads from an eye to that height: what of the sky arrives at the eye then, the light of
-///         the way itself left out. The band model takes both for one path, a table multiplies.
+///         the way itself skipped. The band model takes both for one path, a table multiplies.
 std::vector<double> sky_at_nodes(const Atmosphere& atmosphere, double height_km, double zenith_deg,
                                  std::span<const double> node_um, const SightLine& onward = {});
 

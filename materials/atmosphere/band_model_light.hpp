@@ -10,8 +10,8 @@
 
 namespace diurna {
 
-/// What atmosphere.hpp tells of any air, of the band model's: a path's transmittance and emission,
-/// the sky with its clouds, the direct sun; each at given wavelengths.
+/// What atmosphere.hpp reports of any air, of the band model's: a path's transmittance and
+/// emission, the sky with its clouds, the direct sun; each at given wavelengths.
 ///
 /// met  written: what the path has met in all, in the bins of the nodes; null: not asked for
 PathSpectrum band_model_path(const BandModel& model, const SightLine& line,

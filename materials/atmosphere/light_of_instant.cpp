@@ -59,7 +59,7 @@ double scale_of(double wanted, double own) {
     return own > least_light ? std::max(0.0, wanted) / own : 1.0;
 }
 
-/// Beam and diffuse made to be the known ones, and told in `sums`.
+/// Beam and diffuse made to be the known ones, and reported in `sums`.
 BandModel with_sunlight(const BandModel& model, const SunLight& sun, double height_km,
                         const KnownLight& known, GroundFluxes& sums) {
     BandModel fitted = model;

@@ -8,7 +8,7 @@
 #include "materials/atmosphere/bins.hpp"
 #include "materials/atmosphere/level_curves.hpp"
 #include "materials/atmosphere/medium.hpp"
-#include "materials/atmosphere/moon.hpp"
+#include "materials/atmosphere/moonlight.hpp"
 
 namespace diurna {
 

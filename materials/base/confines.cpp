@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Without links, "." and ".." (a file is beneath itself), whether it exists or not. Sets `problem`
-/// where that cannot be told.
+/// where that cannot be reported.
 fs::path resolved(const fs::path& path, std::error_code& problem) {
     const fs::path whole = fs::absolute(path, problem);  // else what is not there stays relative
     return problem ? whole : fs::weakly_canonical(whole, problem);

@@ -21,7 +21,7 @@ Confines confines_of(const std::filesystem::path& file);
 Confines confines_of(const std::filesystem::path& file, bool allow_outside);
 
 /// Why a file may not be read, "" where it may: it lies elsewhere once links are followed (whether
-/// or not it exists, which nobody is told), or is a device, a pipe, a folder.
+/// or not it exists, which nobody is reported), or is a device, a pipe, a folder.
 std::string why_not(const Confines& confines, const std::filesystem::path& file);
 
 /// What mends a refusal.

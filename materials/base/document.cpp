@@ -30,10 +30,12 @@ void note_unasked(DocumentState& state, const toml::table& table, const std::str
         const std::string name(key.str());
         const std::string inner = joined_path(path, name);
         if (!asked.contains(name)) {
-            // Looking for the nearest of many takes long; nobody is told more than the first ones.
-            const bool told = state.mistakes.size() < 10 * most_mistakes_told;
-            std::string hint = told ? did_you_mean(name, known) : "";
-            if (told && hint.empty()) hint = fmt::format("known here: {}", fmt::join(known, ", "));
+            // Looking for the nearest of many takes long; nobody is reported more than the first
+            // ones.
+            const bool reported = state.mistakes.size() < 10 * most_mistakes_reported;
+            std::string hint = reported ? did_you_mean(name, known) : "";
+            if (reported && hint.empty())
+                hint = fmt::format("known here: {}", fmt::join(known, ", "));
             state.note(key.source(), inner, "unknown key", hint);
         } else if (const toml::table* one = node.as_table()) {
             note_unasked(state, *one, inner);
@@ -92,7 +94,7 @@ std::vector<std::string> names_of(const toml::array& tables) {
 }
 
 /// "by name or number: 0 east, 1 west", of many the first.
-std::string told_names(const std::vector<std::string>& names) {
+std::string reported_names(const std::vector<std::string>& names) {
     constexpr std::size_t most = 8;
     std::string text = "by name or number: ";
     for (std::size_t i = 0; i < names.size() && i < most; ++i) {
@@ -115,13 +117,13 @@ std::pair<toml::table*, std::string> table_at(DocumentState& state, const std::s
                 throw InputError(where,
                                  fmt::format("names no key of one of '{}', expected {}.NAME.{}",
                                              words[i], words[i], words.back()),
-                                 told_names(names));
+                                 reported_names(names));
             }
             node = inner(*node, words[++i]);
             if (node == nullptr) {
                 const std::string hint = did_you_mean(words[i], names);
                 throw InputError(where, fmt::format("no {} \"{}\"", words[i - 1], words[i]),
-                                 hint.empty() ? told_names(names) : hint);
+                                 hint.empty() ? reported_names(names) : hint);
             }
         }
         table = node->as_table();

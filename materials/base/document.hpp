@@ -35,7 +35,7 @@ class Document {
     /// there is none, or if what is on the way is no table.
     void set(const std::string& setting);
     /// The same with a value that stands elsewhere in the file, which is gone from there: mistakes
-    /// are told of that place.
+    /// are reported of that place.
     ///
     /// - from: its path, "sweep.axis.0.values.2"
     void move_value(const std::string& from, const std::string& to);

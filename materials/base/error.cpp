@@ -63,7 +63,7 @@ InputError::InputError(std::vector<Mistake> mistakes)
     : std::runtime_error(joined(mistakes)), mistakes_(std::move(mistakes)) {}
 
 void InputError::print(std::FILE* to) const {
-    const std::size_t shown = std::min(mistakes_.size(), most_mistakes_told);
+    const std::size_t shown = std::min(mistakes_.size(), most_mistakes_reported);
     for (std::size_t i = 0; i < shown; ++i) fmt::print(to, "{}\n", mistakes_[i].line());
     if (shown < mistakes_.size()) fmt::print(to, "and {} more\n", mistakes_.size() - shown);
 }

@@ -10,7 +10,7 @@
 
 namespace diurna {
 
-/// One thing that is wrong with an input, told so that its author can mend it.
+/// One thing that is wrong with an input, reported so that its author can mend it.
 struct Mistake {
     std::string where;    ///< "ridge.toml:41:13: weather.wind_m_s", or a file's name
     std::string problem;  ///< what was found and what was expected, in one line
@@ -20,7 +20,7 @@ struct Mistake {
     std::string line() const;
 };
 
-inline constexpr std::size_t most_mistakes_told = 20;
+inline constexpr std::size_t most_mistakes_reported = 20;
 
 /// An input cannot be used. Thrown where text becomes a value; `main` prints every mistake on its
 /// own line and leaves with code 2, before anything has been written.

@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-// What stops a visit; less than 0 is a failure, which is told by who reads the values.
+// What stops a visit; less than 0 is a failure, which is given by who reads the values.
 constexpr herr_t go_on = 0, found = 1;
 
 herr_t look_at_link(hid_t, const char* name, const H5L_info_t* link, void* where) {
@@ -36,8 +36,8 @@ herr_t look_at_object(hid_t group, const char* name, const H5O_info_t* object, v
 }
 
 /// Sets the library up, and keeps messages of its own off the terminal. By H5open and before all
-/// else: where memory fails while it sets itself up inside of another call, HDF5 1.10 tells itself
-/// of the error without end.
+/// else: where memory fails while it sets itself up inside of another call, HDF5 1.10 reports
+/// itself of the error without end.
 void begin_hdf5() {
     if (H5open() < 0) throw std::bad_alloc();
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -43,7 +43,7 @@ struct Key {
     Kind kind = Kind::tested;
     std::string says{};      // in one line what it means
     bool required = false;   // a mistake where it is absent
-    std::string fallback{};  // in place of an absent one; "": nothing to be told
+    std::string fallback{};  // in place of an absent one; "": nothing to be reported
     Range range{};           // of a number
     std::size_t count = 0;   // of an array of numbers, or of each of its rows; 0: any; 1 of
                              // tables that may be one table

@@ -90,10 +90,10 @@ std::string Section::where(const std::string& key) const {
     return state_->place(source, joined_path(path_, key));
 }
 
-bool Section::amiss() const {
-    return std::any_of(state_->mistakes.begin(), state_->mistakes.end(), [&](const auto& told) {
+bool Section::has_mistakes() const {
+    return std::any_of(state_->mistakes.begin(), state_->mistakes.end(), [&](const auto& reported) {
         const std::string rest =
-            told.path.starts_with(path_) ? told.path.substr(path_.size()) : "-";
+            reported.path.starts_with(path_) ? reported.path.substr(path_.size()) : "-";
         return rest.empty() || rest.front() == '.' || rest.front() == '[';
     });
 }
@@ -117,8 +117,8 @@ double Section::number(const std::string& key, const char* says, Range range) co
 
 double Section::number_or(const std::string& key, const char* says, Or<double> fallback,
                           Range range) const {
-    const std::string told = or_said(fallback.said, number_text(fallback.value));
-    if (!ask(key, says, Key::Kind::number, {.fallback = told, .range = range})) {
+    const std::string reported = or_said(fallback.said, number_text(fallback.value));
+    if (!ask(key, says, Key::Kind::number, {.fallback = reported, .range = range})) {
         return fallback.value;
     }
     return checked_number(key, fallback.value, range);
@@ -127,8 +127,9 @@ double Section::number_or(const std::string& key, const char* says, Or<double> f
 Section::NumberOrWord Section::number_or_word(const std::string& key, const char* says,
                                               Or<double> fallback, Range range,
                                               const std::vector<std::string>& words) const {
-    const std::string told = or_said(fallback.said, number_text(fallback.value));
-    if (!ask(key, says, Key::Kind::number, {.fallback = told, .range = range, .words = words})) {
+    const std::string reported = or_said(fallback.said, number_text(fallback.value));
+    if (!ask(key, says, Key::Kind::number,
+             {.fallback = reported, .range = range, .words = words})) {
         return {fallback.value};
     }
     const toml::node& node = *node_of(table_, key);
@@ -154,8 +155,8 @@ double Section::checked_number(const std::string& key, double fallback, Range ra
 
 int Section::integer_or(const std::string& key, const char* says, Or<int> fallback,
                         Range range) const {
-    const std::string told = or_said(fallback.said, std::to_string(fallback.value));
-    if (!ask(key, says, Key::Kind::whole, {.fallback = told, .range = range})) {
+    const std::string reported = or_said(fallback.said, std::to_string(fallback.value));
+    if (!ask(key, says, Key::Kind::whole, {.fallback = reported, .range = range})) {
         return fallback.value;
     }
     const double value = checked_number(key, fallback.value, range);

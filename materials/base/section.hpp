@@ -18,7 +18,7 @@ namespace diurna {
 
 struct DocumentState;
 
-/// A value in place of an absent key. `said` tells of it in scenes/KEYS.md where the value alone
+/// A value in place of an absent key. `said` reports of it in scenes/KEYS.md where the value alone
 /// would not: {radius, "radius_m"}.
 template <class T>
 struct Or {
@@ -102,8 +102,8 @@ class Section {
     template <class T>
     T choice_or(const std::string& key, const char* says, const T& fallback,
                 const std::type_identity_t<std::vector<Choice<T>>>& choices) const;
-    /// The word under `kind`, which tells what else the table holds: beside an unknown one all keys
-    /// are passed over.
+    /// The word under `kind`, which reports what else the table holds: beside an unknown one all
+    /// keys are passed over.
     std::string kind_or(const char* says, const char* fallback,
                         const std::vector<std::string>& words) const;
     bool flag_or(const std::string& key, const char* says, bool fallback) const;
@@ -134,8 +134,8 @@ class Section {
 
     /// "file:line:column: path.to.key" of a key, or of the table itself for "".
     std::string where(const std::string& key = "") const;
-    /// Whether a mistake in it has been told, so that what follows from it is none.
-    bool amiss() const;
+    /// Whether a mistake in it has been reported, so that what follows from it is none.
+    bool has_mistakes() const;
     /// Notes a mistake the caller found.
     void mistake(const std::string& key, const std::string& problem,
                  const std::string& hint = "") const;

@@ -64,9 +64,9 @@ std::vector<std::filesystem::path> Section::files(const std::string& key, const 
 
 std::filesystem::path Section::file_named(const std::string& key, const std::string& name) const {
     const std::string path = joined_path(path_, key);
-    const bool told = std::any_of(state_->mistakes.begin(), state_->mistakes.end(),
-                                  [&](const auto& mistake) { return mistake.path == path; });
-    if (missed_ || told) return {};
+    const bool reported = std::any_of(state_->mistakes.begin(), state_->mistakes.end(),
+                                      [&](const auto& mistake) { return mistake.path == path; });
+    if (missed_ || reported) return {};
     std::filesystem::path file = std::filesystem::path(state_->file).parent_path() / name;
     std::error_code problem;
     if (name.empty()) {

@@ -27,7 +27,8 @@ class UnfinishedFile {
     void write(std::span<const std::byte> bytes);
     /// Flushed to disk, renamed, and the folder's entry flushed.
     void finish();
-    /// Renamed, flushed whenever the system does: for what can be told to be torn, and made anew.
+    /// Renamed, flushed whenever the system does: for what can be reported to be torn, and
+    /// regenerated.
     void rename();
 
  private:

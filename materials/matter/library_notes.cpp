@@ -121,13 +121,13 @@ bool names_source(std::string_view text, std::string_view tag) {
 
 std::vector<std::string> lines_without_source(const MaterialNote& note) {
     std::vector<std::string> found;
-    bool told = false;  // by the line above
+    bool reported = false;  // by the line above
     for (const std::string& line : note.lines) {
         const auto [code, comment] = split(line);
         const bool alone = trimmed_text(code).empty();
         const bool here = !trimmed_text(comment).empty();
-        if (!alone && gives_number(code) && !here && !told) found.push_back(line);
-        told = alone && here;
+        if (!alone && gives_number(code) && !here && !reported) found.push_back(line);
+        reported = alone && here;
     }
     return found;
 }

@@ -183,7 +183,7 @@ struct Material {
     Finish finish{};           // the law of angle
     bool see_through = false;  // rays go on behind it: panes, nets; else it has a room behind
     /// Of a net: the share that is strips. Its spectra are the whole net's, `thermal` its strips'
-    /// (materials/matter/net.hpp).
+    /// (materials/matter/net_optics.hpp).
     double cover = 1.0;
     /// What its spectra were given over [µm], their ends held beyond; whether that makes its albedo
     /// or emissivity a guess (materials/matter/spectrum_notes.hpp).

@@ -223,7 +223,7 @@ std::optional<IndexReach> index_reach(const Section& section, const Glossy& fini
                           .needed_to_um = effective ? index_heat_begins_um : 1e3,
                           .effective_helps = plain && !finish.metal && !effective};
     } catch (const InputError&) {
-        return {};  // told when it was read
+        return {};  // reported when it was read
     }
 }
 

@@ -44,7 +44,7 @@ Layer read_soil(const Section& layer) {
 /// A layer that takes no heat to warm, or gives some, has no temperature: from 50 to 700 K, between
 /// the poles of the moon and the day of Mercury, it must take a joule per kilogram and kelvin.
 void check_polynomial(const Section& layer, const std::vector<double>& heat) {
-    if (layer.amiss()) return;
+    if (layer.has_mistakes()) return;
     for (double t = 50.0; t <= 700.0; t += 1.0) {
         double capacity = 0.0;
         for (std::size_t power = heat.size(); power-- > 0;) capacity = capacity * t + heat[power];

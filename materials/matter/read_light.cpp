@@ -4,7 +4,7 @@
 #include <initializer_list>
 #include <variant>
 
-#include "materials/matter/net.hpp"
+#include "materials/matter/net_optics.hpp"
 #include "materials/matter/read_finish.hpp"
 #include "materials/matter/read_optics.hpp"
 

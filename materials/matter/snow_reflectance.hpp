@@ -8,7 +8,7 @@ namespace diurna {
 ///
 /// Between the library's snow_fine, snow_medium and snow_coarse (grains of 0.05, 0.2, 1 mm;
 /// Wiscombe and Warren 1980; albedo 0.84, 0.78, 0.68) on the straight line of the two that enclose
-/// it: grains grow as snow ages. Darker than the coarse, whose dirt then tells (Warren & Wiscombe
+/// it: grains grow as snow ages. Darker than the coarse, whose dirt then reports (Warren & Wiscombe
 /// 1980), or brighter than the fine, it is moved in sunlight towards black or white as
 /// with_albedo() does.
 Spectrum snow_reflectance(double albedo);

@@ -13,7 +13,7 @@ namespace diurna {
 /// R of water's face along the normal, R_diffuse = 0.066 of diffuse light, ρ' the dry surface's
 /// after 20 µm of water down and up, slanting (it is what makes wet ground dark beyond 1.4 µm and
 /// nearly black in heat). The library's wet soils are made so (materials/spectra/wet_soil.csv).
-/// That grains scatter less sharply in water (Twomey et al. 1986, Appl. Opt. 25, 431) is left out:
+/// That grains scatter less sharply in water (Twomey et al. 1986, Appl. Opt. 25, 431) is skipped:
 /// soils measured become darker still (Idso et al. 1975, J. Appl. Meteorol. 14, 109: from 0.30 to
 /// 0.14, where this gives 0.21).
 Spectrum wet_reflectance(const Spectrum& dry);

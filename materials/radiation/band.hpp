@@ -34,7 +34,7 @@ Band response_band(std::string name, Spectrum response, std::span<const double> 
 
 /// Reads a response curve for response_band(): a CSV file of two columns, `wavelength_um` or
 /// `wavelength_nm` and `response`, wavelengths ascending within 0.2 to 100 µm, responses 0 to 1 and
-/// not all zero. Zeros beyond the curve's ends are left out. Throws InputError with file, line and
+/// not all zero. Zeros beyond the curve's ends are skipped. Throws InputError with file, line and
 /// column.
 Spectrum read_response(const std::filesystem::path& path);
 

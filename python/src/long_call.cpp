@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks{100};
 
-struct Told {
+struct Messages {
     std::string stage;
     double share = 0.0;
 };
@@ -30,7 +30,7 @@ class Desk {
  public:
     void tell(const std::string& stage, double share) {
         const std::lock_guard lock(mutex_);
-        told_.push_back({stage, share});
+        reported_.push_back({stage, share});
         changed_.notify_one();
     }
     void end() {
@@ -38,24 +38,24 @@ class Desk {
         ended_ = true;
         changed_.notify_one();
     }
-    /// Waits a little; what was told since, and whether the work has ended.
-    std::pair<std::vector<Told>, bool> wait() {
+    /// Waits a little; what was reported since, and whether the work has ended.
+    std::pair<std::vector<Messages>, bool> wait() {
         std::unique_lock lock(mutex_);
-        changed_.wait_for(lock, between_looks, [&] { return ended_ || !told_.empty(); });
-        return {std::exchange(told_, {}), ended_};
+        changed_.wait_for(lock, between_looks, [&] { return ended_ || !reported_.empty(); });
+        return {std::exchange(reported_, {}), ended_};
     }
 
  private:
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::vector<Told> told_;
+    std::vector<Messages> reported_;
     bool ended_ = false;
 };
 
 /// Throws what a signal's handler or `progress` raises.
-void look(const py::object& progress, const std::vector<Told>& told) {
+void look(const py::object& progress, const std::vector<Messages>& reported) {
     if (!progress.is_none()) {
-        for (const Told& one : told) progress(one.stage, one.share);
+        for (const Messages& one : reported) progress(one.stage, one.share);
     }
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
@@ -80,14 +80,14 @@ void long_call(const py::object& progress, const std::function<void(const Progre
         desk.end();
     });
     for (bool ended = false; !ended;) {
-        std::vector<Told> told;
+        std::vector<Messages> reported;
         {
             const py::gil_scoped_release free;
-            std::tie(told, ended) = desk.wait();
+            std::tie(reported, ended) = desk.wait();
         }
         if (raised) continue;  // until the work has ended
         try {
-            look(progress, told);
+            look(progress, reported);
         } catch (...) {
             raised = std::current_exception();
             unwanted = true;

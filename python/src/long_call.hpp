@@ -10,7 +10,7 @@
 namespace diurna::python {
 
 /// Does work that may take long on a thread of its own and comes back when it is done. Meanwhile
-/// other threads of Python go on, and the caller looks for Ctrl-C ten times a second and tells
+/// other threads of Python go on, and the caller looks for Ctrl-C ten times a second and reports
 /// `progress`, here and with the interpreter held, of stages and shares. A KeyboardInterrupt, or
 /// what `progress` raises, gives the work up (materials/base/giving_up.hpp) and is raised when it
 /// has ended. Throws what the work throws.

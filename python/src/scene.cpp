@@ -7,14 +7,14 @@
 #include "python/src/bind.hpp"
 #include "python/src/long_call.hpp"
 #include "render/picture/exr.hpp"
-#include "scenes/doubts/doubts.hpp"
-#include "scenes/kept/stage_store.hpp"
+#include "scenes/cache/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/sweep/checked_scene.hpp"
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 #include "thermal/temperature_field.hpp"
 
 // A scene file: what is wrong with it, what it needs, what comes of it.
@@ -42,7 +42,7 @@ py::dict check(const std::filesystem::path& file, const Settings& settings, bool
     py::dict out;
     out["facets"] = checked.facets;
     out["observers"] = checked.observers;
-    out["warnings"] = as_lines(checked.doubts);
+    out["warnings"] = as_lines(checked.warnings);
     out["notes"] = checked.notes;
     return out;
 }

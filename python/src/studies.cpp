@@ -20,7 +20,7 @@ py::dict as_dict(const StudyFindings& found) {
         py::dict finding;
         finding["name"] = one.name;
         finding["texts"] = texts;
-        finding["told"] = one.told;
+        finding["told"] = one.reported;
         finding["notes"] = one.notes;
         findings.append(finding);
     }

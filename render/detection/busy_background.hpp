@@ -13,7 +13,7 @@ struct PlaneView {
 };
 
 /// How busy a background is, cell by cell. Cells tile the picture from its top left; those with a
-/// pixel that is left out, or a value that is not finite, do not count, nor what is over at the
+/// pixel that is skipped, or a value that is not finite, do not count, nor what is over at the
 /// right and below.
 struct CellClutter {
     double level = 0.0;     // in the plane's unit, or 0 to 1; NaN where no cell counts
@@ -36,7 +36,7 @@ CellClutter cell_clutter(const PlaneView& plane, std::span<const std::uint8_t> l
 CellClutter similar_clutter(const PlaneView& plane, std::span<const std::uint8_t> left_out,
                             int left, int top, int width, int height);
 
-/// Shannon's entropy [bits] of values that are not left out, counted in bins of `step` from zero
+/// Shannon's entropy [bits] of values that are not skipped, counted in bins of `step` from zero
 /// on.
 double entropy_bits(std::span<const float> value, std::span<const std::uint8_t> counted,
                     double step);

@@ -16,7 +16,7 @@ struct EyeGrid {
     std::size_t ranges = 2, heights = 2;
     float root_low = 0.0f, per_root = 0.0f;      // [m^⅓], cells per m^⅓
     float height_low = 0.0f, per_height = 0.0f;  // [m], cells per m
-    double error = 0.0;  // of straight cells [K] of apparent temperature, as told by `surfaces`
+    double error = 0.0;  // of straight cells [K] of apparent temperature, as given by `surfaces`
 };
 /// - surfaces: (band)(surface) radiance at the eye, (range, height of the path's grid), of surfaces
 ///   that stand for the scene's

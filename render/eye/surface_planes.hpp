@@ -29,9 +29,9 @@ namespace diurna {
 /// Light as it arrives (black: of a black body at its temperature); emissivity and reflectance its
 /// means over the band as that light has it; transmittance the means of the air over what leaves
 /// the surface. `path` is the frame's term: air, sky and far plain. What mirrors, panes, nets and
-/// plumes show render/rays/hop_planes.hpp adds; `unlisted` is the share of a pixel that is in no
-/// surface and is not sky: where it is 0 the sum is whole. Each mean is that of the band's nodes;
-/// the product of a row is the term of the radiance that TERM.BAND holds.
+/// plumes show render/rays/secondary_planes.hpp adds; `unlisted` is the share of a pixel that is in
+/// no surface and is not sky: where it is 0 the sum is whole. Each mean is that of the band's
+/// nodes; the product of a row is the term of the radiance that TERM.BAND holds.
 ///
 /// - eye: with a column for every term
 /// - sun: null: every pixel has its facets' mean

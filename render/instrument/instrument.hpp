@@ -9,7 +9,7 @@
 
 namespace diurna {
 
-/// The lens before the detector. What is nought, or as here, is left out (left_out()).
+/// The lens before the detector. What is nought, or as here, is skipped (left_out()).
 struct Lens {
     double f_number = 2.0;
     Spectrum transmission = flat_spectrum(0.9);

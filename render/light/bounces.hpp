@@ -12,14 +12,14 @@ struct BounceOptions {
                           // black
     float least = 1e-6f;  // [W m⁻² sr⁻¹] what a bounce adds to a facet's radiance waits below
 };
-/// What is left out is below the tolerance, or 1e-5 of the light of sun and sky that a white
+/// What is skipped is below the tolerance, or 1e-5 of the light of sun and sky that a white
 /// surface would send back, whichever is more.
 ///
 /// - tolerance: [K] at the scene's cold end
 BounceOptions bounce_options(const BandLight& band, const TemperatureExtent& extent,
                              const ReflectionBounds& bounds, int bounces, double tolerance);
 
-/// Bound on the radiance [W m⁻² sr⁻¹] of a facet seen that is left out.
+/// Bound on the radiance [W m⁻² sr⁻¹] of a facet seen that is skipped.
 double left_over(const BandLight& band, const TemperatureExtent& extent,
                  const ReflectionBounds& bounds, const BounceOptions& options);
 

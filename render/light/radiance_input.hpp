@@ -5,7 +5,7 @@
 #include <span>
 
 #include "materials/atmosphere/atmosphere.hpp"
-#include "materials/atmosphere/moon.hpp"
+#include "materials/atmosphere/moonlight.hpp"
 #include "materials/matter/library.hpp"
 #include "render/view/view.hpp"
 #include "terrain/facets.hpp"

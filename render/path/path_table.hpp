@@ -23,7 +23,7 @@ class PathTable {
  public:
     /// Halves the spacing until interpolation of the radiance of every probe, carried through the
     /// air, errs by less than `tolerance` [K] of apparent temperature in every band, as far as
-    /// can be told from the nodes that the last halving added.
+    /// can be reported from the nodes that the last halving added.
     ///
     /// - bands: their channels and probes; to outlive the table
     PathTable(const RadianceInput& input, const PathExtent& extent,

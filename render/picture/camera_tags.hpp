@@ -6,8 +6,8 @@
 
 namespace diurna {
 
-/// What an OpenEXR picture tells by attributes of OpenEXR's own (ImfStandardAttributes.h): who else
-/// reads them knows what they are. Matrices are for columns here, p' = M p.
+/// What an OpenEXR picture reports by attributes of OpenEXR's own (ImfStandardAttributes.h): who
+/// else reads them knows what they are. Matrices are for columns here, p' = M p.
 struct CameraTags {
     /// worldToCamera: from east, north, up [m] of the site to the camera's right, up, forward [m]
     /// (left-handed, as OpenEXR has it).
@@ -22,7 +22,7 @@ struct CameraTags {
     double altitude = 0.0;      // [m] above the sea
     double exposure = 0.0;      // expTime [s]
     double focus = 0.0;         // focus [m]; infinite: sharp everywhere
-    double window_width = 0.0;  // screenWindowWidth: of the picture at distance 1; 0: not told
+    double window_width = 0.0;  // screenWindowWidth: of the picture at distance 1; 0: not reported
 };
 
 }  // namespace diurna

@@ -23,7 +23,7 @@ float* row(Term term, Origin origin, std::size_t lanes, float* out) {
 }
 
 /// Its heat, and what it reflects of sky and surroundings.
-void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint32_t target,
+void add_diffuse(const SecondaryTables& tables, const AngleTable::Place& at, std::uint32_t target,
                  float* out) {
     const std::size_t n = tables.lanes.size();
     const float* black = tables.facet_lanes.black(target);
@@ -44,7 +44,7 @@ void add_diffuse(const HopTables& tables, const AngleTable::Place& at, std::uint
 }
 
 /// Sunlight, diffuse and mirrored.
-void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
+void add_sun(const SecondaryTables& tables, const SecondaryRay& secondary, const AngleTable& table,
              const AngleTable::Place& at, std::uint32_t target, float* out) {
     const std::size_t n = tables.lanes.size(), i = tables.lit_index(target);
     float* light = row(Term::sun, Origin::sunlight, n, out);
@@ -52,14 +52,14 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
     const float sunlight = tables.light.state.sunlight[i];
     if (!(sunlight > 0.0f)) return;
     const Eigen::Vector3d& to_sun = tables.input.to_sun;
-    const Eigen::Vector3d normal = tables.input.facets.normal[hop.what].cast<double>();
-    const Eigen::Vector3d eye = -hop.direction.cast<double>();
+    const Eigen::Vector3d normal = tables.input.facets.normal[secondary.what].cast<double>();
+    const Eigen::Vector3d eye = -secondary.direction.cast<double>();
     const AngleTable::Place towards_sun = table.at(std::max(0.0, normal.dot(to_sun)));
     const auto lobe =
-        static_cast<float>(measured_lobe(tables.material(hop).finish, normal, eye, to_sun));
+        static_cast<float>(measured_lobe(tables.material(secondary).finish, normal, eye, to_sun));
     float glint = 0.0f;
     AngleTable::Place half_way = at;
-    if (const auto* glossy = std::get_if<Glossy>(&tables.material(hop).finish)) {
+    if (const auto* glossy = std::get_if<Glossy>(&tables.material(secondary).finish)) {
         Microfacets surface = microfacets_of(*glossy);
         surface.roughness = table.roughness();
         half_way = table.at(facing_between(eye, to_sun));
@@ -67,8 +67,9 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
         const Eigen::Vector3d level =
             glossy->waves ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : normal;
         const double turned = level.dot(to_sun) / std::max(1e-6, normal.dot(to_sun));
-        glint = static_cast<float>(sun_glint(surface, level, eye, to_sun, double{hop.cosine}) *
-                                   turned * double{sunlight});
+        glint =
+            static_cast<float>(sun_glint(surface, level, eye, to_sun, double{secondary.cosine}) *
+                               turned * double{sunlight});
     }
     const std::array<float, 3> up = height_weights(tables.lit.height[i]);
     const auto at_height = [&up](const std::array<std::vector<float>, 3>& sun, std::size_t c) {
@@ -83,14 +84,16 @@ void add_sun(const HopTables& tables, const Hop& hop, const AngleTable& table,
 }
 
 /// A room behind, at this angle; without one, what is behind is as warm as the facet.
-void add_behind(const HopTables& tables, const Hop& hop, const AngleTable& table,
-                const AngleTable::Place& at, std::uint32_t target, float* out) {
+void add_behind(const SecondaryTables& tables, const SecondaryRay& secondary,
+                const AngleTable& table, const AngleTable::Place& at, std::uint32_t target,
+                float* out) {
     const std::size_t n = tables.lanes.size();
     float* behind = row(Term::behind, Origin::surface, n, out);
     std::fill_n(behind, n, 0.0f);
-    if (tables.material(hop).see_through) return;
+    if (tables.material(secondary).see_through) return;
     const float* black = tables.facet_lanes.black(target);
-    const std::vector<float>& of_room = tables.room[index(tables.input.facets.material[hop.what])];
+    const std::vector<float>& of_room =
+        tables.room[index(tables.input.facets.material[secondary.what])];
     const AngleTable::Place upright = table.at(laboratory_cosine);
     for (std::size_t c = 0; c < n; ++c) {
         if (of_room.empty()) {
@@ -103,12 +106,13 @@ void add_behind(const HopTables& tables, const Hop& hop, const AngleTable& table
 
 }  // namespace
 
-void directional_light(const HopTables& tables, const Hop& hop, std::uint32_t target, float* out) {
-    const AngleTable& table = tables.angle[index(tables.input.facets.material[hop.what])];
-    const AngleTable::Place at = table.at(double{hop.cosine});
+void directional_light(const SecondaryTables& tables, const SecondaryRay& secondary,
+                       std::uint32_t target, float* out) {
+    const AngleTable& table = tables.angle[index(tables.input.facets.material[secondary.what])];
+    const AngleTable::Place at = table.at(double{secondary.cosine});
     add_diffuse(tables, at, target, out);
-    add_sun(tables, hop, table, at, target, out);
-    add_behind(tables, hop, table, at, target, out);
+    add_sun(tables, secondary, table, at, target, out);
+    add_behind(tables, secondary, table, at, target, out);
 }
 
 }  // namespace diurna

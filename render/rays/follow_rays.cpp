@@ -20,7 +20,7 @@ namespace {
 double fraction(double x) { return x - std::floor(x); }
 
 /// (target of the view) whether its material needs rays.
-std::vector<bool> targets_that_need_rays(const View& view, const HopScene& scene) {
+std::vector<bool> targets_that_need_rays(const View& view, const SecondaryScene& scene) {
     std::vector<bool> target(view.facet.size());
     for (std::size_t t = 0; t < target.size(); ++t) {
         target[t] = scene.needs_rays(view.facet[t]);
@@ -47,7 +47,7 @@ bool near_plume(std::size_t pixel, const PixelRays& rays, const Observer& observ
     });
 }
 
-std::vector<std::uint32_t> special_pixels(const View& view, const HopScene& scene,
+std::vector<std::uint32_t> special_pixels(const View& view, const SecondaryScene& scene,
                                           const Observer& observer) {
     std::vector<std::uint32_t> pixels;
     const std::vector<bool> target = targets_that_need_rays(view, scene);
@@ -74,19 +74,23 @@ std::vector<std::uint32_t> special_pixels(const View& view, const HopScene& scen
 constexpr int lobe_rays_of_pixel = 64, most_lobe_rays = 4;
 
 /// Whether a ray into a lobe met a facet.
-bool meets_in_lobe(std::span<const Hop> hops, const HopScene& scene) {
-    return std::any_of(hops.begin(), hops.end(), [&](const Hop& hop) {
-        if (hop.way != Hop::Way::mirrored || hop.kind != Hop::Kind::facet) return false;
-        const Hop& mirror = hops[static_cast<std::size_t>(hop.before)];
-        const auto& finish = scene.material(FacetId{mirror.what}).finish;
-        return roughness_under(finish, scene.wind_speed) >= least_lobe;
-    });
+bool meets_in_lobe(std::span<const SecondaryRay> secondary_rays, const SecondaryScene& scene) {
+    return std::any_of(
+        secondary_rays.begin(), secondary_rays.end(), [&](const SecondaryRay& secondary) {
+            if (secondary.way != SecondaryRay::Way::mirrored ||
+                secondary.kind != SecondaryRay::Kind::facet)
+                return false;
+            const SecondaryRay& mirror = secondary_rays[static_cast<std::size_t>(secondary.before)];
+            const auto& finish = scene.material(FacetId{mirror.what}).finish;
+            return roughness_under(finish, scene.wind_speed) >= least_lobe;
+        });
 }
 
 /// (index among the pixels asked) whether lobes are to have more rays there: where one met a facet,
 /// and the pixels about it, so that the choice hardly leans on chance.
 std::vector<bool> near_in_lobes(std::span<const std::uint32_t> pixels, std::size_t width,
-                                const std::vector<std::vector<Hop>>& found, const HopScene& scene) {
+                                const std::vector<std::vector<SecondaryRay>>& found,
+                                const SecondaryScene& scene) {
     std::vector<std::uint32_t> met;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
         if (meets_in_lobe(found[k], scene)) met.push_back(pixels[k]);
@@ -111,16 +115,16 @@ std::vector<bool> near_in_lobes(std::span<const std::uint32_t> pixels, std::size
 
 /// The rays of pixels, followed.
 struct PixelWalks {
-    const HopScene& scene;
+    const SecondaryScene& scene;
     const Observer& observer;
     const PixelRays& eye;
     const ViewOptions& options;
-    const HopSampling* sampling;
+    const SecondarySampling* sampling;
 
     /// What the samples of a pixel meet, merged; empty where they meet what the view has already.
     ///
     /// - many: rays into lobes
-    std::vector<Hop> of_pixel(std::size_t p, bool many) const {
+    std::vector<SecondaryRay> of_pixel(std::size_t p, bool many) const {
         std::vector<double> values;
         const auto rays = [&](int samples) {
             const int wanted = (lobe_rays_of_pixel + samples - 1) / samples;
@@ -128,7 +132,8 @@ struct PixelWalks {
         };
         const auto seed = options.seed + (many ? second_step : 0);
         const int first = sampling ? sampling->options.from : options.samples;
-        std::vector<Hop> seen = walked(p, first, rays(first), seed, sampling ? &values : nullptr);
+        std::vector<SecondaryRay> seen =
+            walked(p, first, rays(first), seed, sampling ? &values : nullptr);
         if (sampling == nullptr) return seen;
         const int wanted = seen.empty() ? 0 : samples_wanted(values, *sampling);
         if (wanted <= first) return seen;
@@ -137,11 +142,11 @@ struct PixelWalks {
 
  private:
     /// - values: what each sample shows, if asked for
-    std::vector<Hop> walked(std::size_t p, int samples, int lobe_rays, std::uint64_t seed,
-                            std::vector<double>* values) const {
+    std::vector<SecondaryRay> walked(std::size_t p, int samples, int lobe_rays, std::uint64_t seed,
+                                     std::vector<double>* values) const {
         const auto [columns, rows] = nearly_square(samples);
         const auto width = static_cast<std::size_t>(observer.width);
-        std::vector<Hop> sample, seen;
+        std::vector<SecondaryRay> sample, seen;
         RandomStream of_pixel{(seed << 32) + p};
         const double offset = of_pixel();
         const std::array<double, 2> turn = {of_pixel(), of_pixel()};
@@ -166,10 +171,13 @@ struct PixelWalks {
             add_sample(sample, scene.plumes, seen);
         }
         // Past the plumes after all?
-        const bool plain = std::all_of(seen.begin(), seen.end(), [&](const Hop& hop) {
-            return hop.before < 0 && !hop.closed && hop.kind != Hop::Kind::plume &&
-                   !(hop.kind == Hop::Kind::facet && scene.needs_rays(FacetId{hop.what}));
-        });
+        const bool plain =
+            std::all_of(seen.begin(), seen.end(), [&](const SecondaryRay& secondary) {
+                return secondary.before < 0 && !secondary.closed &&
+                       secondary.kind != SecondaryRay::Kind::plume &&
+                       !(secondary.kind == SecondaryRay::Kind::facet &&
+                         scene.needs_rays(FacetId{secondary.what}));
+            });
         if (plain) seen.clear();
         return seen;
     }
@@ -196,23 +204,23 @@ void take_out(std::span<const std::uint32_t> pixels, View& view) {
 
 }  // namespace
 
-Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
-                 const ViewOptions& options, const HopSampling* sampling) {
-    Hops hops;
-    hops.observer_height = view.observer_height;
-    hops.row.assign(1, 0);
+SecondaryRays follow_rays(View& view, const SecondaryScene& scene, const Observer& observer,
+                          const ViewOptions& options, const SecondarySampling* sampling) {
+    SecondaryRays secondary_rays;
+    secondary_rays.observer_height = view.observer_height;
+    secondary_rays.row.assign(1, 0);
     const std::vector<std::uint32_t> asked = special_pixels(view, scene, observer);
-    if (asked.empty()) return hops;
+    if (asked.empty()) return secondary_rays;
 
     std::optional<TexturedHit> textured;
-    HopScene with_textures = scene;
+    SecondaryScene with_textures = scene;
     if (options.texture_levels != nullptr && !options.texture_levels->empty()) {
         textured.emplace(*options.texture_levels, observer, options.samples);
         with_textures.textured = &*textured;
     }
     const PixelRays eye = pixel_rays(observer);
     const PixelWalks walks{with_textures, observer, eye, options, sampling};
-    std::vector<std::vector<Hop>> found(asked.size());
+    std::vector<std::vector<SecondaryRay>> found(asked.size());
     for_each_index(
         asked.size(), [&](std::size_t k) { found[k] = walks.of_pixel(asked[k], false); }, 16);
     const std::vector<bool> near =
@@ -225,12 +233,13 @@ Hops follow_rays(View& view, const HopScene& scene, const Observer& observer,
         16);
     for (std::size_t k = 0; k < found.size(); ++k) {
         if (found[k].empty()) continue;
-        hops.pixel.push_back(asked[k]);
-        hops.hop.insert(hops.hop.end(), found[k].begin(), found[k].end());
-        hops.row.push_back(static_cast<std::uint32_t>(hops.hop.size()));
+        secondary_rays.pixel.push_back(asked[k]);
+        secondary_rays.secondary.insert(secondary_rays.secondary.end(), found[k].begin(),
+                                        found[k].end());
+        secondary_rays.row.push_back(static_cast<std::uint32_t>(secondary_rays.secondary.size()));
     }
-    take_out(hops.pixel, view);
-    return hops;
+    take_out(secondary_rays.pixel, view);
+    return secondary_rays;
 }
 
 }  // namespace diurna

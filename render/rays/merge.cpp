@@ -21,49 +21,54 @@ bool same_way(const Eigen::Vector3f& mean, const Eigen::Vector3f& ray) {
            (ray - mean).head<2>().norm() <= most_aside && (ray.z() < 0.0f) == (mean.z() < 0.0f);
 }
 
-/// Whether a hop is another sight of `mean`.
-bool alike(const Hop& mean, const Hop& hop, const PlumeScene& plumes) {
-    if (mean.kind != hop.kind || mean.what != hop.what || mean.way != hop.way ||
-        mean.before != hop.before || mean.closed != hop.closed) {
+/// Whether a secondary ray is another sight of `mean`.
+bool alike(const SecondaryRay& mean, const SecondaryRay& secondary, const PlumeScene& plumes) {
+    if (mean.kind != secondary.kind || mean.what != secondary.what || mean.way != secondary.way ||
+        mean.before != secondary.before || mean.closed != secondary.closed) {
         return false;
     }
-    const float turned = (hop.direction - mean.direction).norm();
-    if (hop.way == Hop::Way::mirrored && !same_way(mean.direction, hop.direction)) return false;
-    if (hop.kind == Hop::Kind::plume) {
-        const double apart = std::abs(double{hop.chord} - double{mean.chord});
-        return apart * plumes.greatest_absorption(hop.what) <= most_depth;
+    const float turned = (secondary.direction - mean.direction).norm();
+    if (secondary.way == SecondaryRay::Way::mirrored &&
+        !same_way(mean.direction, secondary.direction))
+        return false;
+    if (secondary.kind == SecondaryRay::Kind::plume) {
+        const double apart = std::abs(double{secondary.chord} - double{mean.chord});
+        return apart * plumes.greatest_absorption(secondary.what) <= most_depth;
     }
-    if (hop.kind == Hop::Kind::facet) {
-        if (hop.way != Hop::Way::mirrored && turned > most_seen) return false;
-        return std::abs(hop.range - mean.range) <= most_deep * mean.range;
+    if (secondary.kind == SecondaryRay::Kind::facet) {
+        if (secondary.way != SecondaryRay::Way::mirrored && turned > most_seen) return false;
+        return std::abs(secondary.range - mean.range) <= most_deep * mean.range;
     }
     return turned <= most_turn;
 }
 
-void merge(const Hop& hop, Hop& mean) {
-    const float total = mean.weight + hop.weight, t = hop.weight / total;
-    mean.range += t * (hop.range - mean.range);
-    mean.height += t * (hop.height - mean.height);
-    mean.cosine += t * (hop.cosine - mean.cosine);
-    mean.chord += t * (hop.chord - mean.chord);
-    mean.direction = (mean.direction + t * (hop.direction - mean.direction)).normalized();
+void merge(const SecondaryRay& secondary, SecondaryRay& mean) {
+    const float total = mean.weight + secondary.weight, t = secondary.weight / total;
+    mean.range += t * (secondary.range - mean.range);
+    mean.height += t * (secondary.height - mean.height);
+    mean.cosine += t * (secondary.cosine - mean.cosine);
+    mean.chord += t * (secondary.chord - mean.chord);
+    mean.direction = (mean.direction + t * (secondary.direction - mean.direction)).normalized();
     mean.weight = total;
 }
 
 }  // namespace
 
-void add_sample(std::span<const Hop> sample, const PlumeScene& plumes, std::vector<Hop>& pixel) {
+void add_sample(std::span<const SecondaryRay> sample, const PlumeScene& plumes,
+                std::vector<SecondaryRay>& pixel) {
     std::vector<std::int32_t> place(sample.size());
     for (std::size_t i = 0; i < sample.size(); ++i) {
-        Hop hop = sample[i];
-        if (hop.before >= 0) hop.before = place[static_cast<std::size_t>(hop.before)];
-        const auto same = std::find_if(pixel.begin(), pixel.end(),
-                                       [&](const Hop& mean) { return alike(mean, hop, plumes); });
+        SecondaryRay secondary = sample[i];
+        if (secondary.before >= 0)
+            secondary.before = place[static_cast<std::size_t>(secondary.before)];
+        const auto same = std::find_if(pixel.begin(), pixel.end(), [&](const SecondaryRay& mean) {
+            return alike(mean, secondary, plumes);
+        });
         place[i] = static_cast<std::int32_t>(same - pixel.begin());
         if (same == pixel.end()) {
-            pixel.push_back(hop);
+            pixel.push_back(secondary);
         } else {
-            merge(hop, *same);
+            merge(secondary, *same);
         }
     }
 }

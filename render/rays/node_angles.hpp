@@ -8,7 +8,7 @@
 
 namespace diurna {
 
-// Optics by angle at a band's nodes, for the sum over nodes (hop_radiance.hpp).
+// Optics by angle at a band's nodes, for the sum over nodes (secondary_radiance.hpp).
 
 /// directional_optics() of the nodes; an index of refraction that does not change with wavelength
 /// is evaluated once.

@@ -11,20 +11,21 @@
 
 namespace diurna {
 
-bool NodeLobes::is_rough(const Hop& hop) const {
-    return hop.kind == Hop::Kind::facet && !hop.closed &&
-           std::holds_alternative<Glossy>(material(hop).finish) &&
-           std::get<Glossy>(material(hop).finish).roughness >= least_lobe;
+bool NodeLobes::is_rough(const SecondaryRay& secondary) const {
+    return secondary.kind == SecondaryRay::Kind::facet && !secondary.closed &&
+           std::holds_alternative<Glossy>(material(secondary).finish) &&
+           std::get<Glossy>(material(secondary).finish).roughness >= least_lobe;
 }
 
-Eigen::Vector3d NodeLobes::normal_of(const Hop& hop) const {
-    Eigen::Vector3d normal = input_.facets.normal[hop.what].cast<double>();
-    if (std::get<Glossy>(material(hop).finish).waves) normal = Eigen::Vector3d::UnitZ();
-    return normal.dot(hop.direction.cast<double>()) > 0.0 ? Eigen::Vector3d(-normal) : normal;
+Eigen::Vector3d NodeLobes::normal_of(const SecondaryRay& secondary) const {
+    Eigen::Vector3d normal = input_.facets.normal[secondary.what].cast<double>();
+    if (std::get<Glossy>(material(secondary).finish).waves) normal = Eigen::Vector3d::UnitZ();
+    return normal.dot(secondary.direction.cast<double>()) > 0.0 ? Eigen::Vector3d(-normal) : normal;
 }
 
-SightLine NodeLobes::line_to(const Hop& hop) const {
-    return chord(eye_km_, input_.above_sea_km(double{hop.height}), 1e-3 * double{hop.range});
+SightLine NodeLobes::line_to(const SecondaryRay& secondary) const {
+    return chord(eye_km_, input_.above_sea_km(double{secondary.height}),
+                 1e-3 * double{secondary.range});
 }
 
 std::vector<double> NodeLobes::background(const Eigen::Vector3d& to, double from_km,
@@ -42,12 +43,13 @@ std::vector<double> NodeLobes::background(const Eigen::Vector3d& to, double from
 }
 
 /// The background in a mirror as it arrives at the eye.
-std::vector<double> NodeLobes::in_mirror(const Hop& mirror, const Eigen::Vector3d& to) const {
+std::vector<double> NodeLobes::in_mirror(const SecondaryRay& mirror,
+                                         const Eigen::Vector3d& to) const {
     return background(to, input_.above_sea_km(double{mirror.height}), line_to(mirror));
 }
 
 /// What arrives at a mirror from the facets around, their mean, as it arrives at the eye.
-std::vector<double> NodeLobes::mean_around(const Hop& mirror) const {
+std::vector<double> NodeLobes::mean_around(const SecondaryRay& mirror) const {
     const TermsByOrigin terms =
         radiosity_by_origin(input_, FacetId{mirror.what}, band_.node_um, 2, scattered_);
     const LightByOrigin& sent = terms[static_cast<std::size_t>(Term::surroundings)];
@@ -64,7 +66,7 @@ std::vector<double> NodeLobes::mean_around(const Hop& mirror) const {
     return light;
 }
 
-NodeLobe NodeLobes::sum(const Hop& mirror) const {
+NodeLobe NodeLobes::sum(const SecondaryRay& mirror) const {
     const Material& of = material(mirror);
     const Eigen::Vector3d normal = normal_of(mirror);
     const auto sky_view = static_cast<float>(input_.views.sky[mirror.what]);
@@ -89,7 +91,8 @@ NodeLobe NodeLobes::sum(const Hop& mirror) const {
     return lobe;
 }
 
-void NodeLobes::add(const Hop& mirror, const NodeLobe& lobe, std::vector<double>& light) const {
+void NodeLobes::add(const SecondaryRay& mirror, const NodeLobe& lobe,
+                    std::vector<double>& light) const {
     const auto optics = optics_at_nodes(material(mirror), band_, double{mirror.cosine});
     std::vector<double> near(nodes(), 0.0);
     if (lobe.sees_facets || lobe.open < 1.0) near = mean_around(mirror);
@@ -101,7 +104,7 @@ void NodeLobes::add(const Hop& mirror, const NodeLobe& lobe, std::vector<double>
     }
 }
 
-void NodeLobes::take_expected(const Hop& mirror, const NodeLobe& lobe,
+void NodeLobes::take_expected(const SecondaryRay& mirror, const NodeLobe& lobe,
                               const Eigen::Vector3d& direction, std::vector<double>& light) const {
     const double open = lobe.sees_facets && direction.z() < 0.0 ? 0.0 : lobe.open;
     std::vector<double> near(nodes(), 0.0), far = near;

@@ -5,7 +5,7 @@
 
 #include "materials/radiation/band.hpp"
 #include "render/light/radiance.hpp"
-#include "render/rays/hops.hpp"
+#include "render/rays/secondary_rays.hpp"
 
 namespace diurna {
 
@@ -24,27 +24,27 @@ class NodeLobes {
               double eye_km)
         : band_(band), input_(input), scattered_(scattered), eye_km_(eye_km) {}
 
-    bool is_rough(const Hop& hop) const;
-    NodeLobe sum(const Hop& mirror) const;
+    bool is_rough(const SecondaryRay& secondary) const;
+    NodeLobe sum(const SecondaryRay& mirror) const;
     /// Adds what a mirror shows of the background and the facets around as it arrives at the eye.
-    void add(const Hop& mirror, const NodeLobe& lobe, std::vector<double>& light) const;
+    void add(const SecondaryRay& mirror, const NodeLobe& lobe, std::vector<double>& light) const;
     /// Takes away what of that stands for what a ray off it meets.
-    void take_expected(const Hop& mirror, const NodeLobe& lobe, const Eigen::Vector3d& direction,
-                       std::vector<double>& light) const;
+    void take_expected(const SecondaryRay& mirror, const NodeLobe& lobe,
+                       const Eigen::Vector3d& direction, std::vector<double>& light) const;
 
     /// The background towards a direction from a height as it arrives past `onward`.
     std::vector<double> background(const Eigen::Vector3d& to, double from_km,
                                    const SightLine& onward) const;
-    SightLine line_to(const Hop& hop) const;
+    SightLine line_to(const SecondaryRay& secondary) const;
 
  private:
     std::size_t nodes() const { return band_.node_um.size(); }
-    const Material& material(const Hop& hop) const {
-        return input_.materials[input_.facets.material[hop.what]];
+    const Material& material(const SecondaryRay& secondary) const {
+        return input_.materials[input_.facets.material[secondary.what]];
     }
-    Eigen::Vector3d normal_of(const Hop& hop) const;
-    std::vector<double> in_mirror(const Hop& mirror, const Eigen::Vector3d& to) const;
-    std::vector<double> mean_around(const Hop& mirror) const;
+    Eigen::Vector3d normal_of(const SecondaryRay& secondary) const;
+    std::vector<double> in_mirror(const SecondaryRay& mirror, const Eigen::Vector3d& to) const;
+    std::vector<double> mean_around(const SecondaryRay& mirror) const;
 
     const Band& band_;
     const RadianceInput& input_;

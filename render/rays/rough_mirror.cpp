@@ -18,7 +18,9 @@ namespace {
 /// Normals that differ less than this [rad] are one.
 constexpr double same_normal = 2e-3;
 
-Eigen::Vector3d to_eye(const Hop& hop) { return -hop.direction.cast<double>(); }
+Eigen::Vector3d to_eye(const SecondaryRay& secondary) {
+    return -secondary.direction.cast<double>();
+}
 
 const Glossy& glossy_of(const Material& material) { return std::get<Glossy>(material.finish); }
 
@@ -36,54 +38,58 @@ std::array<double, 2> flattened(const Eigen::Vector3d& normal, const Eigen::Vect
 
 }  // namespace
 
-RoughMirrors::RoughMirrors(const HopTables& tables)
+RoughMirrors::RoughMirrors(const SecondaryTables& tables)
     : tables_(tables), group_of_(2 * tables.facet.size(), -1) {
     find_groups();
-    std::vector<std::vector<std::uint32_t>> hops(group_.size());
-    for (std::size_t h = 0; h < tables.hops.hop.size(); ++h) {
-        const Hop& hop = tables.hops.hop[h];
-        if (!has(hop)) continue;
-        hops[static_cast<std::size_t>(group_of_[place(hop)])].push_back(
+    std::vector<std::vector<std::uint32_t>> secondary_rays(group_.size());
+    for (std::size_t h = 0; h < tables.secondary_rays.secondary.size(); ++h) {
+        const SecondaryRay& secondary = tables.secondary_rays.secondary[h];
+        if (!has(secondary)) continue;
+        secondary_rays[static_cast<std::size_t>(group_of_[place(secondary)])].push_back(
             static_cast<std::uint32_t>(h));
     }
     for (std::size_t g = 0; g < group_.size(); ++g) {
-        lay_out(group_[g], hops[g]);
+        lay_out(group_[g], secondary_rays[g]);
         fill(group_[g]);
     }
 }
 
-bool RoughMirrors::has(const Hop& hop) const {
-    return hop.kind == Hop::Kind::facet && tables_.is_rough_mirror(hop);
+bool RoughMirrors::has(const SecondaryRay& secondary) const {
+    return secondary.kind == SecondaryRay::Kind::facet && tables_.is_rough_mirror(secondary);
 }
 
-Eigen::Vector3d RoughMirrors::normal(const Hop& hop) const {
+Eigen::Vector3d RoughMirrors::normal(const SecondaryRay& secondary) const {
     const Eigen::Vector3d up =
-        glossy_of(tables_.material(hop)).waves
+        glossy_of(tables_.material(secondary)).waves
             ? Eigen::Vector3d(Eigen::Vector3d::UnitZ())
-            : Eigen::Vector3d(tables_.input.facets.normal[hop.what].cast<double>());
-    return up.dot(to_eye(hop)) < 0.0 ? Eigen::Vector3d(-up) : up;
+            : Eigen::Vector3d(tables_.input.facets.normal[secondary.what].cast<double>());
+    return up.dot(to_eye(secondary)) < 0.0 ? Eigen::Vector3d(-up) : up;
 }
 
-std::size_t RoughMirrors::place(const Hop& hop) const {
-    const auto at = std::lower_bound(tables_.facet.begin(), tables_.facet.end(), FacetId{hop.what});
-    const bool behind = tables_.input.facets.normal[hop.what].cast<double>().dot(to_eye(hop)) < 0.0;
+std::size_t RoughMirrors::place(const SecondaryRay& secondary) const {
+    const auto at =
+        std::lower_bound(tables_.facet.begin(), tables_.facet.end(), FacetId{secondary.what});
+    const bool behind =
+        tables_.input.facets.normal[secondary.what].cast<double>().dot(to_eye(secondary)) < 0.0;
     return 2 * static_cast<std::size_t>(at - tables_.facet.begin()) + std::size_t{behind};
 }
 
-bool RoughMirrors::around_towards(const Hop& mirror, const Eigen::Vector3d& direction) const {
+bool RoughMirrors::around_towards(const SecondaryRay& mirror,
+                                  const Eigen::Vector3d& direction) const {
     return direction.z() < 0.0 &&
            group_[static_cast<std::size_t>(group_of_[place(mirror)])].sees_facets;
 }
 
 void RoughMirrors::find_groups() {
-    for (const Hop& hop : tables_.hops.hop) {
-        if (!has(hop)) continue;
-        std::int32_t& of = group_of_[place(hop)];
+    for (const SecondaryRay& secondary : tables_.secondary_rays.secondary) {
+        if (!has(secondary)) continue;
+        std::int32_t& of = group_of_[place(secondary)];
         if (of >= 0) continue;
-        const MaterialId material = tables_.input.facets.material[hop.what];
-        const Eigen::Vector3d towards = normal(hop);
+        const MaterialId material = tables_.input.facets.material[secondary.what];
+        const Eigen::Vector3d towards = normal(secondary);
         const float view =
-            tables_.lit.sky_view[tables_.lit_index(static_cast<std::uint32_t>(place(hop) / 2))];
+            tables_.lit
+                .sky_view[tables_.lit_index(static_cast<std::uint32_t>(place(secondary) / 2))];
         const bool sees_facets = counts_around(view, towards);
         const auto same = std::find_if(group_.begin(), group_.end(), [&](const Group& group) {
             return group.material == material && group.sees_facets == sees_facets &&
@@ -98,18 +104,19 @@ void RoughMirrors::find_groups() {
     }
 }
 
-void RoughMirrors::lay_out(Group& group, std::span<const std::uint32_t> hops) const {
-    const std::vector<Hop>& all = tables_.hops.hop;
+void RoughMirrors::lay_out(Group& group, std::span<const std::uint32_t> secondary_rays) const {
+    const std::vector<SecondaryRay>& all = tables_.secondary_rays.secondary;
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const std::uint32_t h : hops) {
+    for (const std::uint32_t h : secondary_rays) {
         middle += to_eye(all[h]);
-        group.distance += double{all[h].range} * double{all[h].cosine} / double(hops.size());
+        group.distance +=
+            double{all[h].range} * double{all[h].cosine} / double(secondary_rays.size());
     }
     middle -= middle.dot(group.normal) * group.normal;
     group.x = middle.norm() > 1e-9 ? middle.normalized() : group.normal.unitOrthogonal();
     group.y = group.normal.cross(group.x);
     Point low = {1e9, 1e9}, high = {-1e9, -1e9};
-    for (const std::uint32_t h : hops) {
+    for (const std::uint32_t h : secondary_rays) {
         const Point at = flattened(group.normal, group.x, group.y, to_eye(all[h]));
         for (std::size_t k = 0; k < 2; ++k) {
             low[k] = std::min(low[k], at[k]);
@@ -122,7 +129,7 @@ void RoughMirrors::lay_out(Group& group, std::span<const std::uint32_t> hops) co
         group.step[k] = std::max(1e-6, (high[k] - low[k]) / double(group.nodes[k] - 1));
         group.low[k] = low[k];
     }
-    if (group.nodes[0] * group.nodes[1] > hops.size()) group.nodes = {0, 0};
+    if (group.nodes[0] * group.nodes[1] > secondary_rays.size()) group.nodes = {0, 0};
 }
 
 void RoughMirrors::fill(Group& group) const {
@@ -168,11 +175,11 @@ void RoughMirrors::sum(const Group& group, const Eigen::Vector3d& towards, float
     });
 }
 
-void RoughMirrors::look(const Hop& hop, float* out) const {
-    const Group& group = group_[static_cast<std::size_t>(group_of_[place(hop)])];
-    const Eigen::Vector3d towards = to_eye(hop);
+void RoughMirrors::look(const SecondaryRay& secondary, float* out) const {
+    const Group& group = group_[static_cast<std::size_t>(group_of_[place(secondary)])];
+    const Eigen::Vector3d towards = to_eye(secondary);
     if (group.value.empty()) {
-        sum(group, towards, hop.range, out);
+        sum(group, towards, secondary.range, out);
         return;
     }
     const Point at = flattened(group.normal, group.x, group.y, towards);

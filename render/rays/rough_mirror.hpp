@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "render/rays/hop_tables.hpp"
+#include "render/rays/secondary_tables.hpp"
 
 namespace diurna {
 
@@ -22,20 +22,20 @@ namespace diurna {
 /// differs from that: a mirror on open ground has no speckle.
 ///
 /// Facets of one material and one normal share a table over the way to the eye where it has fewer
-/// nodes than there are hops; else each hop is summed by itself. Isothermal surroundings come out
-/// exact.
+/// nodes than there are secondary rays; else each secondary ray is summed by itself. Isothermal
+/// surroundings come out exact.
 class RoughMirrors {
  public:
-    explicit RoughMirrors(const HopTables& tables);
+    explicit RoughMirrors(const SecondaryTables& tables);
 
-    /// Whether a hop is one of them.
-    bool has(const Hop& hop) const;
-    /// Normal of a hop's facet towards the eye; water lies level.
-    Eigen::Vector3d normal(const Hop& hop) const;
+    /// Whether a secondary ray is one of them.
+    bool has(const SecondaryRay& secondary) const;
+    /// Normal of a secondary ray's facet towards the eye; water lies level.
+    Eigen::Vector3d normal(const SecondaryRay& secondary) const;
     /// Whether towards a direction the facets around stand for what is seen, not the background.
-    bool around_towards(const Hop& mirror, const Eigen::Vector3d& direction) const;
+    bool around_towards(const SecondaryRay& mirror, const Eigen::Vector3d& direction) const;
 
-    /// Rows of lanes of a hop, 0 to 1 times radiance.
+    /// Rows of lanes of a secondary ray, 0 to 1 times radiance.
     enum Row : std::size_t {
         reflected,  // Σ a F over the number of microfacets
         sky,        // Σ a F L of the background, as seen from the eye through no air before
@@ -43,7 +43,7 @@ class RoughMirrors {
         row_count
     };
     /// - out: (row, lane)
-    void look(const Hop& hop, float* out) const;
+    void look(const SecondaryRay& secondary, float* out) const;
 
  private:
     /// Facets of one material and normal, and a table over the way from them to the eye: in the
@@ -60,15 +60,15 @@ class RoughMirrors {
     };
     using Point = std::array<double, 2>;
     void find_groups();
-    void lay_out(Group& group, std::span<const std::uint32_t> hops) const;
+    void lay_out(Group& group, std::span<const std::uint32_t> secondary_rays) const;
     void fill(Group& group) const;
     void sum(const Group& group, const Eigen::Vector3d& to_eye, float range, float* out) const;
-    /// Of a hop by its number among all.
-    std::size_t place(const Hop& hop) const;
+    /// Of a secondary ray by its number among all.
+    std::size_t place(const SecondaryRay& secondary) const;
 
-    const HopTables& tables_;
+    const SecondaryTables& tables_;
     std::vector<Group> group_;
-    std::vector<std::int32_t> group_of_;  // (facet of HopTables, side) −1: no rough mirror
+    std::vector<std::int32_t> group_of_;  // (facet of SecondaryTables, side) −1: no rough mirror
 };
 
 }  // namespace diurna

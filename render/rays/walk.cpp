@@ -24,7 +24,7 @@ struct Walker {
     double near = 0.0;    // [m] from the origin: what is nearer is the surface it comes from
     double walked = 0.0;  // [m] before the origin
     std::int32_t before = -1;
-    Hop::Way way = Hop::Way::direct;
+    SecondaryRay::Way way = SecondaryRay::Way::direct;
     bool straight = true;
     bool from_lobe = false;  // of a rough mirror, just now
     float weight = 1.0f;
@@ -34,7 +34,8 @@ struct Walker {
 /// A walk from the eye to all its ends.
 class Walk {
  public:
-    Walk(const HopScene& scene, const EyeRay& from, RandomStream& chance, std::vector<Hop>& out)
+    Walk(const SecondaryScene& scene, const EyeRay& from, RandomStream& chance,
+         std::vector<SecondaryRay>& out)
         : scene_(scene), from_(from), chance_(chance), out_(out) {}
 
     void follow(Walker walker) {
@@ -48,7 +49,7 @@ class Walk {
             add_plumes(walker, far);
             if (hit.facet == no_facet) {
                 if (walker.from_lobe && walker.direction.z() >= 0.0) return;
-                add(walker, {.kind = Hop::Kind::sky}, 0.0);
+                add(walker, {.kind = SecondaryRay::Kind::sky}, 0.0);
                 return;
             }
             if (hit.copy != no_copy) {  // has no textures
@@ -66,17 +67,18 @@ class Walk {
 
  private:
     /// `along` [m] from where the walker stands.
-    void add(Walker& walker, Hop hop, double along) {
-        hop.way = walker.way;
-        hop.straight = walker.straight;
-        hop.before = walker.before;
-        hop.weight = walker.weight;
-        hop.range = static_cast<float>(walker.walked + along);
-        hop.height = static_cast<float>(level_height(walker.origin + along * walker.direction));
-        hop.direction = walker.direction.cast<float>();
-        out_.push_back(hop);
+    void add(Walker& walker, SecondaryRay secondary, double along) {
+        secondary.way = walker.way;
+        secondary.straight = walker.straight;
+        secondary.before = walker.before;
+        secondary.weight = walker.weight;
+        secondary.range = static_cast<float>(walker.walked + along);
+        secondary.height =
+            static_cast<float>(level_height(walker.origin + along * walker.direction));
+        secondary.direction = walker.direction.cast<float>();
+        out_.push_back(secondary);
         walker.before = static_cast<std::int32_t>(out_.size()) - 1;
-        walker.way = Hop::Way::through;
+        walker.way = SecondaryRay::Way::through;
         walker.from_lobe = false;
     }
 
@@ -85,9 +87,9 @@ class Walk {
              scene_.plumes.chords(walker.origin, walker.direction, std::min(far, 1e6))) {
             const double from = std::max(chord.from, walker.near);
             if (chord.to <= from) continue;
-            Hop hop{.kind = Hop::Kind::plume, .what = chord.plume};
-            hop.chord = static_cast<float>(chord.to - from);
-            add(walker, hop, 0.5 * (from + chord.to));
+            SecondaryRay secondary{.kind = SecondaryRay::Kind::plume, .what = chord.plume};
+            secondary.chord = static_cast<float>(chord.to - from);
+            add(walker, secondary, 0.5 * (from + chord.to));
         }
     }
 
@@ -112,11 +114,11 @@ class Walk {
     void add_both(const Walker& walker, const Blend& blend, double far) {
         const Eigen::Vector3d normal = scene_.facets.normal[index(blend.first)].cast<double>();
         for (const bool second : {false, true}) {
-            Hop hop{.kind = Hop::Kind::facet};
-            hop.what = static_cast<std::uint32_t>(index(second ? blend.second : blend.first));
-            hop.cosine = static_cast<float>(std::abs(normal.dot(walker.direction)));
+            SecondaryRay secondary{.kind = SecondaryRay::Kind::facet};
+            secondary.what = static_cast<std::uint32_t>(index(second ? blend.second : blend.first));
+            secondary.cosine = static_cast<float>(std::abs(normal.dot(walker.direction)));
             Walker ends = walker;
-            add(ends, hop, far);
+            add(ends, secondary, far);
             out_.back().weight *= second ? blend.second_share : 1.0f - blend.second_share;
         }
     }
@@ -129,12 +131,13 @@ class Walk {
             scene_.rays.copies().turned(copy, scene_.facets.normal[index(facet)].cast<double>());
         if (glossy && glossy->waves) normal = Eigen::Vector3d::UnitZ();  // water lies level
         if (normal.dot(walker.direction) > 0.0) normal = -normal;
-        Hop hop{.kind = Hop::Kind::facet, .what = static_cast<std::uint32_t>(index(facet))};
-        hop.cosine = static_cast<float>(-normal.dot(walker.direction));
-        hop.closed = (material.see_through && walker.through >= most_through) ||
-                     (glossy && walker.mirrored >= most_mirrored);
-        add(walker, hop, far);
-        if (hop.closed || !material.needs_rays()) return false;
+        SecondaryRay secondary{.kind = SecondaryRay::Kind::facet,
+                               .what = static_cast<std::uint32_t>(index(facet))};
+        secondary.cosine = static_cast<float>(-normal.dot(walker.direction));
+        secondary.closed = (material.see_through && walker.through >= most_through) ||
+                           (glossy && walker.mirrored >= most_mirrored);
+        add(walker, secondary, far);
+        if (secondary.closed || !material.needs_rays()) return false;
         const double step = std::max(1e-3, 2e-6 * (far + walker.origin.norm()));
         if (glossy) mirror(walker, *glossy, normal, far, step);
         walker.near = far + step;
@@ -148,7 +151,7 @@ class Walk {
         other.origin = walker.origin + far * walker.direction;
         other.near = step;
         other.walked = walker.walked + far;
-        other.way = Hop::Way::mirrored;
+        other.way = SecondaryRay::Way::mirrored;
         other.straight = false;
         other.mirrored = walker.mirrored + 1;
         const double roughness = roughness_under(glossy, scene_.wind_speed);
@@ -179,15 +182,16 @@ class Walk {
         }
     }
 
-    const HopScene& scene_;
+    const SecondaryScene& scene_;
     const EyeRay& from_;
     RandomStream& chance_;
-    std::vector<Hop>& out_;
+    std::vector<SecondaryRay>& out_;
 };
 
 }  // namespace
 
-void walk(const HopScene& scene, const EyeRay& ray, RandomStream& chance, std::vector<Hop>& out) {
+void walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
+          std::vector<SecondaryRay>& out) {
     Walk(scene, ray, chance, out)
         .follow({.origin = ray.origin, .direction = ray.direction, .weight = ray.weight});
 }

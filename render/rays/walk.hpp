@@ -7,8 +7,8 @@
 
 #include "materials/base/random.hpp"
 #include "materials/matter/library.hpp"
-#include "render/rays/hops.hpp"
 #include "render/rays/plume.hpp"
+#include "render/rays/secondary_rays.hpp"
 #include "render/view/textured_hit.hpp"
 #include "terrain/facets.hpp"
 #include "terrain/visibility/ray_scene.hpp"
@@ -16,7 +16,7 @@
 namespace diurna {
 
 /// The scene as rays meet it.
-struct HopScene {
+struct SecondaryScene {
     const RayScene& rays;
     const FacetSet& facets;
     const MaterialLibrary& materials;
@@ -44,13 +44,15 @@ struct EyeRay {
     LobeRays lobe{};
 };
 
-/// Follows one ray to its ends and adds what it meets to `out`, a hop before those behind it, each
-/// with its weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one ray (the
-/// first rough one `lobe.count`) into its lobe, twice at most, with the weight of the microfacet
-/// that it meets (microfacet.hpp) but for Fresnel's factor; off a rough one into the sky it is left
-/// out, as the lobe's sum has it (rough_mirror.hpp). What is met after that is closed: it mirrors
-/// as if diffuse and shows its own temperature. A textured facet where a ray ends is two hops that
-/// share the weight; one that lets rays go on is one of its two surfaces by chance.
-void walk(const HopScene& scene, const EyeRay& ray, RandomStream& chance, std::vector<Hop>& out);
+/// Follows one ray to its ends and adds what it meets to `out`, a secondary ray before those behind
+/// it, each with its weight. Behind panes and nets it goes on, up to 8 times. A mirror sends one
+/// ray (the first rough one `lobe.count`) into its lobe, twice at most, with the weight of the
+/// microfacet that it meets (microfacet.hpp) but for Fresnel's factor; off a rough one into the sky
+/// it is left out, as the lobe's sum has it (rough_mirror.hpp). What is met after that is closed:
+/// it mirrors as if diffuse and shows its own temperature. A textured facet where a ray ends is two
+/// secondary rays that share the weight; one that lets rays go on is one of its two surfaces by
+/// chance.
+void walk(const SecondaryScene& scene, const EyeRay& ray, RandomStream& chance,
+          std::vector<SecondaryRay>& out);
 
 }  // namespace diurna

@@ -48,7 +48,7 @@ class TileGatherer {
     TileGatherer();
     void start_tile();
     /// The groups of a pixel; `share`: of it, a sample's. Pixels come by ascending place in the
-    /// tile and those left out see nothing.
+    /// tile and those skipped see nothing.
     void add_pixel(std::size_t place, std::span<const SampleGroup> groups, float share);
     TileSightings finish_tile(std::size_t pixels);
 

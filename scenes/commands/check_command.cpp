@@ -9,30 +9,31 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
+#include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
-#include "scenes/commands/told_lines.hpp"
-#include "scenes/doubts/doubts.hpp"
 #include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/sweep/checked_scene.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 
 namespace diurna {
 
 namespace {
 
-std::string told_count(const std::vector<std::string>& warnings) {
+std::string reported_count(const std::vector<std::string>& warnings) {
     return warnings.size() == 1 ? "1 warning" : fmt::format("{} warnings", warnings.size());
 }
 
 void check_verb(const SceneArguments& a, bool strict) {
     CheckedScene checked = check_scene(a.read(), a.settings, a.allow_outside);
-    const std::vector<std::string> warnings = as_lines(checked.doubts);
+    const std::vector<std::string> warnings = as_lines(checked.warnings);
     if (!checked.sweep.empty()) fmt::print("{}: {}\n", a.scene.string(), checked.sweep);
-    if (strict && !checked.doubts.empty()) throw InputError(std::move(checked.doubts));
+    if (strict && !checked.warnings.empty()) throw InputError(std::move(checked.warnings));
     fmt::print("{}: {}, {} facets, {} observers\n", a.scene.string(),
-               warnings.empty() ? "fine" : told_count(warnings), checked.facets, checked.observers);
+               warnings.empty() ? "fine" : reported_count(warnings), checked.facets,
+               checked.observers);
     print_warnings(warnings);
     print_notes(checked.notes);
     if (const double most = free_memory(); most > 0.0 && checked.memory > most) {
@@ -61,7 +62,7 @@ void add_plan_verb(CLI::App& app) {
                                       prepared.plan));
         }
         fmt::print("{}", describe(prepared.plan));
-        print_warnings(as_lines(doubts(prepared)));
+        print_warnings(as_lines(scene_warnings(prepared)));
         print_notes(prepared.notes);
     });
 }

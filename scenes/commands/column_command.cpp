@@ -18,7 +18,7 @@
 #include "thermal/point/point_job_file.hpp"
 #include "thermal/point/run_column.hpp"
 #include "thermal/point/spin_up.hpp"
-#include "thermal/weather/weather_doubts.hpp"
+#include "thermal/weather/weather_warnings.hpp"
 
 namespace diurna {
 
@@ -44,10 +44,10 @@ void column_verb(const ColumnArguments& a) {
     const FilesRead opened;
     const PointJob job = read_column_job(a.file, a.allow_outside, a.settings);
     if (!a.out.empty()) check_output_file(a.out, opened.files());
-    // Of the weather: what is hardly meant.
-    for (const Mistake& doubt : weather_doubts(job.weather, job.site, job.start, job.end,
-                                               a.file.string() + ": weather.file")) {
-        fmt::print(stderr, "warning: {}\n", plain(doubt.line()));
+    // Of the weather: what is implausible.
+    for (const Mistake& warning : weather_warnings(job.weather, job.site, job.start, job.end,
+                                                   a.file.string() + ": weather.file")) {
+        fmt::print(stderr, "warning: {}\n", plain(warning.line()));
     }
     const PointResult result = followed(job, a.file);
     const std::string text = column_csv(result);

@@ -102,7 +102,7 @@ width = 320
 height = 256
 bands = ["3-5", "8-12"]  # um; "0.4-0.7" for what eyes see
 
-# When the truck cannot be told from the yard: diurna crossover scene.toml
+# When the truck cannot be reported from the yard: diurna crossover scene.toml
 [[crossover]]
 first = "truck"
 second = "yard"

@@ -19,7 +19,7 @@ struct FirstScene {
     double radius = 1000.0;          // [m] of the ground
     Instant start;
     double duration_h = 24.0;
-    double utc_offset = 0.0;  // [s] of the clock it is told by
+    double utc_offset = 0.0;  // [s] of the clock it is given by
 };
 
 /// A scene file with a comment beside each part: ground, a lorry and a generator, a camera each

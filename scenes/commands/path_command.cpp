@@ -24,7 +24,7 @@
 #include "materials/radiation/planck.hpp"
 #include "materials/radiation/spectrum.hpp"
 #include "scenes/commands/number_option.hpp"
-#include "scenes/commands/told_lines.hpp"
+#include "scenes/commands/printed_lines.hpp"
 
 namespace diurna {
 

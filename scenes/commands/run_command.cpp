@@ -12,8 +12,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/plain_text.hpp"
+#include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
-#include "scenes/commands/told_lines.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/sweep/run_sweep.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
@@ -37,7 +37,7 @@ void run_sweep_verb(const Sweep& sweep, const RunArguments& run, ProgressStyle s
                                .max_memory = run.job.max_memory,
                                .progress = style};
     const SweepReport report = run_sweep(sweep, options);
-    fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_told(sweep),
+    fmt::print("{}: {} variants rendered, {} kept, {} heats solved: {}\n", count_reported(sweep),
                report.rendered, report.kept, report.solved, options.out.string());
     print_notes(report.notes);
     if (report.missing > 0) {

@@ -27,7 +27,9 @@ std::shared_ptr<const StageStore> SceneArguments::stages() const {
     return fresh ? nullptr : StageStore::of_user();
 }
 
-double SceneArguments::memory() const { return max_memory.empty() ? 0.0 : bytes_told(max_memory); }
+double SceneArguments::memory() const {
+    return max_memory.empty() ? 0.0 : bytes_reported(max_memory);
+}
 
 void tell_of_sweep(const Scene& scene) {
     if (scene.sweep.axes.empty()) return;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/cache/stage_store.hpp"
 #include "scenes/input/scene.hpp"
-#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/progress.hpp"
 
 namespace CLI {
@@ -30,7 +30,7 @@ struct SceneArguments {
     ProgressStyle style() const;
     /// [bytes] 0: what the machine has. Throws InputError.
     double memory() const;
-    /// Of what earlier runs have found; null: all is to be found anew.
+    /// Of what earlier runs have found; null: all is to be recomputed.
     std::shared_ptr<const StageStore> stages() const;
 };
 

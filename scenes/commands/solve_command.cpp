@@ -12,22 +12,22 @@
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
 #include "materials/base/plain_text.hpp"
+#include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
-#include "scenes/commands/told_lines.hpp"
-#include "scenes/doubts/doubts.hpp"
 #include "scenes/plan/memory_limit.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/found_heat.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/run/radiometers.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 
 namespace diurna {
 
 namespace {
 
 void tell_taken(const Stages& stages) {
-    if (std::string told = taken_told(stages.store()); !told.empty())
-        print_notes({std::move(told)});
+    if (std::string reported = taken_reported(stages.store()); !reported.empty())
+        print_notes({std::move(reported)});
 }
 
 void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
@@ -37,7 +37,7 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     check_output_file(out, prepared.scene.files);
     check_memory(prepared.plan, most);
     tell_of_sweep(prepared.scene);
-    print_warnings(as_lines(doubts(prepared)));
+    print_warnings(as_lines(scene_warnings(prepared)));
     Progress progress(a.style());
     progress.stage("sky view");
     const Stages stages(prepared, a.stages());
@@ -47,15 +47,15 @@ void solve_verb(const SceneArguments& a, const std::filesystem::path& out) {
     SceneHeat heat = scene_heat(stages, inputs, progress, 0.0);
     progress.finish();
     write_heat(prepared, heat.result, out);
-    for (auto& told : write_radiometers(stages, heat.result, out.parent_path())) {
-        heat.told.push_back(std::move(told));
+    for (auto& reported : write_radiometers(stages, heat.result, out.parent_path())) {
+        heat.reported.push_back(std::move(reported));
     }
     print_notes(prepared.notes);
-    print_notes(told_as("note", heat));
+    print_notes(reported_as("note", heat));
     tell_taken(stages);
-    for (const std::string& start : told_as("start", heat)) print_notes({"start: " + start});
-    if (const std::string told = told_as("not converged", heat).front(); !told.empty())
-        throw std::runtime_error(told);  // what there is is kept
+    for (const std::string& start : reported_as("start", heat)) print_notes({"start: " + start});
+    if (const std::string reported = reported_as("not converged", heat).front(); !reported.empty())
+        throw std::runtime_error(reported);  // what there is is kept
 }
 
 }  // namespace

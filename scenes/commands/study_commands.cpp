@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include "materials/base/parallel.hpp"
+#include "scenes/commands/printed_lines.hpp"
 #include "scenes/commands/scene_arguments.hpp"
-#include "scenes/commands/told_lines.hpp"
 #include "scenes/studies/asked_studies.hpp"
 
 namespace diurna {
@@ -37,7 +37,7 @@ void study_verb(const StudyKind& kind, const SceneArguments& a, const StudyArgum
 void tell(const StudyFindings& found, const std::filesystem::path& out) {
     print_notes(found.notes);
     for (const StudyFinding& one : found.finding) {
-        fmt::print("{}{}{}\n", one.told, (out / one.name).string(), one.texts.endings());
+        fmt::print("{}{}{}\n", one.reported, (out / one.name).string(), one.texts.endings());
         print_notes(one.notes);
     }
     if (!found.not_converged.empty()) throw std::runtime_error(found.not_converged);

@@ -7,7 +7,7 @@
 /// What `diurna inspect` has found in a file.
 namespace diurna {
 
-/// A number that is not finite is told as nothing.
+/// A number that is not finite is reported as nothing.
 using FoundValue = std::variant<std::string, double, long long, bool>;
 
 /// One line: "size_px: 403 x 344". A name that is no plain number ends with its unit.

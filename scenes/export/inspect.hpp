@@ -10,7 +10,7 @@ struct InspectOptions {
     bool allow_outside = false;  // files beside a raster or a mesh may lie anywhere
 };
 
-/// What a file holds, told by its content and the end of its name: elevation and other rasters,
+/// What a file holds, given by its content and the end of its name: elevation and other rasters,
 /// weather of every format read here, soundings, tape7, spectra and other tables, shapes, meshes,
 /// OpenEXR pictures, temperatures and states of heat, scenes, columns, manifests and labels; a
 /// run's folder by its manifest. Throws InputError, one line, for what is none of these or cannot

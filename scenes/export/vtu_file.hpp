@@ -17,7 +17,7 @@ namespace diurna {
 /// cell data  temperature_K Float32, material and object Int32 (numbers)
 /// field data site_latitude_deg, site_longitude_deg, site_height_m, TimeValue [s] since 1970 (UTC)
 ///
-/// A comment at its head tells the frame, and what the numbers are called.
+/// A comment at its head reports the frame, and what the numbers are called.
 std::string vtu_text(const RunHeat& heat, const HeatAt& at);
 
 /// A ParaView collection of such files; `timestep` is seconds from the first instant.

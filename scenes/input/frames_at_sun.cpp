@@ -73,7 +73,7 @@ Frames read_frames_at_sun(const Section& section, const FrameSpan& span) {
                               {"afternoon", DayHalf::afternoon},
                               {"both", DayHalf::both}});
     }
-    if (sun.amiss()) return {};
+    if (sun.has_mistakes()) return {};
     if (!span.site) {
         section.mistake("frames_at_sun",
                         "asks where the sun stands, expected [site] with latitude_deg and "

@@ -23,7 +23,7 @@ struct ObjectInput {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();  // of its middle in plan; east, north [m]
     Placing placing;                                  // its base is found on the ground
     HeightInput stands;                               // of its lowest point
-    bool on_slope = false;       // lies on the ground as that slopes; false: plumb or as told
+    bool on_slope = false;       // lies on the ground as that slopes; false: plumb or as reported
     bool at_any_height = false;  // however far from the ground it is
     bool angles_given = false;   // its pitch and roll are those of its placing
     std::vector<Eigen::Vector3d> contact;  // where it touches the ground, in its own frame [m]
@@ -32,7 +32,7 @@ struct ObjectInput {
     double airspeed = 0.0;                 // [m s⁻¹] along its heading; 0: it stands
     std::vector<std::string> material;     // (part of the mesh)
     TargetInput target;                    // as one body of heat
-    std::vector<std::string> notes;        // on the mesh: what was left out of it
+    std::vector<std::string> notes;        // on the mesh: what was skipped of it
     std::string where;                     // its height or place in the scene file
     std::string copy_of;                   // the name that copies have in common; "": none
     std::filesystem::path copies_file;     // where their places stand; "": in the scene

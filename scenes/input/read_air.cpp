@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-/// The table of paths, its own mistakes told where the scene names it.
+/// The table of paths, its own mistakes reported where the scene names it.
 void read_table(const Section& section, AirInput& air) {
     air.table_file =
         section.file("table",

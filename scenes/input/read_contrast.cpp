@@ -67,7 +67,7 @@ void read_bands(const Section& section, const std::vector<BandInput>& bands,
                 try {
                     if (warm(band)) input.bands.push_back(band);
                 } catch (const InputError&) {
-                    return;  // told where the observer names it
+                    return;  // reported where the observer names it
                 }
             }
             if (!input.bands.empty()) break;

@@ -195,7 +195,7 @@ std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object,
         one.place = stands[i].place;
         one.placing.heading_deg = stands[i].heading_deg;
         one.where = stands[i].where;
-        if (i > 0) one.notes.clear();  // told once
+        if (i > 0) one.notes.clear();  // reported once
         if (!reading.object_names.insert(one.name).second) {
             section.mistake(
                 key, fmt::format("a copy would be called \"{}\" as another object", one.name));

@@ -12,7 +12,7 @@ namespace diurna {
 ///
 /// They stand where their places say; with a texture, contact with the ground, a trajectory or a
 /// place of its own they are a mistake of the scene file, and so is a place of the file that is no
-/// number, told by its line.
+/// number, given by its line.
 std::vector<ObjectInput> with_copies(const Section& section, ObjectInput object, Reading& reading);
 
 }  // namespace diurna

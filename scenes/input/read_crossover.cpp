@@ -92,7 +92,7 @@ void read_crossover_bands(const Section& section, const std::vector<BandInput>& 
         try {
             if (warm(band)) input.bands.push_back(band);
         } catch (const InputError&) {
-            return;  // told where the observer names it
+            return;  // reported where the observer names it
         }
     }
     if (input.bands.empty()) {

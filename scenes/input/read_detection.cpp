@@ -39,7 +39,7 @@ void check_sees_heat(const Section& section, const InstrumentInput& instrument,
                                     "differences of temperature",
                                     instrument.band));
     } catch (const InputError&) {
-        // Told of where the observer names its band.
+        // Reported where the observer names its band.
     }
 }
 
@@ -52,7 +52,7 @@ std::array<double, 3> by_task(const Section& section, const std::string& key, co
                             fmt::format("{}", fmt::join(usual, ", "))},
                            3);
     std::array<double, 3> found = usual;
-    if (given.size() != 3) return found;  // told
+    if (given.size() != 3) return found;  // reported
     for (std::size_t i = 0; i < 3; ++i) {
         if (!(given[i] > 0.0 && given[i] < 1e6)) {
             section.mistake(key, fmt::format("found {:g}, expected numbers above 0", given[i]));

@@ -18,7 +18,7 @@ struct DetectionInput {
     StudiedObject studied;
     std::size_t instrument = 0;                   // of the scene's
     std::array<double, 2> range{100.0, 30000.0};  // [m]
-    std::vector<double> probabilities{0.5, 0.9};  // whose ranges are told
+    std::vector<double> probabilities{0.5, 0.9};  // whose ranges are reported
     bool across = false;  // Johnson's cycles over the least dimension, not the root of the area
     std::array<double, 3> v50{};  // of detection, recognition, identification
     std::array<double, 3> n50{};

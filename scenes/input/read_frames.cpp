@@ -114,7 +114,7 @@ Frames read_frames(const Section& section, const FrameSpan& span) {
         "or windows of every day, \"05:00-09:00 every 10 min\" (s, min, h), on the "
         "clock of start",
         {});
-    if (section.has("frames") && texts.empty() && !section.amiss()) {
+    if (section.has("frames") && texts.empty() && !section.has_mistakes()) {
         section.mistake("frames", "found no instant, expected one or more, or windows of a day",
                         "without the key a picture is taken every frame_every_s");
     }

@@ -76,7 +76,7 @@ std::string add_seen_band(const Section& section, const InstrumentInput& input,
                                                 input.band));
         }
     } catch (const InputError&) {
-        // Told of where the observer names its band.
+        // Reported where the observer names its band.
     }
     bands.push_back(std::move(seen));
     return name;

@@ -23,15 +23,15 @@ struct ShapesInput {
     Confines confines{};                          // of the files beside it
     std::string name;                             // of the object that its buildings are
     std::string layer;                            // of a file of several; "": the only one
-    std::string kind_field;                       // what tells the kind of a shape
+    std::string kind_field;                       // what reports the kind of a shape
     std::map<std::string, std::string> material;  // of a kind
-    std::string default_material;                 // of other kinds; "": these are left out
+    std::string default_material;                 // of other kinds; "": these are skipped
     double line_width = 6.0;                      // [m] of roads
     double largest_edge = 30.0;                   // [m]
     bool buildings = false;
     std::string height_field;
     double level_height = 1.0;  // [m] per unit of the height_field
-    double default_height = std::numeric_limits<double>::quiet_NaN();  // NaN: left out [m]
+    double default_height = std::numeric_limits<double>::quiet_NaN();  // NaN: skipped [m]
     std::string wall, roof;
     std::string kind = "building";  // its class in labels
 };

@@ -139,7 +139,7 @@ std::vector<std::string> part_materials(const Section& section, const ObjectInpu
     return material;
 }
 
-/// The file that tells of an object's parts: the one named, or the one beside its mesh; "": none.
+/// The file that reports of an object's parts: the one named, or the one beside its mesh; "": none.
 fs::path part_file(const Section& section, const ObjectInput& object, const std::string& model) {
     const std::string named = section.text_or(
         "part_file",

@@ -18,7 +18,7 @@ namespace diurna {
 
 namespace {
 
-/// Whether its pictures' time tells anything: it goes, or something does.
+/// Whether its pictures' time reports anything: it goes, or something does.
 bool sees_motion(const ObserverInput& observer, const TerrainInput& terrain) {
     return observer.goes() ||
            std::any_of(terrain.objects.begin(), terrain.objects.end(),
@@ -44,7 +44,7 @@ void read_motion(const Section& section, const TerrainInput& terrain, ObserverIn
         observer.velocity = {velocity[0], velocity[1], velocity[2]};
         if (!(observer.velocity.cwiseAbs().maxCoeff() <= 1e4)) {
             section.mistake("velocity_m_s", "faster than 10000 m/s");
-        } else if (observer.velocity.isZero() && !section.amiss()) {
+        } else if (observer.velocity.isZero() && !section.has_mistakes()) {
             section.mistake("velocity_m_s", "is zero, expected a camera that moves or no such key");
         }
     }

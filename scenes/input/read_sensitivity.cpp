@@ -33,7 +33,7 @@ std::vector<RangedInput> read_ranges(const Section& section) {
                          .high = one.number("high", "the most that it may be"),
                          .where = one.where()});
         const RangedInput& input = found.back();
-        if (!one.amiss() && !(input.low < input.high)) {
+        if (!one.has_mistakes() && !(input.low < input.high)) {
             one.mistake("high", fmt::format("found {:g}, expected above low = {:g}", input.high,
                                             input.low));
         }
@@ -74,7 +74,7 @@ void read_sensitivity_band(const Section& section, const Known& known, Sensitivi
             output.band = band;
         }
     } catch (const InputError& error) {
-        if (!given) return;  // told where the observer names it
+        if (!given) return;  // reported where the observer names it
         section.mistake("band", error.mistakes().front().problem, error.mistakes().front().hint);
         return;
     }

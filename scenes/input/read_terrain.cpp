@@ -106,7 +106,7 @@ std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlac
         }
         return ring;
     }
-    const bool mapped = key == "rectangle", sound = !section.amiss();
+    const bool mapped = key == "rectangle", sound = !section.has_mistakes();
     const std::vector<double> spec = section.numbers(
         key,
         mapped ? "in place of rectangle_m: [latitude, longitude, length, width, heading_deg], the "
@@ -114,14 +114,14 @@ std::vector<Eigen::Vector2d> read_border(const Section& section, const ScenePlac
                : "[east, north, length, width, heading_deg]: middle, sides, the way its length "
                  "points; or ring_m",
         5);
-    if (sound && section.amiss()) return {};  // no five numbers, which is told
+    if (sound && section.has_mistakes()) return {};  // no five numbers, which is reported
     if (!(spec[2] > 0.0 && spec[3] > 0.0 && std::abs(spec[4]) <= 360.0)) {
         section.mistake(key, fmt::format("expected [{}, length > 0, width > 0, heading_deg of "
                                          "-360 to 360]",
                                          mapped ? "latitude, longitude" : "east, north"));
     }
     if (!mapped) return rectangle({spec[0], spec[1]}, spec);
-    if (section.amiss()) return {};
+    if (section.has_mistakes()) return {};
     return rectangle(places.all(section, "rectangle", {spec}).front(), spec);
 }
 
@@ -136,9 +136,9 @@ GroundPolygon read_polygon(const Section& section, Reading& reading) {
     polygon.largest_edge =
         section.number_or("largest_edge_m", "of the triangles within", 30.0, {1.0, 1e4});
     const std::string key = border_key(section);
-    const bool sound = !section.amiss();
+    const bool sound = !section.has_mistakes();
     polygon.ring = read_border(section, reading.places, key);
-    if (sound && section.amiss()) polygon.ring.clear();  // told
+    if (sound && section.has_mistakes()) polygon.ring.clear();  // reported
     polygon.where = section.where(key);
     check_ring(section, key, polygon.ring);
     return polygon;

@@ -58,12 +58,12 @@ void read_waypoint_places(const Section& section, const ScenePlaces& places,
         "in place of waypoints_m: [[latitude, longitude, height], ...], or as place_crs says", 3,
         2);
     const std::vector<Geodetic> found = places.geodetic(section, "waypoints", rows);
-    bool sound = !section.amiss();
+    bool sound = !section.has_mistakes();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const HeightInput height{rows[i][2], input.heights};
-        Eigen::Vector2d at(double(i), 0.0);  // another one after a mistake, which is told once
+        Eigen::Vector2d at(double(i), 0.0);  // another one after a mistake, which is reported once
         if (sound) at = places.at(section, "waypoints", found[i], height);
-        sound = sound && !section.amiss();
+        sound = sound && !section.has_mistakes();
         input.way.place.emplace_back(at.x(), at.y(), height.metres);
     }
 }
@@ -82,7 +82,7 @@ void read_waypoints(const Section& section, const ScenePlaces& places, Trajector
     } else {
         input.way.seconds =
             section.numbers("times_s", "of the waypoints, from `start` on; or speed_m_s");
-        if (input.way.seconds.size() != count && !section.amiss()) {
+        if (input.way.seconds.size() != count && !section.has_mistakes()) {
             section.mistake("times_s", fmt::format("has {} numbers for {} waypoints",
                                                    input.way.seconds.size(), count));
         }
@@ -103,7 +103,8 @@ void read_waypoints(const Section& section, const ScenePlaces& places, Trajector
     }
 }
 
-/// What a way must be to be gone: else one that can be takes its place, and the mistake is told.
+/// What a way must be to be gone: else one that can be takes its place, and the mistake is
+/// reported.
 void check_way(const Section& section, TrajectoryInput& input) {
     Trajectory& way = input.way;
     const std::string key = input.file.empty() ? waypoints_key(section) : "file";
@@ -173,7 +174,7 @@ TrajectoryInput read_trajectory(const Section& section, const TimeInput& time,
             (input.way.place[1] - input.way.place[0]).norm() / input.way.seconds[1];
         input.way = smooth_at_speed(input.way.place, speed);
     }
-    input.sound = !section.amiss();
+    input.sound = !section.has_mistakes();
     return input;
 }
 

@@ -97,7 +97,7 @@ std::vector<SeenRange> seen_ranges(const Scene& scene) {
                 const Band band = named_band(scene.bands, name, bin_edges_um());
                 ranges.push_back({name, band.from_um(), band.to_um()});
             } catch (const InputError&) {
-                // Told of where the observer names it.
+                // Reported where the observer names it.
             }
         }
     }

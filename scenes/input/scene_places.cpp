@@ -24,11 +24,11 @@ constexpr const char* crs_of_all_says =
 constexpr const char* wgs84_said = "WGS84: [latitude, longitude]";
 
 /// Whether what is read while it lives is a mistake of a section that had none: of what it would
-/// lead to, nothing more is to be told.
+/// lead to, nothing more is to be reported.
 class Watched {
  public:
-    explicit Watched(const Section& section) : section_(section), before_(section.amiss()) {}
-    bool went_wrong() const { return !before_ && section_.amiss(); }
+    explicit Watched(const Section& section) : section_(section), before_(section.has_mistakes()) {}
+    bool went_wrong() const { return !before_ && section_.has_mistakes(); }
 
  private:
     const Section& section_;
@@ -57,11 +57,11 @@ struct ScenePlaces::State {
     std::optional<SceneFrame> frame{};
     bool tried = false;
 
-    /// The frame, for the first place that needs it; none after a mistake, which is told once.
+    /// The frame, for the first place that needs it; none after a mistake, which is reported once.
     const SceneFrame* found() {
         if (tried) return frame ? &*frame : nullptr;
         tried = true;
-        if (input.file.empty()) return nullptr;  // told already
+        if (input.file.empty()) return nullptr;  // reported already
         try {
             dem = std::make_shared<const Dem>(read_elevation(input));
             frame = frame_of(origin, input, *dem, site_section.where());
@@ -115,13 +115,13 @@ std::vector<Geodetic> ScenePlaces::geodetic(const Section& section, const char* 
     std::vector<Eigen::Vector2d> given;
     for (const std::vector<double>& row : rows) given.emplace_back(row[0], row[1]);
     std::vector<Geodetic> places = geodetic_of(crs, given);
-    bool told = false;
+    bool reported = false;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const bool sound =
             std::abs(places[i].latitude_deg) <= 90.0 && std::abs(places[i].longitude_deg) <= 360.0;
         if (sound) continue;
         places[i] = {none, none, 0.0};
-        if (std::exchange(told, true)) continue;
+        if (std::exchange(reported, true)) continue;
         const std::string found =
             fmt::format("found [{:.10g}, {:.10g}]", given[i].x(), given[i].y());
         if (crs.empty()) {

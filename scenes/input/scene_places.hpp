@@ -41,7 +41,7 @@ class ScenePlaces {
     Eigen::Vector2d one(const Section& section, const PlaceKeys& keys, const char* says,
                         const HeightInput& height = {}) const;
     /// Of the first two numbers of rows under a key such as `ring`, on the ground. Rows that are no
-    /// places are told and become the site's.
+    /// places are reported and become the site's.
     std::vector<Eigen::Vector2d> all(const Section& section, const char* mapped,
                                      const std::vector<std::vector<double>>& rows) const;
     /// The same as latitudes and longitudes; NaN where rows are no places.

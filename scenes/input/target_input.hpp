@@ -62,7 +62,7 @@ struct TargetInput {
     std::vector<StreamInput> stream;
     std::vector<ContactInput> contact;
     std::vector<JetInput> jet;
-    std::filesystem::path file{};  // that told of them; "": the scene
+    std::filesystem::path file{};  // that reported of them; "": the scene
     /// (part of the mesh) into `part`, −1 where none names it: it conducts, and no more.
     std::vector<int> part_of;
 

@@ -64,9 +64,9 @@ std::string type_of(const KeyEntry& entry) {
 }
 
 std::string default_of(const KeyEntry& entry) {
-    const bool told = entry.need == KeyEntry::Need::always ||
-                      (entry.need == KeyEntry::Need::sometimes && !entry.condition.empty());
-    if (told) return "required";
+    const bool reported = entry.need == KeyEntry::Need::always ||
+                          (entry.need == KeyEntry::Need::sometimes && !entry.condition.empty());
+    if (reported) return "required";
     if (entry.need == KeyEntry::Need::sometimes) return "(required)";
     return entry.fallbacks.empty() ? "–" : fmt::format("{}", fmt::join(entry.fallbacks, " or "));
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "render/picture/grey_picture.hpp"
-#include "scenes/labels/contrast.hpp"
+#include "scenes/labels/label_contrast.hpp"
 #include "scenes/labels/labelled.hpp"
 #include "scenes/labels/object_masks.hpp"
 #include "scenes/labels/whole_objects.hpp"

@@ -11,7 +11,7 @@ namespace diurna {
 /// the box seen as shares of the picture. Without groups.
 std::string yolo_text(const LabelBook& book, const LabelledPicture& picture);
 
-/// The file that tells Ultralytics' YOLO of a run's folder: classes and the lists of pictures.
+/// The file that reports Ultralytics' YOLO of a run's folder: classes and the lists of pictures.
 std::string yolo_data(const LabelBook& book);
 
 }  // namespace diurna

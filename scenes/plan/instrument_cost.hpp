@@ -16,7 +16,7 @@ struct InstrumentCost {
     std::string name;
     Oversampling oversampling;
     int samples = 1;           // rays of each sample of radiance
-    double seen_pixels = 0.0;  // samples of radiance a picture; margins beyond its edges left out
+    double seen_pixels = 0.0;  // samples of radiance a picture; margins beyond its edges skipped
     std::vector<std::string> left_out;
 };
 /// Throws InputError, with its place in the scene file, for settings that contradict each other

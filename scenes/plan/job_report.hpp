@@ -12,7 +12,7 @@
 
 namespace diurna {
 
-/// A file that the results depend on (scenes/kept/inputs.hpp).
+/// A file that the results depend on (scenes/cache/inputs.hpp).
 struct JobInput {
     std::string name, sha256;
 };
@@ -35,7 +35,7 @@ struct JobReport {
     std::vector<std::string> notes{};   // what was modelled for want of data
     std::vector<JobInput> inputs{};
     std::vector<std::string> settings{};  // of the command line
-    std::vector<std::string> warnings{};  // what is hardly meant (scenes/doubts)
+    std::vector<std::string> warnings{};  // what is implausible (scenes/warnings)
 };
 
 }  // namespace diurna

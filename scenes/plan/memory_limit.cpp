@@ -36,7 +36,7 @@ double available() {
 
 }  // namespace
 
-double bytes_told(const std::string& text) {
+double bytes_reported(const std::string& text) {
     double number = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     const std::string unit(end, text.data() + text.size());

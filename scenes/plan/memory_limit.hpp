@@ -6,9 +6,9 @@
 
 namespace diurna {
 
-/// Bytes that a text tells: "800M", "6.5G", "2T" (powers of 1000). Throws InputError, of
+/// Bytes that a text reports: "800M", "6.5G", "2T" (powers of 1000). Throws InputError, of
 /// --max-memory.
-double bytes_told(const std::string& text);
+double bytes_reported(const std::string& text);
 
 /// What the machine can still give [bytes]: nine tenths of what is free to be taken, within the
 /// limit of the process's control group; 0: the system does not say.

@@ -290,11 +290,11 @@ void estimate(const Scene& scene, const World& world, const Weather& weather,
              threads},
         {"write temperatures", costs.write_per_value * values},
         {"views", (through * costs.cast_per_ray * double(plan.view_rays) +
-                   costs.hop_per_ray * work.followed_rays) /
+                   costs.secondary_per_ray * work.followed_rays) /
                       threads},
         {"frames",
          (through * costs.render_per_pixel * work.pixels + costs.air_per_band * work.pictures +
-          costs.hop_per_root * work.onward + costs.render_per_channel * work.channel_pixels +
+          costs.secondary_per_root * work.onward + costs.render_per_channel * work.channel_pixels +
           costs.air_per_channel * work.channel_pictures +
           costs.light_per_facet * facets * double(plan.pictures)) /
              threads},

@@ -33,9 +33,11 @@ struct PlanCosts {
     double render_per_pixel = 0.83e-6;  // and band
     double air_per_band = 0.024;        // and frame: tables of paths and backgrounds
     double light_per_facet = 0.1e-6;    // and frame: its sun and temperature
-    double hop_per_ray = 15e-6;    // that goes on off water or a mirror, through a pane or a net
-    double hop_per_root = 3.2e-3;  // and band, frame: root of the pixels that send rays on; what
-                                   // they meet and its air are shared, the more the more there are
+    double secondary_per_ray =
+        15e-6;  // that goes on off water or a mirror, through a pane or a net
+    double secondary_per_root =
+        3.2e-3;  // and band, frame: root of the pixels that send rays on; what
+                 // they meet and its air are shared, the more the more there are
     double air_per_channel = 0.027;  // of a cube, and frame
     double render_per_channel = 0.12e-6;
     double blur_per_sample = 0.7e-6;  // of an instrument's radiance and frame

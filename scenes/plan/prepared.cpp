@@ -22,7 +22,7 @@
 #include "scenes/world/stepping.hpp"
 #include "scenes/world/textures.hpp"
 #include "terrain/raster/dem.hpp"
-#include "thermal/weather/weather_doubts.hpp"
+#include "thermal/weather/weather_warnings.hpp"
 
 namespace diurna {
 
@@ -46,8 +46,8 @@ std::vector<std::string> notes_on_spectra(const Scene& scene, const World& world
     std::vector<std::string> notes;
     for (const MaterialId id : std::set(surfaces.material.begin(), surfaces.material.end())) {
         for (std::string& note : spectrum_notes(scene.materials[id], bands)) {
-            const bool told = std::find(notes.begin(), notes.end(), note) != notes.end();
-            if (!told) notes.push_back(std::move(note));
+            const bool reported = std::find(notes.begin(), notes.end(), note) != notes.end();
+            if (!reported) notes.push_back(std::move(note));
         }
     }
     return notes;
@@ -63,7 +63,7 @@ std::vector<std::string> notes_on_grey(const Scene& scene) {
         "labels.bits = 8 writes pictures that need no stretching"};
 }
 
-/// Heights over the ellipsoid on ground whose own zero nobody has told.
+/// Heights over the ellipsoid on ground whose own zero nobody has reported.
 std::vector<std::string> notes_on_heights(const Scene& scene) {
     std::vector<std::string> notes;
     if (scene.terrain.elevation.reading.geoid) return notes;
@@ -163,7 +163,7 @@ Prepared prepare(Scene scene) {
     World world = build_world(scene, dem);
     RayScene rays(world.facets, passed_light(scene.materials), world.copies);
     Weather measured = measured_weather(scene, world);
-    std::vector<Mistake> weather_warnings = weather_doubts(
+    std::vector<Mistake> weather_warnings = weather_warnings(
         measured, world.site, scene.time.start, later(scene.time.start, scene.time.duration),
         scene.file.string() + ": weather.file");
     Weather weather = scene_weather(scene, world, std::move(measured));

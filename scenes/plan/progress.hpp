@@ -14,11 +14,11 @@ enum class ProgressStyle { bar, lines, json, silent };
 /// A bar on a terminal, plain lines elsewhere.
 ProgressStyle default_progress_style();
 
-/// Who is told of progress besides stderr: the stage and its share, 0 when it begins, 1 when it
+/// Who is reported of progress besides stderr: the stage and its share, 0 when it begins, 1 when it
 /// ends, at most five times a second between. Called from any thread, never from two at a time.
 using ProgressListener = std::function<void(const std::string& stage, double share)>;
 
-/// Where progress is told.
+/// Where progress is reported.
 struct ProgressTo {
     ProgressStyle style = ProgressStyle::silent;
     ProgressListener listener{};  // empty: nobody
@@ -64,7 +64,7 @@ class Progress {
     ProgressTo to_;
     std::mutex mutex_;
     std::string name_, doing_;
-    double share_ = 0.0;  // as told last
+    double share_ = 0.0;  // as reported last
     int tenths_ = 0;      // of the present stage that have been shown as lines
     Clock::time_point began_{}, shown_{}, heard_{};
     std::vector<Stage> stages_;

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The plane to be shown of every frame, with the one that tells sky from ground.
+/// The plane to be shown of every frame, with the one that reports sky from ground.
 std::vector<Frame> shown_frames(const fs::path& folder, const std::string& observer,
                                 const Band& band, const std::vector<Instant>& frames) {
     const std::vector<std::string> planes{shown_plane(band), "temperature"};

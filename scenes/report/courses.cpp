@@ -12,7 +12,7 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t most_objects = 12;  // whose parts are told
+constexpr std::size_t most_objects = 12;  // whose parts are reported
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 #include "scenes/plan/prepared.hpp"
 #include "terrain/facets.hpp"
 
-/// What a page tells the temperatures of: facets under a name.
+/// What a page reports the temperatures of: facets under a name.
 namespace diurna {
 
 struct FacetGroup {

@@ -13,7 +13,7 @@ namespace diurna {
 struct GroupDays {
     const Prepared& prepared;
     const std::vector<Instant>& instants;
-    /// Whose crossings with the others are told: the material around. None: nobody's.
+    /// Whose crossings with the others are reported: the material around. None: nobody's.
     const std::optional<DiurnalCurve>& around;
 };
 

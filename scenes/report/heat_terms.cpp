@@ -35,8 +35,8 @@ constexpr std::array<TermLine, heat_terms> lines{{{"sunlight in", "#c98a00"},
 /// (term) (instant) [W m⁻²], positive towards the surface.
 using TermMeans = std::array<std::vector<double>, heat_terms>;
 
-/// Whose balance is told: each object, then the parts of those that have several.
-std::vector<FacetGroup> told_groups(const Prepared& prepared) {
+/// Whose balance is reported: each object, then the parts of those that have several.
+std::vector<FacetGroup> reported_groups(const Prepared& prepared) {
     std::vector<FacetGroup> groups = object_groups(prepared);
     for (ObjectParts& object : part_groups(prepared)) {
         for (FacetGroup& part : object.part) {
@@ -72,7 +72,7 @@ std::vector<TermMeans> read_means(const std::filesystem::path& file, const Tempe
 
 std::string terms_chart(const std::string& name, const TermMeans& means, const TimeAxis& axis,
                         const std::vector<double>& x) {
-    constexpr double least = 0.05;  // [W m⁻²] what is never more is left out, and told
+    constexpr double least = 0.05;  // [W m⁻²] what is never more is skipped, and reported
     Chart chart{.title = name,
                 .x_title = axis.title,
                 .y_title = "W/m² towards the surface",
@@ -108,7 +108,7 @@ std::string heat_terms_of_day(const std::filesystem::path& folder, const Prepare
                               const TemperatureField& field) {
     const std::filesystem::path file = folder / "temperatures.nc";
     if (!std::filesystem::exists(file)) return "";  // temperatures were given
-    std::vector<FacetGroup> groups = told_groups(prepared);
+    std::vector<FacetGroup> groups = reported_groups(prepared);
     const std::size_t all = groups.size();
     groups.resize(std::min(all, most_charts));
     const std::vector<TermMeans> means =

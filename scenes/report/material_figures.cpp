@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "materials/matter/net.hpp"
+#include "materials/matter/net_optics.hpp"
 #include "materials/radiation/band.hpp"
 #include "materials/radiation/planck.hpp"
 

@@ -44,7 +44,7 @@ std::string timed(const TimeRow& of) {
 /// What the plan has names for, then what it has none for.
 std::vector<TimeRow> time_rows(const JobReport& report) {
     std::vector<TimeRow> rows;
-    std::set<std::string> told;
+    std::set<std::string> reported;
     for (const PlannedStage& planned : report.plan.stages) {
         TimeRow one{.name = planned.name, .planned = planned.seconds};
         if (planned.name == "sky view") one.rays = double(report.plan.sky_rays);
@@ -54,12 +54,12 @@ std::vector<TimeRow> time_rows(const JobReport& report) {
         for (const Progress::Stage& stage : report.stages) {
             if (!belongs(stage.name, planned.name)) continue;
             one.taken = std::max(0.0, one.taken) + stage.seconds;
-            told.insert(stage.name);
+            reported.insert(stage.name);
         }
         rows.push_back(std::move(one));
     }
     for (const Progress::Stage& stage : report.stages) {
-        if (!told.contains(stage.name))
+        if (!reported.contains(stage.name))
             rows.push_back({.name = stage.name, .taken = stage.seconds});
     }
     return rows;

@@ -5,7 +5,7 @@
 #include "scenes/plan/job_report.hpp"
 #include "scenes/plan/prepared.hpp"
 
-/// What a page tells of a run in tables, each as HTML.
+/// What a page reports of a run in tables, each as HTML.
 namespace diurna {
 
 /// Place, facets, frames, how the heat balance began and whether it has converged.

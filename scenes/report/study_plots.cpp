@@ -20,8 +20,8 @@ using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::size_t largest = 8u << 20;  // of a file that a page takes in [bytes]
 
-/// A number as it is told, a text, or nothing.
-std::string told(const OrderedJson& of, const char* key) {
+/// A number as it is reported, a text, or nothing.
+std::string reported(const OrderedJson& of, const char* key) {
     const auto found = of.find(key);
     if (found == of.end() || found->is_null()) return "";
     if (found->is_number()) return fmt::format("{:.4g}", found->get<double>());
@@ -43,39 +43,40 @@ std::string moment(const OrderedJson& of) {
 
 std::string crossover_rows(const OrderedJson& study) {
     std::string out = cells({"band µm", "crossing", "", "warmer after", "± min",
-                             "hours below " + told(study, "threshold_K") + " K", "least K"},
+                             "hours below " + reported(study, "threshold_K") + " K", "least K"},
                             "th");
     for (const OrderedJson& band : study.at("bands")) {
         const std::string hours =
-            told(band, "hours_below_threshold") + " of " + told(band, "hours");
+            reported(band, "hours_below_threshold") + " of " + reported(band, "hours");
         if (band.at("crossings").empty()) {
-            out += cells(
-                {told(band, "band_um"), "none", "", "", "", hours, told(band, "least_contrast_K")},
-                "td");
+            out += cells({reported(band, "band_um"), "none", "", "", "", hours,
+                          reported(band, "least_contrast_K")},
+                         "td");
         }
         for (const OrderedJson& one : band.at("crossings")) {
             const double sigma = one.value("sigma_s", 0.0);
-            out += cells(
-                {told(band, "band_um"), moment(one), told(one, "kind"), told(one, "warmer_after"),
-                 sigma > 0.0 ? fmt::format("{:.1f}", sigma / 60.0) : "", hours,
-                 told(one, "least_K")},
-                "td");
+            out += cells({reported(band, "band_um"), moment(one), reported(one, "kind"),
+                          reported(one, "warmer_after"),
+                          sigma > 0.0 ? fmt::format("{:.1f}", sigma / 60.0) : "", hours,
+                          reported(one, "least_K")},
+                         "td");
         }
     }
     return out;
 }
 
 std::string contrast_rows(const OrderedJson& study) {
-    std::string out =
-        cells({"target", "band µm", "worst picture", "from", "RSS contrast K", "± K",
-               "signal to clutter", "share above " + told(study, "threshold_K") + " K", "least K"},
-              "th");
+    std::string out = cells(
+        {"target", "band µm", "worst picture", "from", "RSS contrast K", "± K", "signal to clutter",
+         "share above " + reported(study, "threshold_K") + " K", "least K"},
+        "th");
     for (const OrderedJson& one : study.at("targets")) {
         const OrderedJson worst = one.value("worst", OrderedJson::object());
         out += cells(
-            {told(one, "target"), told(one, "band_um"), moment(worst), told(worst, "observer"),
-             told(worst, "rss_K"), told(worst, "error_K"), told(worst, "signal_to_clutter"),
-             told(one, "share_of_pictures_above_threshold"), told(one, "least_rss_K")},
+            {reported(one, "target"), reported(one, "band_um"), moment(worst),
+             reported(worst, "observer"), reported(worst, "rss_K"), reported(worst, "error_K"),
+             reported(worst, "signal_to_clutter"),
+             reported(one, "share_of_pictures_above_threshold"), reported(one, "least_rss_K")},
             "td");
     }
     return out;
@@ -84,7 +85,7 @@ std::string contrast_rows(const OrderedJson& study) {
 std::string ends(const OrderedJson& of, const char* key) {
     const auto found = of.find(key);
     if (found == of.end() || !found->is_object()) return "";
-    return told(*found, "least") + " to " + told(*found, "greatest");
+    return reported(*found, "least") + " to " + reported(*found, "greatest");
 }
 
 std::string signature_rows(const OrderedJson& study) {
@@ -92,7 +93,7 @@ std::string signature_rows(const OrderedJson& study) {
                              "contrast intensity W/sr"},
                             "th");
     for (const OrderedJson& one : study.at("summary")) {
-        out += cells({moment(one), told(one, "band_um"), ends(one, "projected_area_m2"),
+        out += cells({moment(one), reported(one, "band_um"), ends(one, "projected_area_m2"),
                       ends(one, "radiant_intensity_W_sr"), ends(one, "contrast_intensity_W_sr")},
                      "td");
     }
@@ -117,9 +118,10 @@ std::string detection_rows(const OrderedJson& study) {
                "by the targeting task metric, m"},
               "th");
     for (const OrderedJson& one : study.at("instants")) {
-        out += cells({moment(one), told(one, "rss_contrast_K"), told(one, "projected_area_m2"),
-                      ranges(one, "johnson_range_m"), ranges(one, "ttp_range_m")},
-                     "td");
+        out +=
+            cells({moment(one), reported(one, "rss_contrast_K"), reported(one, "projected_area_m2"),
+                   ranges(one, "johnson_range_m"), ranges(one, "ttp_range_m")},
+                  "td");
     }
     return out;
 }
@@ -152,10 +154,10 @@ std::string study_of(const fs::path& json) {
                       says = escaped(kind + " " + name);
     std::string out = "<h3>" + says + "</h3>\n";
     if (kind == "crossover") {
-        out += fmt::format("<p>{} and {}, seen by {}</p>\n", told(study, "first"),
-                           told(study, "second"), told(study, "observer"));
+        out += fmt::format("<p>{} and {}, seen by {}</p>\n", reported(study, "first"),
+                           reported(study, "second"), reported(study, "observer"));
     }
-    if (study.contains("object")) out += "<p>" + told(study, "object") + "</p>\n";
+    if (study.contains("object")) out += "<p>" + reported(study, "object") + "</p>\n";
     return out + plot(read_text(drawing, largest), says) + answers(study);
 }
 

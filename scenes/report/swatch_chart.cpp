@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "materials/matter/net.hpp"
+#include "materials/matter/net_optics.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/material_figures.hpp"
 

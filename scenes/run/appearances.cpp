@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scenes/run/luminary.hpp"
+#include "scenes/run/light_source.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 
@@ -51,7 +51,7 @@ std::vector<Appearance> appearances(const Prepared& prepared, std::span<const In
     for (const Instant instant : some_of(frames)) {
         const std::vector<float> temperature = field.interpolate(instant);
         const SunPosition sun =
-            luminary(sun_over(prepared, instant), prepared.world.site, instant, bands).place;
+            light_source(sun_over(prepared, instant), prepared.world.site, instant, bands).place;
         for (const Band& band : bands) {
             if (band.to_um() > 3.0) {
                 all.push_back(

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "scenes/kept/stage_bytes.hpp"
-#include "scenes/kept/stage_keys.hpp"
+#include "scenes/cache/stage_bytes.hpp"
+#include "scenes/cache/stage_keys.hpp"
 #include "scenes/report/report.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/world/stepping.hpp"
@@ -35,13 +35,13 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
     return some;
 }
 
-Told told_of(const SpanResult& result) {
-    Told told{{"not converged", not_converged(result.report)}, {"start", result.start}};
-    for (const std::string& note : result.notes) told.emplace_back("note", note);
+Messages messages_of(const SpanResult& result) {
+    Messages reported{{"not converged", not_converged(result.report)}, {"start", result.start}};
+    for (const std::string& note : result.notes) reported.emplace_back("note", note);
     for (const auto& [name, value] : heat_rows(result.report)) {
-        told.emplace_back("row " + name, value);
+        reported.emplace_back("row " + name, value);
     }
-    return told;
+    return reported;
 }
 
 }  // namespace
@@ -60,22 +60,22 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
             store->note_taken(stage);
             return {.result = {.temperature = std::move(*field), .report = {}, .start = {}},
                     .solved = false,
-                    .told = std::move(found.told)};
+                    .reported = std::move(found.reported)};
         }
     }
     const auto begun = std::chrono::steady_clock::now();
-    SceneHeat heat{.result = solve_scene(stages, progress, tolerance), .told = {}};
-    heat.told = told_of(heat.result);
+    SceneHeat heat{.result = solve_scene(stages, progress, tolerance), .reported = {}};
+    heat.reported = messages_of(heat.result);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {
-        store->keep(stage, key, bytes_of(FoundHeat{heat.result.temperature, heat.told}));
+        store->keep(stage, key, bytes_of(FoundHeat{heat.result.temperature, heat.reported}));
     }
     return heat;
 }
 
-std::vector<std::string> told_as(const std::string& name, const SceneHeat& heat) {
+std::vector<std::string> reported_as(const std::string& name, const SceneHeat& heat) {
     std::vector<std::string> texts;
-    for (const auto& [of, text] : heat.told) {
+    for (const auto& [of, text] : heat.reported) {
         if (of == name) texts.push_back(text);
     }
     return texts;

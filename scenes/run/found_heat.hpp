@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/kept/inputs.hpp"
-#include "scenes/kept/told.hpp"
+#include "scenes/cache/inputs.hpp"
+#include "scenes/cache/messages.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
@@ -18,7 +18,7 @@ struct SceneHeat {
     bool solved = true;  // by this run
     /// "not converged", "start", each "note", each "row ..." of the report's table: of whichever
     /// run has solved it.
-    Told told;
+    Messages reported;
 };
 
 /// As solve_scene(). Taken from the store are temperatures whose instants are among those kept
@@ -28,7 +28,7 @@ struct SceneHeat {
 SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, Progress& progress,
                      double tolerance);
 
-/// What is told by a name: "start".
-std::vector<std::string> told_as(const std::string& name, const SceneHeat& heat);
+/// What is given by a name: "start".
+std::vector<std::string> reported_as(const std::string& name, const SceneHeat& heat);
 
 }  // namespace diurna

@@ -15,7 +15,7 @@
 #include "render/picture/grey_picture.hpp"
 #include "render/picture/quicklook.hpp"
 #include "scenes/plan/frame_files.hpp"
-#include "scenes/run/frames_told.hpp"
+#include "scenes/run/frame_messages.hpp"
 #include "scenes/run/instrument_pictures.hpp"
 #include "scenes/run/picture.hpp"
 #include "scenes/run/series.hpp"
@@ -33,10 +33,10 @@ std::string not_held(const GreyPicture& counts, Instant instant) {
 }
 
 /// EXR, quick-look and plain grey picture of every band; returns what the pictures could not hold.
-Told write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
-                 const Scene& scene, const CameraTags& camera) {
+Messages write_bands(const fs::path& out, const Frame& frame, const std::vector<Band>& bands,
+                     const Scene& scene, const CameraTags& camera) {
     const LabelsInput& labels = scene.labels;
-    Told told;
+    Messages reported;
     for (const Band& band : bands) {
         const std::string name = frame_base(frame.observer, band.name, frame.instant);
         const Frame one = band_frame(frame, band.name);
@@ -49,10 +49,10 @@ Told write_bands(const fs::path& out, const Frame& frame, const std::vector<Band
         write_grey_picture(grey, counts, labels.format);
         // The ends of eight bits are those of the quick-look, which leave some out by intent.
         if (labels.bits == 16 && counts.beyond > 0) {
-            told.emplace_back("beyond." + band.name, not_held(counts, frame.instant));
+            reported.emplace_back("beyond." + band.name, not_held(counts, frame.instant));
         }
     }
-    return told;
+    return reported;
 }
 
 /// In the spectral OpenEXR layout and for ENVI.
@@ -75,9 +75,9 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
                     std::span<const InstrumentSeries> instruments, const fs::path& out,
                     Ledger& ledger, bool blurred = false) {
     const Picture picture = picture_at(prepared, s, views, field, instant, blurred);
-    Told told(picture.frame.notes.begin(), picture.frame.notes.end());
+    Messages reported(picture.frame.notes.begin(), picture.frame.notes.end());
     for (auto& beyond : write_bands(out, picture.frame, s.bands, prepared.scene, picture.camera)) {
-        told.push_back(std::move(beyond));
+        reported.push_back(std::move(beyond));
     }
     for (std::size_t c = 0; c < s.cubes.size(); ++c) {
         write_cube(out / frame_base(s.input.name, s.cubes[c].name, instant), picture.cube[c],
@@ -85,7 +85,7 @@ void render_instant(const Prepared& prepared, const Series& s, const FacetViews&
     }
     const std::vector<std::string> files =
         picture_files(s.input, instant, prepared.scene.labels.format);
-    if (!files.empty()) ledger.add(files, std::move(told));
+    if (!files.empty()) ledger.add(files, std::move(reported));
     for (const InstrumentSeries& one : instruments) {
         const Frame frame = seen_flux(one, prepared, views, field, instant, blurred, picture);
         const fs::path file =
@@ -203,7 +203,7 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
             render_sequence(stages, o, input, wanted, field, instruments, out, progress, ledger);
             if (!instruments.empty()) progress.stage("instruments of " + input.name);
             for (const auto& view : instruments) {
-                Told notes;
+                Messages notes;
                 for (std::string& note :
                      take_pictures(*view, prepared, prepared.sequences[o], wanted, out)) {
                     notes.emplace_back("instrument", std::move(note));
@@ -217,17 +217,18 @@ FramesReport render_frames(const Stages& stages, const std::vector<ObserverInput
             }
         }
         for (const std::string& band : input.instruments) {
-            for (const auto& [what, note] : ledger.told(calibration_file(input.name, band))) {
+            for (const auto& [what, note] : ledger.reported(calibration_file(input.name, band))) {
                 report.warnings.push_back("instrument " + note);
             }
         }
         report.rendered += wanted.size();
-        std::vector<Told> told;
+        std::vector<Messages> reported;
         for (const Instant when : input.frames) {
-            if (!files(when).empty()) told.push_back(ledger.told(files(when).front()));
+            if (!files(when).empty()) reported.push_back(ledger.reported(files(when).front()));
         }
-        for (std::string& line : errors_told(input, told)) report.notes.push_back(std::move(line));
-        for (std::string& line : beyond_told(input, told)) {
+        for (std::string& line : errors_reported(input, reported))
+            report.notes.push_back(std::move(line));
+        for (std::string& line : beyond_reported(input, reported)) {
             report.warnings.push_back(std::move(line));
         }
     }

@@ -22,7 +22,8 @@ struct FramesReport {
 };
 
 /// Renders every frame that the ledger has not, writes it as EXR with a PNG quick-look
-/// (scenes/plan/frame_files.hpp) and enters it. What is told is of all frames, kept or rendered.
+/// (scenes/plan/frame_files.hpp) and enters it. What is reported is of all frames, kept or
+/// rendered.
 ///
 /// - chosen: the scene's observers with the bands and frames to render
 /// (scenes/plan/chosen_pictures)

@@ -29,11 +29,11 @@ std::unique_ptr<const Ledger> part_in(const fs::path& folder, const std::string&
                          "merge by the program of its run, with the same --set");
     }
     auto part = std::make_unique<const Ledger>(folder, key, true);
-    if (const auto& amiss = part->amiss(); !amiss.empty()) {
+    if (const auto& changed = part->changed(); !changed.empty()) {
         throw InputError(folder.string(),
                          fmt::format("{} files are not what the run has left, {} "
                                      "for one",
-                                     amiss.size(), amiss.front()),
+                                     changed.size(), changed.front()),
                          "run that part again with --resume");
     }
     return part;

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "materials/base/error.hpp"
-#include "scenes/kept/heat_inputs.hpp"
-#include "scenes/kept/inputs.hpp"
+#include "scenes/cache/heat_inputs.hpp"
+#include "scenes/cache/inputs.hpp"
 #include "scenes/run/picture_shares.hpp"
 #include "scenes/world/movers.hpp"
 #include "thermal/temperature_mesh.hpp"

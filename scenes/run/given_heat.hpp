@@ -18,7 +18,7 @@ struct GivenHeat {
 
 /// Reads them. Throws InputError where they are of another scene: of other facets, places,
 /// materials, objects or weather. Other inputs that are not what they were, the scene file among
-/// them beyond its observers, bands and labels, are told as a warning.
+/// them beyond its observers, bands and labels, are reported as a warning.
 GivenHeat given_heat(const Prepared& prepared, const std::filesystem::path& file);
 
 /// Throws InputError for pictures of facets that the run of `file` left to others of their kind

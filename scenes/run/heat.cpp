@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "materials/base/error.hpp"
-#include "scenes/kept/heat_inputs.hpp"
-#include "scenes/kept/inputs.hpp"
+#include "scenes/cache/heat_inputs.hpp"
+#include "scenes/cache/inputs.hpp"
 #include "scenes/run/needed_facets.hpp"
 #include "scenes/run/stage_heat.hpp"
 #include "scenes/run/state_owner.hpp"
@@ -25,7 +25,7 @@ namespace diurna {
 
 namespace {
 
-/// What a file of state holds; mistakes are told with their place in the scene file.
+/// What a file of state holds; mistakes are reported with their place in the scene file.
 TimedState loaded_state(const Prepared& prepared) {
     const TimeInput& time = prepared.scene.time;
     try {
@@ -58,7 +58,8 @@ std::optional<HeatState> earlier_state(const Prepared& prepared) {
 }
 
 /// What the start is worth, in one line.
-std::string start_told(const SolveInput& input, const SpanOptions& span, const SpanResult& result) {
+std::string start_reported(const SolveInput& input, const SpanOptions& span,
+                           const SpanResult& result) {
     const SolveReport& report = result.report;
     if (span.begin == SpanStart::state) return "it adds nothing to what that run had";
     std::string line;
@@ -82,7 +83,7 @@ std::string start_told(const SolveInput& input, const SpanOptions& span, const S
             report.alternating, report.alternating == 1 ? "facet has" : "facets have",
             report.alternation, report.alternating_facet);
     }
-    return line + told(measure_start(input, span));
+    return line + reported(measure_start(input, span));
 }
 
 /// Names and clock of a scene, for its file of temperatures.
@@ -103,7 +104,7 @@ FieldNotes field_notes(const Prepared& prepared, const HeatFluxField& fluxes) {
 std::string not_converged(const SolveReport& report) {
     if (report.converged) return "";
     if (!report.unsolved.empty()) return "the heat balance has failed: " + report.unsolved;
-    std::string told = fmt::format(
+    std::string reported = fmt::format(
         "the heat balance has not converged in {} passes: estimated error {:.1e} K (limit {:.2g} "
         "K), residual of the repeated day {:.1e} K{}{}; a shorter time.step_s, or a start from a "
         "longer weather record, may help",
@@ -111,15 +112,15 @@ std::string not_converged(const SolveReport& report) {
         report.furthest.empty() ? "" : ", largest at ", report.furthest);
     // What changed to the last, of passes that wait for one another.
     if (report.light_change > 0.05) {
-        told += fmt::format(
+        reported += fmt::format(
             "; reflected light of wet or snow-covered facets still changes by {:.1g} W/m2",
             report.light_change);
     }
     if (report.target_residual > SolveOptions{}.settled) {
-        told +=
+        reported +=
             fmt::format("; targets are {:.1g} K from their repeated day", report.target_residual);
     }
-    return told;
+    return reported;
 }
 
 void check_start(const Prepared& prepared) { earlier_state(prepared); }
@@ -167,17 +168,17 @@ std::vector<std::uint8_t> solid_facets(const NeededFacets& needed, const World& 
     return asked;
 }
 
-std::string told(const NeededFacets& needed, const TemperatureField& field) {
+std::string reported(const NeededFacets& needed, const TemperatureField& field) {
     const double apart = probed_difference(needed, field), worth = apart * needed.weight;
-    constexpr double least_told = 5e-4;  // [K] about what the balance itself leaves open
+    constexpr double least_reported = 5e-4;  // [K] about what the balance itself leaves open
     return fmt::format(
         "solved: {} of {} facets, of which {} that pictures see and their neighbours, {} whose "
         "heat those feel; {} stand for all others of their kind, from which {} that were solved "
         "to see are {:.2f} K (rms): worth {} in pictures",
-        needed.who.solved.size(), needed.who.place.size(), needed.seen, needed.felt, needed.kinds,
-        needed.probe.size(), apart,
-        worth < least_told ? fmt::format("less than {:.0e} K", least_told)
-                           : fmt::format("{:.1e} K", worth));
+        needed.who.solved.size(), needed.who.place.size(), needed.seen, needed.coupled,
+        needed.kinds, needed.probe.size(), apart,
+        worth < least_reported ? fmt::format("less than {:.0e} K", least_reported)
+                               : fmt::format("{:.1e} K", worth));
 }
 
 }  // namespace
@@ -208,12 +209,12 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
     }
     SpanResult result = needed ? solve_needed(parts, span, needed->who) : solve_span(parts, span);
     if (needed) {
-        result.notes.push_back(told(*needed, result.temperature));
+        result.notes.push_back(reported(*needed, result.temperature));
     } else if (scene.scene.tolerance > 0.0) {
         result.notes.push_back("solved: every facet, in spite of tolerance_K: " + whole);
     }
-    result.start += ": " + start_told(first.input(), span, result);
-    for (std::string& note : first.told(result.report)) {
+    result.start += ": " + start_reported(first.input(), span, result);
+    for (std::string& note : first.reported(result.report)) {
         result.notes.push_back(std::move(note));
     }
     double shadows = 0.0;

@@ -20,8 +20,8 @@ void check_start(const Prepared& prepared);
 /// Shadows and heat balance, stage by stage: temperatures alone. Throws InputError as
 /// check_start().
 /// Where a tolerance is given, facets that no picture sees and whose heat none feels are not
-/// solved: others stand for them (scenes/run/needed_facets.hpp), and a note tells how many and what
-/// of.
+/// solved: others stand for them (scenes/run/needed_facets.hpp), and a note reports how many and
+/// what of.
 ///
 /// - tolerance: [K] rms that pictures may be worse by; 0: every facet is solved
 SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance = 0.0);

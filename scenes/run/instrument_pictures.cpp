@@ -10,7 +10,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/parallel.hpp"
 #include "materials/radiation/planck.hpp"
-#include "render/instrument/calibration.hpp"
+#include "render/instrument/count_calibration.hpp"
 #include "render/instrument/display.hpp"
 #include "render/instrument/distortion.hpp"
 #include "render/picture/exr.hpp"
@@ -40,12 +40,12 @@ class Taking {
            const fs::path& out)
         : view_(view), prepared_(prepared), sequence_(sequence), out_(out) {}
 
-    struct Told {
+    struct Messages {
         double integration_time = 0.0;
         std::size_t saturated = 0, dead = 0;
         bool lagged = false;
     };
-    Told take_frame(std::size_t k) const;
+    Messages take_frame(std::size_t k) const;
 
  private:
     fs::path base(std::size_t k) const {
@@ -177,18 +177,18 @@ void Taking::write_grey(const Shot& shot, std::size_t k, const Frame& frame,
     write_grey_picture(base(k).string() + "_display.png", display, GreyFormat::png);
 }
 
-Taking::Told Taking::take_frame(std::size_t k) const {
+Taking::Messages Taking::take_frame(std::size_t k) const {
     const Camera& camera = view_.camera;
     const std::string& band = view_.band.name;
     Frame frame = read_exr(base(k).string() + ".exr");
     std::vector<float> flux = frame["flux." + band].pixel;
-    Told told{.lagged = lag_up_to(k, flux)};
+    Messages reported{.lagged = lag_up_to(k, flux)};
     const double seconds = seconds_since_1970(sequence_.frame[k]);
     const Shot shot = take(camera, flux, frame_number(camera.instrument, seconds),
                            hours_since_correction(camera.instrument, seconds));
-    told.integration_time = shot.integration_time;
-    told.saturated = shot.saturated;
-    told.dead = shot.dead;
+    reported.integration_time = shot.integration_time;
+    reported.saturated = shot.saturated;
+    reported.dead = shot.dead;
     // Only what seen_flux() left: a picture may be taken anew.
     std::erase_if(frame.planes, [&](const Plane& plane) {
         return plane.name != "flux." + band && plane.name != "radiance." + band &&
@@ -203,7 +203,7 @@ Taking::Told Taking::take_frame(std::size_t k) const {
     write_grey(shot, k, frame, shown);
     const CameraTags tags = camera_tags(prepared_, sequence_.at(k), sequence_.frame[k]);
     write_exr(base(k).string() + ".exr", frame, prepared_.scene.output.compression, &tags);
-    return told;
+    return reported;
 }
 
 /// [K]: around what is seen; of what shines below 3 µm, glowing bodies.
@@ -235,9 +235,9 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
                                        const Sequence& sequence,
                                        std::span<const std::size_t> wanted, const fs::path& out) {
     const Taking taking(view, prepared, sequence, out);
-    std::vector<Taking::Told> told(wanted.size());
+    std::vector<Taking::Messages> reported(wanted.size());
     for_each_index(
-        wanted.size(), [&](std::size_t i) { told[i] = taking.take_frame(wanted[i]); }, 1);
+        wanted.size(), [&](std::size_t i) { reported[i] = taking.take_frame(wanted[i]); }, 1);
     write_whole_file(out / calibration_file(view.observer.name, view.band.name),
                      calibration_of(view));
 
@@ -272,10 +272,10 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
                                            "(tolerance_K)",
                                            view.camera.margin));
     }
-    if (told.empty()) return notes;
+    if (reported.empty()) return notes;
     std::size_t saturated = 0, pictures = 0, lagged = 0;
-    double shortest = told.front().integration_time, longest = shortest;
-    for (const Taking::Told& one : told) {
+    double shortest = reported.front().integration_time, longest = shortest;
+    for (const Taking::Messages& one : reported) {
         saturated = std::max(saturated, one.saturated);
         pictures += one.saturated > 0 ? 1 : 0;
         lagged += one.lagged ? 1 : 0;
@@ -290,10 +290,11 @@ std::vector<std::string> take_pictures(const InstrumentView& view, const Prepare
         notes.push_back(
             name + fmt::format("{} of {} pictures follow one less than {:g} time constants before; "
                                "of the others the lag is left out (below a thousandth of a change)",
-                               lagged, told.size(), forgotten_after));
+                               lagged, reported.size(), forgotten_after));
     }
-    if (told.front().dead > 0) {
-        notes.push_back(name + fmt::format("{} dead pixels stay as they are", told.front().dead));
+    if (reported.front().dead > 0) {
+        notes.push_back(name +
+                        fmt::format("{} dead pixels stay as they are", reported.front().dead));
     }
     return notes;
 }

@@ -13,7 +13,7 @@ namespace diurna {
 
 /// Takes an instrument's pictures of the flux that seen_flux() has left in EXR files: planes of
 /// what is measured beside it, counts, what is displayed, and the calibration. Returns what a
-/// reader is to be told.
+/// reader is to be reported.
 ///
 /// A bolometer's picture goes on from those before it as far as its time constant reaches.
 ///

@@ -5,8 +5,7 @@
 #include <set>
 
 #include "materials/base/error.hpp"
-#include "scenes/doubts/doubts.hpp"
-#include "scenes/kept/digest.hpp"
+#include "scenes/cache/digest.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -21,6 +20,7 @@
 #include "scenes/run/manifest.hpp"
 #include "scenes/run/radiometers.hpp"
 #include "scenes/run/run_folder.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 
 namespace diurna {
 
@@ -115,7 +115,8 @@ std::vector<std::string> heat_files(const Scene& scene, const JobOptions& option
     return files;
 }
 
-/// Makes room for what the ledger has not, and begins it. What is told of it goes to the report.
+/// Makes room for what the ledger has not, and begins it. What is reported of it goes to the
+/// report.
 void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
                   const Ledger& ledger, Progress& progress, JobReport& report) {
     std::set<std::string> keep{ledger_file, "manifest.json"};
@@ -128,10 +129,10 @@ void begin_folder(const std::vector<std::string>& expected, const fs::path& out,
         report.remade.push_back(
             fmt::format("{} files of earlier runs removed from {}", cleared.gone, out.string()));
     });
-    if (const std::vector<std::string>& amiss = ledger.amiss(); !amiss.empty()) {
+    if (const std::vector<std::string>& changed = ledger.changed(); !changed.empty()) {
         report.remade.push_back(
             fmt::format("{} files changed since the earlier run (for example {}); regenerated",
-                        amiss.size(), amiss.front()));
+                        changed.size(), changed.front()));
     }
     for (const char* folder : {"frames", "images", "labels", "kitti", "kitti/calib"}) {
         fs::create_directories(out / folder);
@@ -146,12 +147,12 @@ TemperatureField write_found(const Stages& stages, const Manifest& manifest, con
     SceneHeat heat = scene_heat(stages, manifest.inputs, progress, prepared.scene.tolerance);
     progress.stage("write temperatures");
     write_heat(prepared, heat.result, out / "temperatures.nc");
-    for (auto& told : write_radiometers(stages, heat.result, out)) {
-        heat.told.push_back(std::move(told));
+    for (auto& reported : write_radiometers(stages, heat.result, out)) {
+        heat.reported.push_back(std::move(reported));
     }
     report.solve = heat.result.report;
     report.solved = heat.solved;
-    ledger.add(report.files, std::move(heat.told));
+    ledger.add(report.files, std::move(heat.reported));
     return std::move(heat.result.temperature);
 }
 
@@ -169,9 +170,10 @@ TemperatureField given_field(const Stages& stages, const std::vector<ObserverInp
     return std::move(given.field);
 }
 
-/// What was told of the heat balance when it was solved, in this run or the one it is kept from.
-void tell_of_heat(const Told& told, JobReport& report) {
-    for (const auto& [name, text] : told) {
+/// What was reported of the heat balance when it was solved, in this run or the one it is kept
+/// from.
+void tell_of_heat(const Messages& reported, JobReport& report) {
+    for (const auto& [name, text] : reported) {
         if (name == "not converged") report.not_converged = text;
         if (name == "start") report.start = text;
         if (name == "note") report.notes.push_back(text);
@@ -207,7 +209,7 @@ JobReport run_job(Scene scene, const JobOptions& options) {
     for (const RunInput& input : manifest.inputs) {
         report.inputs.push_back({input.name, input.sha256});
     }
-    report.warnings = as_lines(doubts(prepared));
+    report.warnings = as_lines(scene_warnings(prepared));
     std::vector<std::string> expected = report.files;
     for (std::string& file : frame_files(chosen, format)) expected.push_back(std::move(file));
     for (const std::filesystem::path& part : options.parts) refuse_own(out, part, "FOLDERS");
@@ -233,11 +235,11 @@ JobReport run_job(Scene scene, const JobOptions& options) {
                     ? load_temperature_field(out / "temperatures.nc")
                     : write_found(stages, manifest, out, progress, ledger, report);
     }
-    tell_of_heat(ledger.told("temperatures.nc"), report);
+    tell_of_heat(ledger.reported("temperatures.nc"), report);
     manifest.not_converged = report.not_converged;
     manifest.start = report.start;
-    if (std::string told = taken_told(stages.store()); !told.empty()) {
-        report.remade.push_back(std::move(told));
+    if (std::string reported = taken_reported(stages.store()); !reported.empty()) {
+        report.remade.push_back(std::move(reported));
     }
 
     const FramesReport frames = render_frames(stages, chosen, field, out, progress, ledger);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/cache/stage_store.hpp"
 #include "scenes/input/scene.hpp"
-#include "scenes/kept/stage_store.hpp"
 #include "scenes/plan/chosen_pictures.hpp"
 #include "scenes/plan/job_report.hpp"
 #include "scenes/plan/plan.hpp"
@@ -23,7 +23,7 @@ struct JobOptions {
     std::filesystem::path out = "out";
     std::vector<std::string> settings{};         // "key=value" given on the command line
     std::shared_ptr<const StageStore> stages{};  // of what earlier runs have found; null: none
-    PictureChoice pictures{};                    // those to render; others are left out
+    PictureChoice pictures{};                    // those to render; others are skipped
     std::vector<std::filesystem::path> parts{};  // folders of runs that have them all between them
     std::filesystem::path from{};  // folder of a run of the same inputs that has temperatures
     std::filesystem::path temperatures{};  // file of those to be seen, in place of a heat balance

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "materials/base/files.hpp"
-#include "scenes/kept/digest.hpp"
+#include "scenes/cache/digest.hpp"
 
 namespace diurna {
 
@@ -41,15 +41,15 @@ std::map<std::string, std::string> texts_of(const OrderedJson& json, const char*
     return texts;
 }
 
-Told told_of(const OrderedJson& json) {
-    Told told;
-    if (!json.contains("told") || !json["told"].is_array()) return told;
+Messages messages_of(const OrderedJson& json) {
+    Messages reported;
+    if (!json.contains("told") || !json["told"].is_array()) return reported;
     for (const OrderedJson& pair : json["told"]) {
         if (pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string()) {
-            told.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
+            reported.emplace_back(pair[0].get<std::string>(), pair[1].get<std::string>());
         }
     }
-    return told;
+    return reported;
 }
 
 /// A regular file of that content, not a link to one.
@@ -75,12 +75,12 @@ Ledger::Ledger(fs::path folder, const std::string& key, bool keep)
     const bool same =
         keep && !lines.empty() && lines.front().value("key", OrderedJson()) == OrderedJson(key);
     for (std::size_t i = 1; same && i < lines.size(); ++i) {
-        Entry entry{texts_of(lines[i], "files"), told_of(lines[i])};
+        Entry entry{texts_of(lines[i], "files"), messages_of(lines[i])};
         bool whole = !entry.digest.empty();
         for (const auto& [name, digest] : entry.digest) {
             if (is_whole(folder_ / name, digest)) continue;
             whole = false;
-            amiss_.push_back(name);
+            changed_.push_back(name);
         }
         if (!whole) continue;
         const std::string first = entry.digest.begin()->first;
@@ -97,8 +97,8 @@ bool Ledger::has(const std::vector<std::string>& files) const {
     return true;
 }
 
-void Ledger::add(const std::vector<std::string>& files, Told told) {
-    Entry entry{{}, std::move(told)};
+void Ledger::add(const std::vector<std::string>& files, Messages reported) {
+    Entry entry{{}, std::move(reported)};
     for (const std::string& file : files) entry.digest[file] = sha256_of_file(folder_ / file);
     const std::lock_guard lock(adding_);
     if (files.empty()) return;
@@ -111,18 +111,20 @@ void Ledger::add(const std::vector<std::string>& files, Told told) {
 void Ledger::take(const Ledger& other) {
     const std::scoped_lock lock(adding_, other.adding_);
     for (const auto& [first, entry] : other.entry_) {
-        Told& told = entry_.try_emplace(first, Entry{entry.digest, {}}).first->second.told;
-        for (const auto& one : entry.told) {
-            if (std::find(told.begin(), told.end(), one) == told.end()) told.push_back(one);
+        Messages& reported =
+            entry_.try_emplace(first, Entry{entry.digest, {}}).first->second.reported;
+        for (const auto& one : entry.reported) {
+            if (std::find(reported.begin(), reported.end(), one) == reported.end())
+                reported.push_back(one);
         }
         for (const auto& [name, digest] : entry.digest) entry_of_[name] = first;
     }
 }
 
-Told Ledger::told(const std::string& file) const {
+Messages Ledger::reported(const std::string& file) const {
     const std::lock_guard lock(adding_);
     const auto found = entry_of_.find(file);
-    return found == entry_of_.end() ? Told{} : entry_.at(found->second).told;
+    return found == entry_of_.end() ? Messages{} : entry_.at(found->second).reported;
 }
 
 std::map<std::string, std::string> Ledger::digests() const {
@@ -145,7 +147,7 @@ void Ledger::write(const std::vector<std::string>& expected) const {
 
 std::string Ledger::line(const Entry& entry) const {
     OrderedJson json{{"files", entry.digest}};
-    for (const auto& [name, text] : entry.told) json["told"].push_back({name, text});
+    for (const auto& [name, text] : entry.reported) json["told"].push_back({name, text});
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/kept/told.hpp"
+#include "scenes/cache/messages.hpp"
 
 namespace diurna {
 
@@ -25,16 +25,16 @@ class Ledger {
     /// Whether all of these are there as they were made. Of none: true.
     bool has(const std::vector<std::string>& files) const;
     /// Files that belong together and stand whole in the folder. Safe from many threads.
-    void add(const std::vector<std::string>& files, Told told);
+    void add(const std::vector<std::string>& files, Messages reported);
     /// Enters what another has whose files stand in this folder, too; of those that both have what
-    /// was told of either.
+    /// was reported of either.
     void take(const Ledger& other);
     /// Of the files that were added with this one.
-    Told told(const std::string& file) const;
+    Messages reported(const std::string& file) const;
     /// Of all files, by their names relative to the folder.
     std::map<std::string, std::string> digests() const;
     /// Files that an earlier one of the same key has and that are not what it says, or gone.
-    const std::vector<std::string>& amiss() const { return amiss_; }
+    const std::vector<std::string>& changed() const { return changed_; }
     /// Writes it whole, in the order of the names: before the first file is added, and at the end
     /// for the same bytes, whichever was made first.
     ///
@@ -44,13 +44,13 @@ class Ledger {
  private:
     struct Entry {
         std::map<std::string, std::string> digest;  // SHA-256 by name
-        Told told;
+        Messages reported;
     };
     std::string line(const Entry& entry) const;
 
     std::filesystem::path folder_;
     std::string key_;
-    std::vector<std::string> amiss_;
+    std::vector<std::string> changed_;
     mutable std::mutex adding_;
     std::map<std::string, Entry> entry_;           // by the first of its names
     std::map<std::string, std::string> entry_of_;  // name -> the first of its entry

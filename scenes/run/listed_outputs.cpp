@@ -6,7 +6,7 @@
 #include <set>
 
 #include "materials/base/error.hpp"
-#include "scenes/kept/digest.hpp"
+#include "scenes/cache/digest.hpp"
 #include "scenes/run/ledger.hpp"
 
 namespace diurna {
@@ -36,8 +36,8 @@ std::string listed_text(const Json& json, const char* key) {
     return json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
 }
 
-/// One line of what is amiss with a file; "" where it is what it was.
-std::string amiss(const fs::path& folder, const std::string& name, const std::string& digest) {
+/// One line of what is changed with a file; "" where it is what it was.
+std::string changed(const fs::path& folder, const std::string& name, const std::string& digest) {
     std::error_code ignored;
     const fs::file_status status = fs::symlink_status(folder / name, ignored);
     if (!fs::exists(status)) return name + ": missing";
@@ -79,7 +79,7 @@ bool is_listed(const fs::path& folder) {
 
 bool is_whole(const fs::path& folder, const std::map<std::string, std::string>& digests) {
     return std::all_of(digests.begin(), digests.end(), [&](const auto& file) {
-        return !file.second.empty() && amiss(folder, file.first, file.second).empty();
+        return !file.second.empty() && changed(folder, file.first, file.second).empty();
     });
 }
 
@@ -94,7 +94,7 @@ std::vector<std::string> verify(const fs::path& folder) {
     std::set<fs::path> folders;
     for (const auto& [name, digest] : files) {
         if (!stays_below(name)) continue;
-        if (std::string line = amiss(folder, name, digest); !line.empty()) {
+        if (std::string line = changed(folder, name, digest); !line.empty()) {
             lines.push_back(std::move(line));
         }
         if (fs::path(name).has_parent_path()) folders.insert(fs::path(name).parent_path());

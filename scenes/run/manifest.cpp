@@ -5,7 +5,7 @@
 #include "materials/base/files.hpp"
 #include "materials/base/made_by.hpp"
 #include "materials/base/parallel.hpp"
-#include "scenes/kept/digest.hpp"
+#include "scenes/cache/digest.hpp"
 #include "scenes/labels/attribute_json.hpp"
 #include "terrain/place/local_time.hpp"
 

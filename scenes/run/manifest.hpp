@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "scenes/cache/inputs.hpp"
 #include "scenes/input/scene.hpp"
-#include "scenes/kept/inputs.hpp"
 #include "scenes/plan/progress.hpp"
 #include "scenes/run/camera_truth.hpp"
 #include "scenes/run/legend.hpp"

@@ -34,7 +34,7 @@ GroundKind need_kind(const FacetSet& facets, const FacetViews& views, std::size_
 
 /// Calls body(facet, what it sees, share of its surroundings) for each facet that has a share.
 template <class Body>
-void each_felt(const FacetViews& views, const std::vector<float>& share, const Body& body) {
+void each_coupled(const FacetViews& views, const std::vector<float>& share, const Body& body) {
     const ViewFactors& others = views.others;
     for (std::size_t f = 0; f < share.size(); ++f) {
         if (!(share[f] > 0.0f)) continue;
@@ -86,12 +86,12 @@ std::vector<float> decided_by(const FacetSet& facets, std::span<const FacetViews
     for (int round = 0; round < rounds; ++round) {
         std::vector<float> next = seen;
         for (const FacetViews* of : views) {
-            std::vector<float> felt(seen.size(), 0.0f);
-            each_felt(*of, share, [&](std::size_t f, std::size_t g, float factor) {
-                if (stands[g]) felt[g] += share[f] * factor;
+            std::vector<float> coupled(seen.size(), 0.0f);
+            each_coupled(*of, share, [&](std::size_t f, std::size_t g, float factor) {
+                if (stands[g]) coupled[g] += share[f] * factor;
             });
             for (std::size_t g = 0; g < seen.size(); ++g) {
-                next[g] = std::max(next[g], seen[g] + felt[g]);
+                next[g] = std::max(next[g], seen[g] + coupled[g]);
             }
         }
         share_within(facets, network, next);
@@ -101,34 +101,35 @@ std::vector<float> decided_by(const FacetSet& facets, std::span<const FacetViews
 }
 
 /// Who feels whose heat, in pictures.
-struct Felt {
+struct Coupled {
     std::vector<const FacetViews*> views;  // of each stage
     std::vector<float> share;              // (facet) of what a picture shows it decides
-    std::vector<float> amiss;              // (facet) [K] that another of its kind may be off
+    std::vector<float> deviation;          // (facet) [K] that another of its kind may be off
 };
 
-/// What a kelvin amiss [K/K], or what all that is amiss [K], of facets not `solved` makes of the
-/// pictures: rms over their pixels, of the worst stage.
-double weight_of(const Felt& felt, const std::vector<std::uint8_t>& solved, bool kelvin) {
+/// What a kelvin deviation [K/K], or what all that is deviation [K], of facets not `solved` makes
+/// of the pictures: rms over their pixels, of the worst stage.
+double weight_of(const Coupled& coupled, const std::vector<std::uint8_t>& solved, bool kelvin) {
     double worst = 0.0;
-    for (const FacetViews* views : felt.views) {
-        std::vector<float> away(felt.share.size(), 0.0f);
-        each_felt(*views, felt.share, [&](std::size_t f, std::size_t g, float factor) {
-            if (!solved[g]) away[f] += kelvin ? factor * felt.amiss[g] : factor;
+    for (const FacetViews* views : coupled.views) {
+        std::vector<float> away(coupled.share.size(), 0.0f);
+        each_coupled(*views, coupled.share, [&](std::size_t f, std::size_t g, float factor) {
+            if (!solved[g]) away[f] += kelvin ? factor * coupled.deviation[g] : factor;
         });
         double sum = 0.0, all = 0.0;
-        for (std::size_t f = 0; f < felt.share.size(); ++f) {
-            sum += double{felt.share[f]} * double{away[f]} * double{away[f]};
-            all += double{felt.share[f]};
+        for (std::size_t f = 0; f < coupled.share.size(); ++f) {
+            sum += double{coupled.share[f]} * double{away[f]} * double{away[f]};
+            all += double{coupled.share[f]};
         }
         if (all > 0.0) worst = std::max(worst, std::sqrt(sum / std::min(all, 1.0)));
     }
     return worst;
 }
 
-/// Marks the facets that are worth most, until what the others may be amiss is little enough [K].
-void add_felt(const Felt& felt, const std::vector<float>& worth, double allowed,
-              std::vector<std::uint8_t>& solved) {
+/// Marks the facets that are worth most, until what the others may be deviation is little enough
+/// [K].
+void add_coupled(const Coupled& coupled, const std::vector<float>& worth, double allowed,
+                 std::vector<std::uint8_t>& solved) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t f = 0; f < worth.size(); ++f) {
         if (!solved[f] && worth[f] > 0.0f) order.push_back(f);
@@ -143,7 +144,7 @@ void add_felt(const Felt& felt, const std::vector<float>& worth, double allowed,
     };
     while (fewest < most) {
         const std::size_t middle = (fewest + most) / 2;
-        if (weight_of(felt, with(middle), true) > allowed) {
+        if (weight_of(coupled, with(middle), true) > allowed) {
             fewest = middle + 1;
         } else {
             most = middle;
@@ -157,7 +158,7 @@ void add_felt(const Felt& felt, const std::vector<float>& worth, double allowed,
 NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> network,
                            double tolerance) {
     const World& world = stages.scene().world;
-    const FacetViews& views = stages.at(0).views;  // kinds are told apart by
+    const FacetViews& views = stages.at(0).views;  // kinds are distinguished by
     const FacetSet& facets = world.surfaces();
     const std::vector<float> share = picture_shares(stages);
     NeededFacets needed;
@@ -175,29 +176,30 @@ NeededFacets needed_facets(const Stages& stages, std::span<const NetworkObject> 
             if (f != no_number) solved[f] = 1;
         }
     }
-    Felt felt{.views = {}, .share = {}, .amiss = std::vector<float>(facets.size(), open_ground)};
-    for (std::size_t s = 0; s < stages.size(); ++s) felt.views.push_back(&stages.at(s).views);
-    felt.share = decided_by(facets, felt.views, network, stands, share);
-    for (const FacetViews* seen : felt.views) {
+    Coupled coupled{
+        .views = {}, .share = {}, .deviation = std::vector<float>(facets.size(), open_ground)};
+    for (std::size_t s = 0; s < stages.size(); ++s) coupled.views.push_back(&stages.at(s).views);
+    coupled.share = decided_by(facets, coupled.views, network, stands, share);
+    for (const FacetViews* seen : coupled.views) {
         for (std::size_t f = 0; f < facets.size(); ++f) {
             if (near_structures(*seen, stands, f)) {
-                felt.amiss[f] = in_shadows;
+                coupled.deviation[f] = in_shadows;
             }
         }
     }
     std::vector<float> worth(facets.size(), 0.0f);
-    for (const FacetViews* seen : felt.views) {
-        each_felt(*seen, felt.share, [&](std::size_t f, std::size_t g, float factor) {
-            worth[g] += felt.share[f] * factor * felt.amiss[g];
+    for (const FacetViews* seen : coupled.views) {
+        each_coupled(*seen, coupled.share, [&](std::size_t f, std::size_t g, float factor) {
+            worth[g] += coupled.share[f] * factor * coupled.deviation[g];
         });
     }
     const auto count = [&] {
         return std::size_t(std::count(solved.begin(), solved.end(), std::uint8_t{1}));
     };
     const std::size_t before = count();
-    add_felt(felt, worth, share_of_tolerance * tolerance, solved);
-    needed.felt = count() - before;
-    needed.weight = weight_of(felt, solved, false);
+    add_coupled(coupled, worth, share_of_tolerance * tolerance, solved);
+    needed.coupled = count() - before;
+    needed.weight = weight_of(coupled, solved, false);
 
     // One of each kind: that which is felt most.
     std::map<GroundKind, std::uint32_t> kinds;

@@ -23,8 +23,8 @@ struct NeededFacets {
         std::uint32_t facet, kind;
     };
     std::vector<Probe> probe;
-    std::size_t seen = 0, felt = 0, kinds = 0;
-    /// What a kelvin amiss in all that is stood for would make of a picture's apparent temperature
+    std::size_t seen = 0, coupled = 0, kinds = 0;
+    /// What an error of 1 K in all that is stood for would make of a picture's apparent temperature
     /// at most [K/K]: rms over the pixels of the worst picture of the share of its surroundings
     /// that is stood for.
     double weight = 0.0;

@@ -15,8 +15,8 @@
 #include "render/view/pixel_heat.hpp"
 #include "render/view/pixel_sun.hpp"
 #include "scenes/run/covered_surfaces.hpp"
-#include "scenes/run/far_ground.hpp"
-#include "scenes/run/luminary.hpp"
+#include "scenes/run/ground_to_horizon.hpp"
+#include "scenes/run/light_source.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/local_time.hpp"
 #include "terrain/place/sun.hpp"
@@ -48,7 +48,7 @@ std::vector<Band> lit_bands(const Series& s) {
     return all;
 }
 
-std::string moon_note(const Luminary& light) {
+std::string moon_note(const LightSource& light) {
     return fmt::format(
         "shines in the sun's place below {:g} um: azimuth {:.2f} deg, elevation {:.2f} deg, phase "
         "{:.1f} deg, {:.0f} % lit; {:.2e} of the sun's light at 0.55 um",
@@ -83,7 +83,8 @@ Plane void_plane(const View& view, const World& world) {
 Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& views,
                    const TemperatureField& field, Instant instant, bool blurred) {
     const World& world = prepared.world;
-    const Luminary light = luminary(sun_over(prepared, instant), world.site, instant, lit_bands(s));
+    const LightSource light =
+        light_source(sun_over(prepared, instant), world.site, instant, lit_bands(s));
     const SunPosition& sun = light.place;
     const std::vector<float> temperature = field.interpolate(instant);
     const Atmosphere atmosphere = light_at(prepared, instant).air;
@@ -127,7 +128,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                           .terms = s.input.terms,
                           .surfaces = s.input.surfaces,
                           .lit = covered ? nullptr : &s.lit,
-                          .hops = &s.hops,
+                          .secondary_rays = &s.secondary_rays,
                           .pixel_sun = &pixel_sun,
                           .plumes = prepared.plumes});
     check_finite(frame, s.input.bands);
@@ -152,7 +153,7 @@ Picture picture_at(const Prepared& prepared, const Series& s, const FacetViews& 
                                       {.truth = false,
                                        .terms = false,
                                        .lit = covered ? nullptr : &cube.lit,
-                                       .hops = &s.hops,
+                                       .secondary_rays = &s.secondary_rays,
                                        .pixel_sun = &pixel_sun,
                                        .plumes = prepared.plumes});
         cubes.push_back(cube_of(channels, cube.channels));

@@ -19,20 +19,21 @@ void add_picture(const Prepared& prepared, const ObserverInput& input, const Obs
                                .texture_levels = &prepared.world.texture_levels};
     View view = cast_view(prepared.rays, surfaces, pose, sampling);
     const PlumeScene plumes(prepared.plumes);
-    const Hops hops = follow_rays(view,
-                                  {.rays = prepared.rays,
-                                   .facets = surfaces,
-                                   .materials = prepared.scene.materials,
-                                   .plumes = plumes,
-                                   .wind_speed = wind_at(prepared, when)},
-                                  pose, sampling);
+    const SecondaryRays secondary_rays = follow_rays(view,
+                                                     {.rays = prepared.rays,
+                                                      .facets = surfaces,
+                                                      .materials = prepared.scene.materials,
+                                                      .plumes = plumes,
+                                                      .wind_speed = wind_at(prepared, when)},
+                                                     pose, sampling);
     std::vector<float> here(share.size(), 0.0f);
     const float pixel = 1.0f / static_cast<float>(view.pixels());
     for (const Sighting& s : view.sighting) {
         here[index(view.facet[s.target])] += pixel * s.weight;
     }
-    for (const Hop& hop : hops.hop) {
-        if (hop.kind == Hop::Kind::facet) here[hop.what] += pixel * hop.weight;
+    for (const SecondaryRay& secondary : secondary_rays.secondary) {
+        if (secondary.kind == SecondaryRay::Kind::facet)
+            here[secondary.what] += pixel * secondary.weight;
     }
     for (std::size_t f = 0; f < share.size(); ++f) share[f] = std::max(share[f], here[f]);
 }

@@ -255,8 +255,8 @@ std::vector<std::string> radiometer_files(const Scene& scene) {
     return files;
 }
 
-Told write_radiometers(const Stages& stages, const SpanResult& result,
-                       const std::filesystem::path& folder) {
+Messages write_radiometers(const Stages& stages, const SpanResult& result,
+                           const std::filesystem::path& folder) {
     const Prepared& prepared = stages.scene();
     std::vector<Readings> all;
     for (const PlacedRadiometer& radiometer : prepared.radiometers) {
@@ -287,17 +287,17 @@ Told write_radiometers(const Stages& stages, const SpanResult& result,
                     sky_over.at(when, readings.height), leaving, time);
         }
     }
-    Told told;
+    Messages reported;
     const std::vector<std::string> files = radiometer_files(prepared.scene);
     for (std::size_t i = 0; i < all.size(); ++i) {
         write_whole_file(folder / files[i], std::string_view(all[i].csv.data(), all[i].csv.size()));
-        told.emplace_back("row radiometer " + all[i].radiometer.input.name,
-                          fmt::format("{}; {}", ranges(all[i]), files[i]));
+        reported.emplace_back("row radiometer " + all[i].radiometer.input.name,
+                              fmt::format("{}; {}", ranges(all[i]), files[i]));
         if (std::string note = view_note(all[i]); !note.empty()) {
-            told.emplace_back("note", std::move(note));
+            reported.emplace_back("note", std::move(note));
         }
     }
-    return told;
+    return reported;
 }
 
 }  // namespace diurna

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/kept/told.hpp"
+#include "scenes/cache/messages.hpp"
 #include "scenes/run/stages.hpp"
 #include "thermal/solve/solve_span.hpp"
 
@@ -21,7 +21,7 @@ std::vector<std::string> radiometer_files(const Scene& scene);
 ///
 /// Returns "row radiometer NAME" with the ranges of what it received, for the report, and a "note"
 /// for each radiometer that sees much of what is not modelled.
-Told write_radiometers(const Stages& stages, const SpanResult& result,
-                       const std::filesystem::path& folder);
+Messages write_radiometers(const Stages& stages, const SpanResult& result,
+                           const std::filesystem::path& folder);
 
 }  // namespace diurna

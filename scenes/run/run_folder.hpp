@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/kept/inputs.hpp"
+#include "scenes/cache/inputs.hpp"
 
 /// The folder that results go to: one run's alone, never another's and never a user's own.
 namespace diurna {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "materials/matter/passed_light.hpp"
-#include "scenes/kept/kept_or_found.hpp"
-#include "scenes/kept/stage_keys.hpp"
+#include "scenes/cache/cached_or_computed.hpp"
+#include "scenes/cache/stage_keys.hpp"
 #include "terrain/texture/level_values.hpp"
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
@@ -31,7 +31,7 @@ FacetViews solid_sky_view(const Prepared& prepared, bool sunlight) {
 }  // namespace
 
 FacetViews scene_sky_view(const Prepared& prepared, bool sunlight, const StageStore* store) {
-    const FacetViews view = kept_or_found<FacetViews>(
+    const FacetViews view = cached_or_computed<FacetViews>(
         store, "sky", [&] { return sky_key(prepared, sunlight); }, views_of,
         [&] { return solid_sky_view(prepared, sunlight); });
     const TextureLevels& levels = prepared.world.texture_levels;

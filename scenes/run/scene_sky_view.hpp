@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes/kept/stage_store.hpp"
+#include "scenes/cache/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/view_factors.hpp"
 

@@ -62,7 +62,7 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
                           .texture_levels = &prepared.world.texture_levels,
                           .asked = asked},
              .view = {},
-             .hops = {},
+             .secondary_rays = {},
              .lit = {},
              .cubes = {},
              .behind = {}};
@@ -87,22 +87,22 @@ Series cast_series(const Prepared& prepared, const ObserverInput& input, const O
     s.behind =
         behind_planes(s.view, prepared.world, prepared.rays, scene.materials, s.observer, s.bands);
     const PlumeScene plumes(prepared.plumes);
-    std::optional<HopSampling> by_need;
-    if (adaptive) by_need = HopSampling{*adaptive, looks};
-    s.hops = follow_rays(s.view,
-                         {.rays = prepared.rays,
-                          .facets = surfaces,
-                          .materials = scene.materials,
-                          .plumes = plumes,
-                          .wind_speed = mean_wind(prepared, frames)},
-                         s.observer, s.sampling, by_need ? &*by_need : nullptr);
+    std::optional<SecondarySampling> by_need;
+    if (adaptive) by_need = SecondarySampling{*adaptive, looks};
+    s.secondary_rays = follow_rays(s.view,
+                                   {.rays = prepared.rays,
+                                    .facets = surfaces,
+                                    .materials = scene.materials,
+                                    .plumes = plumes,
+                                    .wind_speed = mean_wind(prepared, frames)},
+                                   s.observer, s.sampling, by_need ? &*by_need : nullptr);
     const RadianceInput still{.facets = surfaces,
                               .views = views,
                               .materials = scene.materials,
                               .atmosphere = Vacuum{},
                               .temperature = {},
                               .ground_height_km = prepared.world.sea_level_height / 1000.0};
-    const std::vector<FacetId> seen = seen_facets(s.view.facet, s.hops);
+    const std::vector<FacetId> seen = seen_facets(s.view.facet, s.secondary_rays);
     s.lit = lit_facets(still, seen, s.bands);
     for (const std::string& name : s.input.cubes) {
         const auto cube = std::find_if(scene.cubes.begin(), scene.cubes.end(),

@@ -8,7 +8,7 @@
 #include "materials/radiation/band.hpp"
 #include "render/light/lit_facets.hpp"
 #include "render/picture/frame.hpp"
-#include "render/rays/hops.hpp"
+#include "render/rays/secondary_rays.hpp"
 #include "render/view/view.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/view_factors.hpp"
@@ -30,7 +30,7 @@ struct Series {
     std::vector<Band> bands;
     ViewOptions sampling;
     View view;
-    Hops hops;
+    SecondaryRays secondary_rays;
     LitFacets lit;
     std::vector<CubeSeries> cubes;
     std::vector<Plane> behind;  // of bands in which something is seen through something

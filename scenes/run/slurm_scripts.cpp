@@ -52,7 +52,7 @@ std::string head(const SlurmJob& job, const std::string& part, const std::string
            "set -euo pipefail\nexport DIURNA_STAGES=" + word((job.work / "stages").string()) + "\n";
 }
 
-/// The program with a verb, the scene and what all of its verbs are told alike.
+/// The program with a verb, the scene and what all of its verbs are reported alike.
 std::string call(const SlurmJob& job, const std::string& verb) {
     std::string text =
         fmt::format("{} {} {}", word(job.program.string()), verb, word(job.scene.string()));

@@ -17,25 +17,25 @@ namespace diurna {
 namespace {
 
 /// What is and is not followed of targets.
-std::string targets_told(const SolveInput& input, const SolveReport& report) {
+std::string targets_reported(const SolveInput& input, const SolveReport& report) {
     if (report.target_facets == 0) return "";
-    std::string told = fmt::format(
+    std::string reported = fmt::format(
         "targets: {} facets conduct along their sheets; rain, dew and snow are not followed on "
         "them",
         report.target_facets);
     for (const NetworkObject& object : input.network) {
-        for (const std::string& note : object.notes) told += "; " + note;
+        for (const std::string& note : object.notes) reported += "; " + note;
         if (object.loose_edges == 0) continue;
-        told += fmt::format(
+        reported += fmt::format(
             "; {} edges of \"{}\" meet no other whole edge (open ends, T-junctions): no heat goes "
             "over them",
             object.loose_edges, object.name);
     }
-    return told;
+    return reported;
 }
 
 /// What was followed of the water on surfaces, and what was not.
-std::string water_told(const SolveReport& report) {
+std::string water_reported(const SolveReport& report) {
     std::vector<std::string> parts;
     if (report.stores > 0) {
         parts.push_back(fmt::format(
@@ -91,12 +91,12 @@ SunExposure StageHeat::exposure(const std::vector<Instant>& instants) {
     return sun;
 }
 
-std::vector<std::string> StageHeat::told(const SolveReport& report) const {
+std::vector<std::string> StageHeat::reported(const SolveReport& report) const {
     std::vector<std::string> notes;
     for (std::string note :
-         {lee_note(prepared_.world, parts_), targets_told(input_, report),
+         {lee_note(prepared_.world, parts_), targets_reported(input_, report),
           rain_note(prepared_.world, prepared_.scene.materials, prepared_.weather, open_),
-          water_told(report)}) {
+          water_reported(report)}) {
         if (!note.empty()) notes.push_back(std::move(note));
     }
     if (const double share = daily_.share_taken_over(); share > 0.0) {

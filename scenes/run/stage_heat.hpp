@@ -28,7 +28,7 @@ class StageHeat {
     void ask_for(std::vector<std::uint8_t> facets) { daily_.ask_for(std::move(facets)); }
     double shadow_seconds() const { return shadow_seconds_; }
     /// In a line each what is to be known of it.
-    std::vector<std::string> told(const SolveReport& report) const;
+    std::vector<std::string> reported(const SolveReport& report) const;
 
  private:
     const Prepared& prepared_;

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <vector>
 
-#include "scenes/kept/stage_store.hpp"
+#include "scenes/cache/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/view_factors.hpp"
 
@@ -23,7 +23,7 @@ struct SceneStage {
 class Stages {
  public:
     /// - prepared: to outlive it
-    /// - store: what earlier runs have found is taken from there; null: all is found anew
+    /// - store: what earlier runs have found is taken from there; null: all is recomputed
     explicit Stages(const Prepared& prepared, std::shared_ptr<const StageStore> store = nullptr);
     /// - alike: of a scene with the same surfaces in the same places: what they see is shared
     Stages(const Prepared& prepared, const Stages& alike);

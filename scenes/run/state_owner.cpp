@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "scenes/kept/digest.hpp"
+#include "scenes/cache/digest.hpp"
 #include "thermal/solve/point_facets.hpp"
 
 namespace diurna {

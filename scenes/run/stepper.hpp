@@ -67,7 +67,7 @@ class Stepper {
     /// Throws InputError for an eye that is below the ground or inside an object.
     Picture picture(const std::string& observer, const Observer& pose);
 
-    /// Steps of the heat balance solved so far, those of the day before the start left out.
+    /// Steps of the heat balance solved so far, those of the day before the start skipped.
     int steps_solved() const;
 
  private:

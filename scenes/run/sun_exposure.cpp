@@ -7,8 +7,8 @@
 
 #include "materials/base/parallel.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/kept/kept_or_found.hpp"
-#include "scenes/kept/stage_keys.hpp"
+#include "scenes/cache/cached_or_computed.hpp"
+#include "scenes/cache/stage_keys.hpp"
 #include "scenes/run/sun_on_surfaces.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/texture/level_values.hpp"
@@ -178,7 +178,7 @@ SunExposure DailySunExposure::found(const std::vector<Instant>& instants) {
 }
 
 SunExposure DailySunExposure::in_full(const std::vector<Instant>& instants) const {
-    return kept_or_found<SunExposure>(
+    return cached_or_computed<SunExposure>(
         store_, "sun", [&] { return sun_key(prepared_, instants, asked_for_); }, sun_of,
         [&] { return cast(prepared_, light_, instants, asked_for_, nothing, {}); });
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/kept/stage_store.hpp"
+#include "scenes/cache/stage_store.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "terrain/visibility/relief_visibility.hpp"
 #include "thermal/solve/solve_input.hpp"
@@ -19,7 +19,7 @@ SunExposure scene_sun_exposure(const Prepared& prepared, const std::vector<Insta
 /// The same for one day of a span after the other. From day to day the sun passes the same hours
 /// some minutes of arc away, so days are worked out in full only as often as it has moved by
 /// `furthest_deg`. Between two of these a facet that both found alike, at the instant and at those
-/// beside it, keeps the share that they found; the others' is found anew.
+/// beside it, keeps the share that they found; the others' is recomputed.
 ///
 /// What that can miss is what is missed between instants already, which are 2.5° of the sun's way
 /// apart at 10 minutes: a shadow narrower than the way between places that agree. On the default

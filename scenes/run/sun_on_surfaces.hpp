@@ -18,7 +18,7 @@ constexpr int edge_samples(int samples) { return 3 * samples; }
 /// Share of each surface that the sun reaches, 0 to 1, by `samples` rays a facet; empty while the
 /// sun is down. A texture's levels on a facet are lit as the facet is.
 ///
-/// - wanted: facets of World::surfaces(); the others are told to be in shadow. Empty: all
+/// - wanted: facets of World::surfaces(); the others are reported to be in shadow. Empty: all
 /// - time: of the exposure, in a scene that moves
 std::vector<float> sun_on_surfaces(const Prepared& prepared, const SunPosition& sun, int samples,
                                    std::span<const FacetId> wanted = {}, float time = 0.5f);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* name = "calibrate";
 
-std::string told(const CalibrationReport& report) {
+std::string reported(const CalibrationReport& report) {
     const Fit& fit = report.fit;
     std::string text =
         fmt::format("{} values, {} columns run: rms {:.3f} K before, {:.3f} K after\n",
@@ -59,7 +59,7 @@ StudyFindings calibrate_study(const CalibrateRequest& request) {
     const CalibrationReport report = calibrate(request.file, request.column_with);
     StudyFinding found{.name = name,
                        .texts = calibration_texts(report),
-                       .told = told(report),
+                       .reported = reported(report),
                        .notes = report.notes};
     if (!request.out.empty()) write_study_files(request.out, name, found.texts);
     return {.finding = {std::move(found)}, .not_converged = what_has_not_settled(report)};

@@ -11,7 +11,7 @@ namespace diurna {
 namespace {
 
 /// A line for each target and band: when and from where it stands out most.
-std::string told(const ContrastInput& input, const ContrastReport& report, const Scene& scene) {
+std::string reported(const ContrastInput& input, const ContrastReport& report, const Scene& scene) {
     std::string text;
     for (std::size_t w = 0; w < report.worst.size(); ++w) {
         const WorstContrast& worst = report.worst[w];
@@ -68,7 +68,7 @@ StudyFindings contrast_study(const StudyRequest& request) {
              .texts = {.csv = contrast_csv(input, report, scene),
                        .json = contrast_json(input, report, scene, joined(found.notes, own)),
                        .svg = contrast_svg(input, report, scene)},
-             .told = told(input, report, scene),
+             .reported = reported(input, report, scene),
              .notes = own});
     }
     study.progress().finish();

@@ -101,7 +101,7 @@ std::vector<ZeroCrossing> find_crossings(std::span<const double> time,
     for (std::size_t i = 0; i < time.size(); ++i) {
         const bool last = i + 1 == time.size();
         if (value[i] == 0.0) {
-            // Within a stretch of zeros there is no crossing to be told.
+            // Within a stretch of zeros there is no crossing to be reported.
             if (last || i == 0 || value[i + 1] == 0.0 || value[i - 1] == 0.0) continue;
             found.push_back(between(at(i - 1), at(i), difference, search));
             if (same(i - 1, i + 1)) found.back().kind = ZeroCrossing::Kind::touches;

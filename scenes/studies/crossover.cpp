@@ -105,11 +105,11 @@ CrossoverDay day_of(const SeenRegions& seen, const CrossoverInput& input, std::s
     return day;
 }
 
-/// How far each crossing of a group moves in another scene; `told` takes it.
-template <class Told>
+/// How far each crossing of a group moves in another scene; `reported` takes it.
+template <class Messages>
 void follow(const SeenRegions& seen, const CrossoverGroup& group,
             const std::vector<CrossoverInput>& inputs, std::vector<CrossoverReport>& reports,
-            const Told& told) {
+            const Messages& reported) {
     struct Job {
         std::size_t crossover, pair, band, crossing;
     };
@@ -137,8 +137,8 @@ void follow(const SeenRegions& seen, const CrossoverGroup& group,
     };
     for_each_index(jobs.size(), one, 1);
     for (std::size_t j = 0; j < jobs.size(); ++j) {
-        told(reports[jobs[j].crossover].band[jobs[j].band].crossing[jobs[j].crossing],
-             jobs[j].crossover, shift[j]);
+        reported(reports[jobs[j].crossover].band[jobs[j].band].crossing[jobs[j].crossing],
+                 jobs[j].crossover, shift[j]);
     }
 }
 
@@ -188,7 +188,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
         }
     }
     const auto in_other = [&](const std::vector<std::string>& settings, int more_samples,
-                              const auto& concerns, const auto& told) {
+                              const auto& concerns, const auto& reported) {
         const OtherScene other(scene_with(settings), study);
         if (!other.not_converged.empty()) {
             answer.notes.push_back(
@@ -198,7 +198,7 @@ CrossoverAnswer crossovers_of(Study& study, const TemperatureField& field,
         for (const CrossoverGroup& group : all) {
             if (std::none_of(group.of.begin(), group.of.end(), concerns)) continue;
             follow(seen(other.stages, group, other.field, more_samples), group, inputs, reports,
-                   told);
+                   reported);
         }
     };
     const auto refined = [&](std::size_t i) { return inputs[i].refined; };

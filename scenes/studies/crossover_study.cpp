@@ -13,7 +13,7 @@ namespace diurna {
 
 namespace {
 
-std::string told(const CrossoverInput& input, const TimedCrossing& one, double utc_offset) {
+std::string reported(const CrossoverInput& input, const TimedCrossing& one, double utc_offset) {
     const std::string& warmer = one.first_warmer_after ? input.first.name : input.second.name;
     std::string text = fmt::format("  {}  ", format_local(one.when, utc_offset));
     if (one.kind == ZeroCrossing::Kind::touches) {
@@ -32,7 +32,8 @@ std::string told(const CrossoverInput& input, const TimedCrossing& one, double u
     return text + "\n";
 }
 
-std::string told(const CrossoverInput& input, const CrossoverReport& report, double utc_offset) {
+std::string reported(const CrossoverInput& input, const CrossoverReport& report,
+                     double utc_offset) {
     std::string text;
     for (const CrossoverDay& day : report.band) {
         const double hours = seconds_between(day.instant.front(), day.instant.back()) / 3600.0;
@@ -43,7 +44,7 @@ std::string told(const CrossoverInput& input, const CrossoverReport& report, dou
         if (day.crossing.empty()) {
             text += fmt::format("  no crossover: {:.2f} K apart at the least\n", day.worst_least);
         }
-        for (const TimedCrossing& one : day.crossing) text += told(input, one, utc_offset);
+        for (const TimedCrossing& one : day.crossing) text += reported(input, one, utc_offset);
     }
     return text;
 }
@@ -99,7 +100,7 @@ StudyFindings crossover_study(const StudyRequest& request) {
                                               joined(found.notes, own), offset),
                        .svg = crossover_svg(input, report, offset),
                        .more = {{"_curves.csv", contrast_curves_csv(report, offset)}}},
-             .told = told(input, report, offset),
+             .reported = reported(input, report, offset),
              .notes = own});
     }
     write_findings(request, found);

@@ -12,8 +12,8 @@ namespace diurna {
 namespace {
 
 /// A line for each instant, way and task: the ranges of the probabilities asked of.
-std::string told(const DetectionInput& input, const std::vector<DetectionCurve>& curves,
-                 double utc_offset) {
+std::string reported(const DetectionInput& input, const std::vector<DetectionCurve>& curves,
+                     double utc_offset) {
     std::string text;
     for (const DetectionCurve& curve : curves) {
         text += fmt::format("{} {}: {:.2f} K at the eye {:.0f} m away, {:.1f} m2\n", input.name,
@@ -76,7 +76,7 @@ StudyFindings detection_study(const StudyRequest& request) {
                                            .json = detection_json(input, instrument, curves,
                                                                   joined(found.notes, own), offset),
                                            .svg = detection_svg(input, curves, offset)},
-                                 .told = told(input, curves, offset),
+                                 .reported = reported(input, curves, offset),
                                  .notes = own});
     }
     study.progress().finish();

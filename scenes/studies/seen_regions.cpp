@@ -72,7 +72,7 @@ std::vector<std::uint32_t> rectangle(const RegionInput& region, int width) {
 }  // namespace
 
 View first_seen(const Prepared& prepared, const Series& series) {
-    if (series.hops.empty()) return series.view;
+    if (series.secondary_rays.empty()) return series.view;
     return cast_view(prepared.rays, prepared.world.surfaces(), series.observer, series.sampling);
 }
 

@@ -114,7 +114,7 @@ void check_output(const Prepared& prepared, const SensitivityOutput& output) {
                   prepared.scene.observers[output.observer].samples);
 }
 
-/// What is to be told of the numbers' effects.
+/// What is to be reported of the numbers' effects.
 void add_notes(const SensitivityInput& input, SensitivityReport& report) {
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         const OutputSensitivity& one = report.output[o];

@@ -16,7 +16,7 @@ std::string shown(double value) {
     return std::isfinite(value) ? fmt::format("{:+.3f}", value) : "gone";
 }
 
-std::string told(const SensitivityInput& input, const SensitivityReport& report) {
+std::string reported(const SensitivityInput& input, const SensitivityReport& report) {
     std::string text;
     for (std::size_t o = 0; o < input.outputs.size(); ++o) {
         const OutputSensitivity& one = report.output[o];
@@ -66,7 +66,7 @@ StudyFindings sensitivity_study(const StudyRequest& request) {
              .texts = {.csv = sensitivity_csv(input, report),
                        .json = sensitivity_json(input, report, joined(found.notes, report.notes)),
                        .svg = sensitivity_svg(input, report)},
-             .told = told(input, report),
+             .reported = reported(input, report),
              .notes = report.notes});
         if (found.not_converged.empty() && !report.converged) {
             found.not_converged = fmt::format(

@@ -25,11 +25,11 @@ struct SignatureRow {
 };
 
 /// Rows of instants, bands and directions, the last the fastest. Directions below the level are
-/// left out (the ground is there); of those seen at the target rays begin just beyond the sphere
+/// skipped (the ground is there); of those seen at the target rays begin just beyond the sphere
 /// around it, so that some metres of air are before it.
 struct SignatureReport {
     std::vector<SignatureRow> rows;
-    std::size_t below = 0;   // directions left out
+    std::size_t below = 0;   // directions skipped
     std::size_t hidden = 0;  // rows in which nothing of it is seen
     std::size_t alone = 0;   // rows in which nothing but it is seen
 };

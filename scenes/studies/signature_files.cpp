@@ -50,7 +50,7 @@ OrderedJson extremes(Rows rows, double SignatureRow::*what) {
 }
 
 /// "" of what is not known.
-std::string told(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
+std::string reported(double value) { return std::isnan(value) ? "" : fmt::format("{:.6g}", value); }
 
 // The picture.
 
@@ -95,7 +95,7 @@ std::string signature_words(double x, double y, const std::string& text, const c
                        more, text);
 }
 
-std::string range_told(Rows rows, double SignatureRow::*what) {
+std::string range_reported(Rows rows, double SignatureRow::*what) {
     const OrderedJson ends = extremes(rows, what);
     if (ends.is_null()) return "not known";
     return fmt::format("{:.3g} to {:.3g} W/sr", ends["least"].get<double>(),
@@ -111,8 +111,8 @@ std::string signature_csv(const SignatureReport& report, double utc_offset) {
     for (const SignatureRow& row : report.rows) {
         text += fmt::format("{},{},{:.4f},{:.4f},{:.6g},{:.6g},{},{}\n",
                             format_local(row.when, utc_offset), row.band, row.aspect_deg,
-                            row.elevation_deg, row.area, row.intensity, told(row.contrast),
-                            told(row.background));
+                            row.elevation_deg, row.area, row.intensity, reported(row.contrast),
+                            reported(row.background));
     }
     return text;
 }
@@ -179,8 +179,8 @@ std::string signature_svg(const SignatureInput& input, const SignatureReport& re
                                         escaped(fmt::format("{}, {}", rows.front().band, name)));
             }
             text += disc(rows, what, x, y);
-            text +=
-                signature_words(x, y + radius + 32.0, range_told(rows, what), " font-size=\"11\"");
+            text += signature_words(x, y + radius + 32.0, range_reported(rows, what),
+                                    " font-size=\"11\"");
             x += pitch;
         }
         ++at;

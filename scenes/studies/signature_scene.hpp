@@ -29,7 +29,7 @@ class Study {
                           const std::vector<StudiedObject>& studied);
     /// The same of studies of the whole span.
     TemperatureField heat(const std::filesystem::path& file);
-    /// What is to be told of scene and temperatures.
+    /// What is to be reported of scene and temperatures.
     const std::vector<std::string>& notes() const { return notes_; }
     /// "" where the heat balance has converged.
     const std::string& not_converged() const { return not_converged_; }

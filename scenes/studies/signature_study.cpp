@@ -43,7 +43,7 @@ StudyFindings signature_study(const StudyRequest& request) {
              .texts = {.csv = signature_csv(report, offset),
                        .json = signature_json(input, report, joined(found.notes, own), offset),
                        .svg = signature_svg(input, report, offset)},
-             .told = fmt::format("{}: {} rows\n", input.name, report.rows.size()),
+             .reported = fmt::format("{}: {} rows\n", input.name, report.rows.size()),
              .notes = own});
     }
     study.progress().finish();

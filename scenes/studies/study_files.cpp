@@ -12,9 +12,9 @@ namespace diurna {
 namespace fs = std::filesystem;
 
 std::string StudyTexts::endings() const {
-    std::string told = ".csv, .json, .svg";
-    for (const auto& [ending, text] : more) told += ", " + ending;
-    return told;
+    std::string reported = ".csv, .json, .svg";
+    for (const auto& [ending, text] : more) reported += ", " + ending;
+    return reported;
 }
 
 void check_study_files(const fs::path& out, const std::vector<std::string>& names,

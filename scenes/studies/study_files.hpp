@@ -10,7 +10,7 @@
 
 namespace diurna {
 
-/// What a study tells: NAME.csv, NAME.json and NAME.svg.
+/// What a study reports: NAME.csv, NAME.json and NAME.svg.
 struct StudyTexts {
     std::string csv, json, svg;
     std::map<std::string, std::string> more{};  // by what follows NAME: "_curves.csv"

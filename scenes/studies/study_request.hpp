@@ -32,7 +32,7 @@ struct StudyRequest {
 struct StudyFinding {
     std::string name;
     StudyTexts texts{};                // as the files have them
-    std::string told{};                // lines for a reader
+    std::string reported{};            // lines for a reader
     std::vector<std::string> notes{};  // of this one alone
 };
 

@@ -2,19 +2,20 @@
 
 #include <utility>
 
-#include "scenes/doubts/doubts.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/heat.hpp"
 #include "scenes/sweep/sweep_plan.hpp"
 #include "scenes/sweep/variants.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 #include "scenes/world/targets.hpp"
 
 namespace diurna {
 
 namespace {
 
-void add_doubts(const Prepared& prepared, CheckedScene& checked) {
-    for (Mistake& doubt : doubts(prepared)) checked.doubts.push_back(std::move(doubt));
+void add_warnings(const Prepared& prepared, CheckedScene& checked) {
+    for (Mistake& warning : scene_warnings(prepared))
+        checked.warnings.push_back(std::move(warning));
 }
 
 }  // namespace
@@ -28,14 +29,14 @@ CheckedScene check_scene(Scene scene, const std::vector<std::string>& settings,
             const Prepared one = prepare(std::move(variant));
             check_start(one);
             targets(one.world, one.scene);
-            add_doubts(one, checked);
+            add_warnings(one, checked);
         });
-        checked.sweep = count_told(sweep);
+        checked.sweep = count_reported(sweep);
     }
     const Prepared prepared = prepare(std::move(scene));
     check_start(prepared);
     const std::vector<NetworkObject> networks = targets(prepared.world, prepared.scene);
-    add_doubts(prepared, checked);
+    add_warnings(prepared, checked);
     checked.facets = prepared.world.surfaces().size();
     checked.observers = prepared.sequences.size();
     checked.memory = prepared.plan.memory;

@@ -14,7 +14,7 @@ struct CheckedScene {
     std::size_t facets = 0, observers = 0;  // of the scene as it stands
     double memory = 0.0;                    // [bytes] by its plan
     std::string sweep{};                    // in one line; "" where there is none
-    std::vector<Mistake> doubts{};          // what is hardly meant, of every value of a sweep
+    std::vector<Mistake> warnings{};        // what is implausible, of every value of a sweep
     std::vector<std::string> notes{};       // what was modelled for want of data
 };
 

@@ -7,7 +7,7 @@
 
 #include "scenes/sweep/variants.hpp"
 
-/// What tells, in a sweep's folder, how far it is: a file written when a variant or the heat of
+/// What reports, in a sweep's folder, how far it is: a file written when a variant or the heat of
 /// some is done. Whole or not at all, so that a sweep that was ended anywhere can go on.
 namespace diurna {
 
@@ -23,7 +23,7 @@ struct VariantRecord {
     std::string key;
     bool done = false;                           // else its pictures are being made
     std::map<std::string, std::string> outputs;  // SHA-256 by name, relative to its folder
-    std::vector<std::string> notes{};            // what its pictures told of themselves
+    std::vector<std::string> notes{};            // what its pictures reported of themselves
 };
 
 std::filesystem::path heat_folder(const std::filesystem::path& out, const std::string& heat);

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "materials/base/error.hpp"
-#include "scenes/kept/digest.hpp"
-#include "scenes/kept/inputs.hpp"
+#include "scenes/cache/digest.hpp"
+#include "scenes/cache/inputs.hpp"
 #include "scenes/labels/label_frames.hpp"
 #include "scenes/plan/frame_files.hpp"
 #include "scenes/plan/memory_limit.hpp"
@@ -144,7 +144,7 @@ void run_variant(const Group& group, const Variant& variant, const Stages& stage
     fs::remove(folder / ledger_file);  // the record has it all
 }
 
-/// A variant's scene stands; what is wrong with it is told with its name.
+/// A variant's scene stands; what is wrong with it is reported with its name.
 Prepared prepare_variant(const Sweep& sweep, const Variant& variant, double max_memory) {
     try {
         Prepared prepared = prepare(scene_of(sweep, variant));

@@ -4,7 +4,7 @@
 
 namespace diurna {
 
-std::string count_told(const Sweep& sweep) {
+std::string count_reported(const Sweep& sweep) {
     const SweepInput& input = sweep.base.sweep;
     const std::size_t solves = sweep.solves();
     return fmt::format("{} variants{}, {} {} of the heat balance", sweep.variants.size(),
@@ -19,7 +19,7 @@ std::string describe(const Sweep& sweep, const Plan& base) {
             stage.name == "views" || stage.name == "frames" || stage.name == "report";
         (of_pictures ? pictures : heat) += stage.seconds;
     }
-    std::string text = fmt::format("sweep       {}\n", count_told(sweep));
+    std::string text = fmt::format("sweep       {}\n", count_reported(sweep));
     for (const SweepAxis& axis : sweep.base.sweep.axes) {
         const bool shared = !touches_heat(sweep, axis);
         text += fmt::format("  {:<32} {:>4} values{}\n", axis.name, axis.values.size(),

@@ -8,9 +8,9 @@
 namespace diurna {
 
 /// In one line: "12 variants of 48 combinations, 3 solves of the heat balance".
-std::string count_told(const Sweep& sweep);
+std::string count_reported(const Sweep& sweep);
 
-/// What `diurna plan` tells of a sweep: its variants, heats and seconds, by the plan of the scene
+/// What `diurna plan` reports of a sweep: its variants, heats and seconds, by the plan of the scene
 /// as it stands.
 std::string describe(const Sweep& sweep, const Plan& base);
 

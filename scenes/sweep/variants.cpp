@@ -101,7 +101,7 @@ Variant variant_of(const Sweep& whole, std::uint64_t number) {
 
 void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use) {
     std::vector<Mistake> mistakes;
-    std::set<std::string> told;
+    std::set<std::string> reported;
     const std::vector<SweepAxis>& axes = sweep.base.sweep.axes;
     for (std::size_t a = 0; a < axes.size(); ++a) {
         for (std::size_t v = 0; v < axes[a].values.size(); ++v) {
@@ -111,10 +111,10 @@ void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use) {
                 document.drop("sweep");
                 use(read_scene(document));
             } catch (const InputError& error) {
-                // A key that is none is so for every value: told of the first.
+                // A key that is none is so for every value: reported of the first.
                 for (const Mistake& mistake : error.mistakes()) {
                     const std::string key = mistake.where.substr(mistake.where.find(' ') + 1);
-                    if (told.insert(key + mistake.problem).second) mistakes.push_back(mistake);
+                    if (reported.insert(key + mistake.problem).second) mistakes.push_back(mistake);
                 }
             }
         }

@@ -29,12 +29,12 @@ struct Sweep {
 };
 
 /// Of a scene with axes. Every value of every axis is tried by itself in the scene; throws
-/// InputError with all mistakes, told where the values stand.
+/// InputError with all mistakes, reported where the values stand.
 Sweep read_sweep_variants(const std::filesystem::path& file,
                           const std::vector<std::string>& settings, bool allow_outside = false);
 
 /// Hands over the scene with every value of every axis by itself. Throws InputError with all
-/// mistakes of reading and of `use`, told where the values stand, each once.
+/// mistakes of reading and of `use`, reported where the values stand, each once.
 void for_each_value(const Sweep& sweep, const std::function<void(Scene)>& use);
 
 /// Whether two variants that differ there have temperatures of their own. Else the axis is of

@@ -108,8 +108,8 @@ Shared shared_among(const CopySet& set, const SurroundingsSampler& sampler,
     return shared;
 }
 
-std::string told(const ObjectInput& object, const CopySet& set, const Shared& shared,
-                 bool some_go) {
+std::string reported(const ObjectInput& object, const CopySet& set, const Shared& shared,
+                     bool some_go) {
     if (object.alike_within == 0.0) {
         return fmt::format("copies: {} copies of '{}' have temperatures of their own each",
                            set.count, object.copy_of);
@@ -202,7 +202,7 @@ void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets) {
         box += set.count;
         shared.push_back(shared_among(set, sampler, found, objects[0].alike_within));
         if (set.count == 1) continue;
-        world.notes.push_back(told(objects[0], set, shared.back(), !world.movers.empty()));
+        world.notes.push_back(reported(objects[0], set, shared.back(), !world.movers.empty()));
     }
     // Then those that are like no other with facets of their own, the others as their copies.
     std::vector<Copy> copies;

@@ -12,9 +12,9 @@ namespace diurna {
 /// Those whose surroundings are alike (surroundings.hpp), by no more than the object's
 /// `alike_within` from a copy before them, have the facets, the materials and so the temperatures
 /// of that one and are placements in World::copies; every other copy is an object with facets of
-/// its own, as any. A note tells how many are which and the largest estimate of what that is worth.
-/// The work is that of a few thousand rays for each copy, and a comparison with each that has
-/// facets of its own and heads nearly as it does.
+/// its own, as any. A note reports how many are which and the largest estimate of what that is
+/// worth. The work is that of a few thousand rays for each copy, and a comparison with each that
+/// has facets of its own and heads nearly as it does.
 ///
 /// Throws InputError where a texture lies on a material of theirs.
 void append_copies(World& world, Scene& scene, const Dem& dem, Sheets& sheets);

@@ -3,7 +3,7 @@
 #include "scenes/world/world.hpp"
 #include "terrain/raster/dem.hpp"
 
-/// What is told of each facet of the ground by where it lies.
+/// What is reported of each facet of the ground by where it lies.
 namespace diurna {
 
 /// Marks the ground facets on details of the raster: the relief does not know what they show.

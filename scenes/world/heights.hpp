@@ -19,7 +19,7 @@ namespace diurna {
 /// earth at the site.
 double height_above_sea(const World& world, const Eigen::Vector3d& place);
 
-/// Where something stands that is told by its place and height: east, north, up [m]. Throws
+/// Where something stands that is given by its place and height: east, north, up [m]. Throws
 /// InputError(where) for one above the ground where there is none; one above the sea or the
 /// ellipsoid may be anywhere.
 Eigen::Vector3d stand_point(const World& world, const Dem& dem, const Eigen::Vector2d& place,

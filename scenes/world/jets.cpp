@@ -178,12 +178,12 @@ class Blowing {
         }
     }
 
-    void add(std::size_t t, std::size_t j, const ObjectInput& input, const JetInput& told) {
+    void add(std::size_t t, std::size_t j, const ObjectInput& input, const JetInput& reported) {
         const FacetSet& facets = world_.surfaces();
-        const Placed jet = placed(told, input, world_.targets[t], world_.sea_level_height);
+        const Placed jet = placed(reported, input, world_.targets[t], world_.sea_level_height);
         const JetRay way(rays_, world_.facets, jet);
         const bool goes = !input.trajectory.empty();
-        const std::string who = fmt::format("the jet \"{}\" of \"{}\"", told.name, input.name);
+        const std::string who = fmt::format("the jet \"{}\" of \"{}\"", reported.name, input.name);
         if (way.shut()) {
             all_[t].notes.push_back(who +
                                     " meets something right at its outlet, which lies within "
@@ -204,7 +204,7 @@ class Blowing {
             const bool joins = !owned && !world_.movers.empty() && !goes &&
                                blown(facets, f, jet, nullptr).heat > 0.0;
             if (!(by.heat > 0.0) && !joins) continue;
-            if (!may_follow(t, told, goes, f, owned ? &owner->second : nullptr)) {
+            if (!may_follow(t, reported, goes, f, owned ? &owner->second : nullptr)) {
                 left_out += by.heat > 0.0 ? 1 : 0;
                 left_area += by.heat > 0.0 ? double(facets.area[f]) : 0.0;
                 continue;
@@ -224,7 +224,7 @@ class Blowing {
             const auto [at, is_new] = place.try_emplace(of.target, all_[of.target].jet.size());
             if (is_new) {
                 all_[of.target].jet.push_back(
-                    {.kelvin = told.kelvin, .lump = no_number, .hours = all_[t].jet[j].hours});
+                    {.kelvin = reported.kelvin, .lump = no_number, .hours = all_[t].jet[j].hours});
             }
             all_[of.target].jet[at->second].face.push_back(
                 {of.facet, of.back, one.by.film, one.by.heat / std::max(1.0, share)});
@@ -241,11 +241,11 @@ class Blowing {
     }
 
     /// Whether a facet can have the jet's film.
-    bool may_follow(std::size_t t, const JetInput& told, bool goes, std::uint32_t f,
+    bool may_follow(std::size_t t, const JetInput& reported, bool goes, std::uint32_t f,
                     const Owner* owner) const {
         if (owner && owner->target == t) return true;
         if (goes) return false;
-        if (owner) return told.lump.empty();
+        if (owner) return reported.lump.empty();
         return !sided_[f] && !moves_[f] &&
                plain_layers(scene_.materials[world_.surfaces().material[f]].thermal);
     }
@@ -272,20 +272,20 @@ class Blowing {
     std::map<std::uint32_t, Owner> owner_;
 };
 
-/// Plumes of pictures are told by themselves: one at an outlet should not be warmer than its gas.
+/// Plumes of pictures are given by themselves: one at an outlet should not be warmer than its gas.
 void compare_plumes(const World& world, const Scene& scene, std::vector<NetworkObject>& all) {
     for (std::size_t t = 0; t < all.size(); ++t) {
         const ObjectInput& input = scene.terrain.objects[world.targets[t].object];
-        for (const JetInput& told : input.target.jet) {
-            const Placed jet = placed(told, input, world.targets[t], world.sea_level_height);
+        for (const JetInput& reported : input.target.jet) {
+            const Placed jet = placed(reported, input, world.targets[t], world.sea_level_height);
             for (const PlumeInput& plume : scene.plumes) {
                 const double away = (plume.place - jet.outlet.head<2>()).norm();
                 if (away > plume.radius + jet.jet.diameter) continue;
-                if (!(plume.temperature > jet.jet.temperature) || !told.lump.empty()) continue;
+                if (!(plume.temperature > jet.jet.temperature) || !reported.lump.empty()) continue;
                 all[t].notes.push_back(
                     fmt::format("the plume \"{}\" is {:g} K at the outlet of the jet \"{}\" of "
                                 "{:g} K",
-                                plume.name, plume.temperature, told.name, told.kelvin));
+                                plume.name, plume.temperature, reported.name, reported.kelvin));
             }
         }
     }
@@ -299,12 +299,12 @@ std::vector<GroundPatch> jet_patches(const ObjectInput& object, double over_grou
     TargetFacets target{.object = 0, .id = {}};
     target.pose.linear() = attitude(object.placing.heading_deg, 0.0, 0.0).toRotationMatrix();
     target.pose.translation() = Eigen::Vector3d(object.place.x(), object.place.y(), over_ground);
-    for (const JetInput& told : object.target.jet) {
-        const Placed jet = placed(told, object, target, 0.0);
+    for (const JetInput& reported : object.target.jet) {
+        const Placed jet = placed(reported, object, target, 0.0);
         const double range = -jet.outlet.z() / std::min(-1e-9, jet.direction.z());
         if (!(range > 0.0 && range < jet.reach)) continue;
         const Eigen::Vector2d middle = (jet.outlet + range * jet.direction).head<2>();
-        const double diameter = std::max(told.diameter, range / 12.0);
+        const double diameter = std::max(reported.diameter, range / 12.0);
         constexpr double least = 0.03;  // [m]
         for (const auto& [half, edge] : {std::pair{8.0, 2.0}, {3.0, 0.8}}) {
             GroundPatch patch{.ring = {}, .largest_edge = std::max(least, edge * diameter)};

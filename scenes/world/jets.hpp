@@ -19,7 +19,7 @@ std::vector<GroundPatch> jet_patches(const ObjectInput& object, double over_grou
 /// other targets, and of what is neither: ground and plain objects of plain layers, which become
 /// columns of the jet's target. What lies between keeps it off. Each face has the mean over places
 /// on it no further apart than half a diameter, or a tenth of their distance. All faces together
-/// get no more than the jet has. What is not followed is told in the targets' notes.
+/// get no more than the jet has. What is not followed is reported in the targets' notes.
 ///
 /// all  (target of the world) whose jets have no faces yet
 void blow(const World& world, const Scene& scene, std::vector<NetworkObject>& all);

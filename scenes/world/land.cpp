@@ -84,7 +84,7 @@ PlanPlace plan_place(const Ring& ring) {
 }
 
 /// Of buildings on one plan, as where a file or two have it twice, the highest is built; a note
-/// tells of the others.
+/// reports of the others.
 void leave_out_twins(ShapeBuildings& found) {
     constexpr double same_place = 0.5, same_area = 0.02;           // [m]; share
     std::map<std::pair<long, long>, std::vector<std::size_t>> at;  // by the metre

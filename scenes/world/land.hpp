@@ -28,7 +28,7 @@ struct ShapeBuilding {
 };
 struct ShapeBuildings {
     std::vector<ShapeBuilding> building;
-    std::vector<std::string> notes;  // what was left out, a line to a file
+    std::vector<std::string> notes;  // what was skipped, a line to a file
 };
 ShapeBuildings shape_buildings(const std::vector<ShapesInput>& inputs, const Dem& dem,
                                const Site& site, double tolerance);

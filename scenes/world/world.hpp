@@ -56,7 +56,7 @@ struct World {
     std::vector<TargetFacets> targets;    // objects whose facets conduct from one to the next
     std::vector<Mover> movers;            // objects that go, where their ways begin
     Copies copies{};                      // objects that share the facets of another
-    std::vector<std::string> notes;       // what of the files was left out
+    std::vector<std::string> notes;       // what of the files was skipped
 
     const FacetSet& surfaces() const {
         return texture_levels.empty() ? facets : texture_levels.facets;

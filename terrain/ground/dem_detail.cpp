@@ -19,7 +19,7 @@ namespace diurna {
 
 namespace {
 
-constexpr double told_from = 1.0;  // [m] of a step between the two
+constexpr double reported_from = 1.0;  // [m] of a step between the two
 
 /// From the lattice of one raster to that of another: on one map straight, else by PROJ.
 LatticeMap between(const Dem& from, const Dem& to, const Eigen::Vector2d& low,
@@ -186,7 +186,7 @@ void lay_detail(Dem& dem, Dem fine, const DetailOptions& options) {
         return std::min(at.cwiseProduct(spacing).minCoeff(),
                         (last - at).cwiseProduct(spacing).minCoeff());
     });
-    if (std::abs(step) >= told_from) {
+    if (std::abs(step) >= reported_from) {
         dem.notes.push_back(fmt::format(
             "{}: lies {:.1f} m {} {} where it is blended into it (median): have the two the same "
             "vertical_datum and height_unit?",

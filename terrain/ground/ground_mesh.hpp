@@ -32,9 +32,9 @@ struct GroundMesh {
 /// On a detail of the raster (dem_detail.hpp) the vertices are posts of its own greedy network, and
 /// no post of it is further than its own tolerance from the mesh, whatever the slack; its border is
 /// a line of the mesh, so that there is neither step nor crack. Only posts within a twentieth of
-/// their spacing of the raster's edge or another detail's border are left out.
+/// their spacing of the raster's edge or another detail's border are skipped.
 ///
-/// A ring is cut off at the raster's edge and left out where it crosses voids. Throws InputError
+/// A ring is cut off at the raster's edge and skipped where it crosses voids. Throws InputError
 /// for a ring of less than three corners, with a corner that is not finite, or wholly outside.
 ///
 /// From a scene file to facets:

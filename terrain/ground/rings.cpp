@@ -17,7 +17,7 @@ double snapping_distance(const Ring& ring, double largest_edge, const Eigen::Vec
         {0.005, 0.2 * largest_edge / spacing.maxCoeff(), 0.02 * size / spacing.maxCoeff()});
 }
 
-/// Posts within the snapping distance of the way from `a` to `b`, ends left out, in order.
+/// Posts within the snapping distance of the way from `a` to `b`, ends skipped, in order.
 Ring posts_along(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double snap) {
     const Eigen::Vector2d way = b - a;
     const double length = way.norm();

@@ -39,7 +39,7 @@ class PostCheck {
         const Eigen::Vector2d a = i.head<2>(), b = j.head<2>(), c = k.head<2>();
         const Eigen::Vector2d low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
         const double across = (c - b).norm(), down = (a - c).norm(), along = (b - a).norm();
-        // Beside a sliver its plane tells nothing.
+        // Beside a sliver its plane reports nothing.
         const double width = turn(a, c, b) / std::max({across, down, along});
         const double beside = width > 10.0 * touching_ ? touching_ : std::min(touching_, 1e-9);
         const auto first = [&](double x) { return std::max(0, int(std::ceil(x - touching_))); };

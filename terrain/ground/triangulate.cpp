@@ -16,7 +16,7 @@ namespace diurna {
 
 namespace {
 
-/// What a face remembers: its worst post, and a stamp that tells whether a queue entry is still
+/// What a face remembers: its worst post, and a stamp that reports whether a queue entry is still
 /// about this face as it is now.
 struct FaceNote {
     WorstPost worst;

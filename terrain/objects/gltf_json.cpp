@@ -34,10 +34,10 @@ Gltf::Gltf(const std::string& name, std::string_view json) : name_(name) {
     all_ = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
     if (!all_.is_object()) throw InputError(name, "holds no JSON object");
     const nlohmann::json& version = member(member(all_, "asset"), "version");
-    const std::string told =
+    const std::string reported =
         version.is_string() ? version.get<std::string>() : version.dump().substr(0, 40);
-    if (told.starts_with("2.") || told == "2") return;
-    throw InputError(name, fmt::format("is of glTF version '{}', expected 2", told),
+    if (reported.starts_with("2.") || reported == "2") return;
+    throw InputError(name, fmt::format("is of glTF version '{}', expected 2", reported),
                      "export it as glTF 2");
 }
 

@@ -15,7 +15,7 @@
 namespace diurna {
 
 /// Puts a mesh together as its file is read: equal places become one vertex, polygons triangles.
-/// Places are told apart as doubles; vertices that no triangle uses are none.
+/// Places are distinguished as doubles; vertices that no triangle uses are none.
 class MeshBuilder {
  public:
     /// - name: of the file, in messages

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "materials/atmosphere/moon.hpp"
+#include "materials/atmosphere/moonlight.hpp"
 #include "terrain/place/instant.hpp"
 #include "terrain/place/site.hpp"
 

@@ -107,13 +107,13 @@ void check_size(GDALDataset& raster, const std::filesystem::path& file) {
     std::error_code problem;
     const auto bytes = std::filesystem::file_size(file, problem);
     // GDAL reads zeros where such a file, which is as it is in memory, ends too soon.
-    const auto told = [&](const char* key) {
+    const auto reported = [&](const char* key) {
         const char* text = raster.GetMetadataItem(key, "ENVI");
         return text != nullptr ? std::atof(text) : 0.0;
     };
-    const double whole = posts * post_bytes * raster.GetRasterCount() + told("header_offset");
+    const double whole = posts * post_bytes * raster.GetRasterCount() + reported("header_offset");
     const bool raw =
-        std::string_view(raster.GetDriverName()) == "ENVI" && told("file_compression") == 0.0;
+        std::string_view(raster.GetDriverName()) == "ENVI" && reported("file_compression") == 0.0;
     if (raw && whole > double(bytes)) {
         throw InputError(where, fmt::format("has {} bytes, its head claims {:.0f}", bytes, whole),
                          "is it whole?");

@@ -45,7 +45,7 @@ Reach reach_of(const Dem& dem) {
     return reach;
 }
 
-/// Throws InputError that tells how far the raster reaches, and what may be wrong with the place.
+/// Throws InputError that reports how far the raster reaches, and what may be wrong with the place.
 [[noreturn]] void refuse_place(const Dem& dem, double latitude, double longitude) {
     const Reach reach = reach_of(dem);
     std::string hint = "site.latitude_deg and longitude_deg are north and east of 0";

@@ -101,7 +101,7 @@ GdalGate::GdalGate(Confines confines) : confines_(std::move(confines)) {
 
 GdalGate::~GdalGate() { gate = before_; }
 
-bool GdalGate::admits(const char* name, bool told) {
+bool GdalGate::admits(const char* name, bool reported) {
     std::error_code problem;
     const fs::file_status status = fs::status(name, problem);
     if (!fs::exists(status) || fs::is_directory(status)) return true;  // nothing is read of it
@@ -109,11 +109,11 @@ bool GdalGate::admits(const char* name, bool told) {
     if (!own_data.empty() && folder == own_data) return true;
     const std::string why = why_not(confines_, file);
     if (why.empty()) {
-        if (told) note_file_read(file);
+        if (reported) note_file_read(file);
         return true;
     }
     // GDAL looks for many a name far off that is none of this raster's.
-    if (refused_.empty() && (told || why_not(confines_, folder / "beside").empty())) {
+    if (refused_.empty() && (reported || why_not(confines_, folder / "beside").empty())) {
         refused_ = file;
         why_ = why;
     }

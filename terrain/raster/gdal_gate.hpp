@@ -23,7 +23,7 @@ class GdalGate {
  private:
     friend class GuardedDisk;
     /// Whether GDAL may have a file; remembers the first that it may not.
-    bool admits(const char* name, bool told);
+    bool admits(const char* name, bool reported);
 
     Confines confines_;
     std::filesystem::path refused_{};

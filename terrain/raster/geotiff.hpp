@@ -13,7 +13,7 @@ namespace diurna {
 struct RasterBand {
     std::string name;
     std::span<const float> value;  // (row, column) as in the Dem; NaN where there is none
-    std::string unit = "";         // "K"; empty: none is told
+    std::string unit = "";         // "K"; empty: none is reported
 };
 
 /// Cloud-optimised: tiles, with overviews (means) of what is larger than one, the directory first;

@@ -18,8 +18,8 @@ Dem read_dem(const std::filesystem::path& file, const DemOptions& options = {});
 
 /// Several tiles as one raster, posts of shared seams once. All lie on one lattice of one CRS; a
 /// post takes the first tile that knows it, and tiles that disagree by more than a metre on the
-/// posts they share are told in the notes. Posts that no tile has are voids. Tiles either side of
-/// the date line join.
+/// posts they share are reported in the notes. Posts that no tile has are voids. Tiles either side
+/// of the date line join.
 Dem read_dem(std::span<const std::filesystem::path> tiles, const DemOptions& options = {});
 
 }  // namespace diurna

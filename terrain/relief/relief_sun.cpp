@@ -6,7 +6,7 @@
 
 #include "terrain/place/sun.hpp"
 #include "terrain/relief/horizon.hpp"
-#include "terrain/relief/sun_disc.hpp"
+#include "terrain/relief/relief_sun_disc.hpp"
 #include "terrain/relief/tile_march.hpp"
 
 namespace diurna {

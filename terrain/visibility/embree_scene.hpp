@@ -20,7 +20,7 @@ struct EmbreeScene {
     RTCScene scene = nullptr;
     const float* vertex = nullptr;     // Embree's own copies, three per vertex
     const float* after = nullptr;      // likewise where they move: `vertex` at time 0, these at 1
-    const unsigned* corner = nullptr;  // and three per facet; alike where left out
+    const unsigned* corner = nullptr;  // and three per facet; alike where skipped
     /// (facet) the other side of a sheet (two_sides.hpp), index(no_facet) elsewhere; empty: none.
     /// Of two sides Embree has the one of the lower number.
     std::vector<std::uint32_t> other_side;

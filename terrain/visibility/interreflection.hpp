@@ -76,8 +76,8 @@ inline void gather(std::span<const Sender> senders, std::size_t lanes, float* ou
 ///
 /// unsent   in: what each sends at first; out: what was not sent any more
 /// reflect  float(facet, const float* arrived, float* unsent): takes in what has arrived (lane),
-///          adds what is sent on to `unsent`, and tells how much that counts now. Called from many
-///          threads, once for a facet and sweep
+///          adds what is sent on to `unsent`, and reports how much that counts now. Called from
+///          many threads, once for a facet and sweep
 /// sweeps   at most
 /// returns  sweeps; the same bytes for any number of threads
 template <class Id, class Reflect>

@@ -10,7 +10,7 @@
 namespace diurna {
 
 struct ReciprocityOptions {
-    /// Of pairs where neither sees more of the other than this, so many are left out at random that
+    /// Of pairs where neither sees more of the other than this, so many are skipped at random that
     /// the others, raised to it, stand for all: near and far partners keep what is theirs in the
     /// mean (to give it to a row's larger entries made the foot of a wall 3H deep 15 % too bright).
     double cut_off = 2e-3;

@@ -10,8 +10,8 @@
 #include "materials/base/units.hpp"
 #include "terrain/place/sun.hpp"
 #include "terrain/relief/horizon.hpp"
+#include "terrain/relief/relief_sun_disc.hpp"
 #include "terrain/relief/sky_slice.hpp"
-#include "terrain/relief/sun_disc.hpp"
 #include "terrain/visibility/sky_basis.hpp"
 
 namespace diurna {

@@ -39,7 +39,7 @@ struct Left {
                                    {"scene.toml", yard::scene + "[output]\nstate = true\n"}});
         const corpus::Ended ended = corpus::run(
             folder, {"run", "scene.toml", "--out", "out", "--progress", "none", "--fresh"});
-        INFO(ended.told);
+        INFO(ended.reported);
         REQUIRE(ended.code == 0);
         temperatures = corpus::text_of(folder / "out/temperatures.nc");
         state = corpus::text_of(folder / "out/state.nc");
@@ -223,7 +223,7 @@ TEST_CASE("files that the corpus edits are fine as they are") {
          {rendered("fine", left().temperatures), gone_on("fine", left().state)}) {
         corpus::put_files(folder, given.files);
         const corpus::Ended ended = corpus::run(folder, given.words);
-        CAPTURE(given.name, ended.told);
+        CAPTURE(given.name, ended.reported);
         CHECK(ended.code == 0);
         fs::remove_all(folder);
     }

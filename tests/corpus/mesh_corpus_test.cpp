@@ -142,9 +142,9 @@ Family ply() {
 }
 
 Family stl() {
-    const auto binary = [](std::uint32_t told, int facets, float x) {
+    const auto binary = [](std::uint32_t reported, int facets, float x) {
         std::string text(80, ' ');
-        text += bytes(told);
+        text += bytes(reported);
         for (int i = 0; i < facets; ++i) {
             for (const float value : {0.f, 0.f, 1.f, x, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f})
                 text += bytes(value);
@@ -393,7 +393,7 @@ TEST_CASE("the glTF that the corpus changes is fine") {
         const Malformed given = mesh("fine", name, text);
         corpus::put_files(scratch.path / "yard", given.files);
         const corpus::Ended ended = corpus::run(scratch.path / "yard", given.words);
-        INFO(ended.told);
+        INFO(ended.reported);
         CHECK(ended.code == 0);
     }
 }

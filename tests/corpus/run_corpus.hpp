@@ -63,7 +63,7 @@ struct Ended {
     int code = -1, signal = 0;
     bool late = false;
     double seconds = 0.0, peak_bytes = 0.0;
-    std::string told;  // on stderr
+    std::string reported;  // on stderr
 };
 
 inline std::string text_of(const std::filesystem::path& file) {
@@ -73,7 +73,7 @@ inline std::string text_of(const std::filesystem::path& file) {
 
 /// Runs the program in a folder with an end to its time and its address space.
 inline Ended run(const std::filesystem::path& folder, const std::vector<std::string>& words) {
-    const std::filesystem::path told = folder.string() + ".stderr";
+    const std::filesystem::path reported = folder.string() + ".stderr";
     std::vector<const char*> argv{DIURNA_BINARY};
     for (const std::string& word : words) argv.push_back(word.c_str());
     argv.push_back(nullptr);
@@ -84,7 +84,7 @@ inline Ended run(const std::filesystem::path& folder, const std::vector<std::str
         const rlimit space{rlim_t(6e9), rlim_t(6e9)}, core{0, 0};
         if (!is_watched) ::setrlimit(RLIMIT_AS, &space);
         ::setrlimit(RLIMIT_CORE, &core);
-        const int err = ::open(told.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        const int err = ::open(reported.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         const int out = ::open("/dev/null", O_WRONLY);
         if (::chdir(folder.c_str()) != 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) ::_exit(99);
         ::execv(argv[0], const_cast<char* const*>(argv.data()));
@@ -107,8 +107,8 @@ inline Ended run(const std::filesystem::path& folder, const std::vector<std::str
     ended.peak_bytes = 1024.0 * double(used.ru_maxrss);
     if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
     if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
-    ended.told = text_of(told);
-    std::filesystem::remove(told);
+    ended.reported = text_of(reported);
+    std::filesystem::remove(reported);
     return ended;
 }
 
@@ -145,8 +145,8 @@ inline std::string fault_of(const Ended& ended, double bytes, bool wrote, const 
     if (ended.code == 0) return "accepted";
     if (ended.code != 2) return fmt::format("left with {}", ended.code);
     if (wrote) return "wrote";
-    const auto lines = std::size_t(std::count(ended.told.begin(), ended.told.end(), '\n'));
-    const std::string first = ended.told.substr(0, ended.told.find('\n'));
+    const auto lines = std::size_t(std::count(ended.reported.begin(), ended.reported.end(), '\n'));
+    const std::string first = ended.reported.substr(0, ended.reported.find('\n'));
     bool named = first.find("--") != std::string::npos;
     for (const std::string& file : files_of(folder)) {
         const std::string name = std::filesystem::path(file).filename().string();
@@ -180,7 +180,7 @@ inline std::vector<std::string> not_refused(const std::string& family, const Fam
                 fault_of(ended, bytes, files_of(folder) != before, given, folder);
             if (!fault.empty() || std::getenv("CORPUS_ALL") != nullptr) {
                 faults[i] = fmt::format("{}: {}: {:.1f} s: {}", given.name, fault, ended.seconds,
-                                        ended.told.substr(0, 300));
+                                        ended.reported.substr(0, 300));
             }
             std::filesystem::remove_all(folder);
             const std::lock_guard guard(sums);

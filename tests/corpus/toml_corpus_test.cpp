@@ -149,7 +149,7 @@ TEST_CASE("the yard that the corpus changes is fine") {
     for (const auto& words :
          {std::vector<std::string>{"check", "scene.toml"}, {"column", "column.toml"}}) {
         const corpus::Ended ended = corpus::run(scratch.path / "yard", words);
-        INFO(ended.told);
+        INFO(ended.reported);
         CHECK(ended.code == 0);
     }
 }

@@ -32,8 +32,8 @@ struct Counts {
     int failed = 0, refused = 0, went_on = 0;
 };
 
-/// Makes one call after the other fail; a line for each that is told badly or leaves less than it
-/// should.
+/// Makes one call after the other fail; a line for each that is reported badly or leaves less than
+/// it should.
 Counts try_all(const std::string& kind, long most, bool on = false) {
     const Stage stage("faults-" + kind);
     const long calls = stage.calls(kind);
@@ -44,8 +44,8 @@ Counts try_all(const std::string& kind, long most, bool on = false) {
     for (const long at : some_of(calls, most)) {
         stage.begin_anew();
         const Ended ended = stage.run(failing(kind, at, on));
-        const std::string told = ended.lines.empty() ? "" : ended.lines.front();
-        INFO(kind << " " << at << " of " << calls << ": " << told);
+        const std::string reported = ended.lines.empty() ? "" : ended.lines.front();
+        INFO(kind << " " << at << " of " << calls << ": " << reported);
         CHECK(ended.signal == 0);
         CHECK((ended.code == 0 || ended.code == 1 || ended.code == 2));
         if (kind == "write") CHECK(ended.code != 2);

@@ -81,10 +81,10 @@ class Stage {
     /// - seconds: after which it is sent the signal; 0: never
     Ended diurna(const std::vector<std::string>& words, const Environment& environment = {},
                  double seconds = 0.0, int signal = SIGKILL) const {
-        const fs::path told = scratch_.path / "stderr";
+        const fs::path reported = scratch_.path / "stderr";
         const pid_t child = ::fork();
         if (child < 0) throw std::runtime_error("cannot fork");
-        if (child == 0) become(words, environment, told);
+        if (child == 0) become(words, environment, reported);
         if (seconds > 0.0) {
             ::usleep(static_cast<useconds_t>(1e6 * seconds));
             ::kill(child, signal);
@@ -94,7 +94,7 @@ class Stage {
         Ended ended;
         if (WIFEXITED(status)) ended.code = WEXITSTATUS(status);
         if (WIFSIGNALED(status)) ended.signal = WTERMSIG(status);
-        std::istringstream lines(text_of(told));
+        std::istringstream lines(text_of(reported));
         for (std::string line; std::getline(lines, line);) {
             if (!line.starts_with("note:") && !line.starts_with("FATAL: CPL"))
                 ended.lines.push_back(line);
@@ -117,11 +117,11 @@ class Stage {
 
  private:
     [[noreturn]] void become(const std::vector<std::string>& words, const Environment& environment,
-                             const fs::path& told) const {
+                             const fs::path& reported) const {
         std::vector<const char*> argv{DIURNA_BINARY};
         for (const std::string& word : words) argv.push_back(word.c_str());
         argv.push_back(nullptr);
-        const int err = ::open(told.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        const int err = ::open(reported.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         const int out = ::open("/dev/null", O_WRONLY);
         if (::chdir(scratch_.path.c_str()) != 0 || ::dup2(out, 1) < 0 || ::dup2(err, 2) < 0) {
             ::_exit(99);

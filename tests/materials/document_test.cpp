@@ -102,7 +102,7 @@ TEST_CASE("a setting finds one of several tables by name or number",
     for (const Section& eye : eyes) eye.text("name", "its name");
     CHECK(eyes[0].number("width", "of it") == 10.0);
     CHECK(eyes[1].number("width", "of it") == 20.0);
-    // A value that was moved is told of where it stood: line 7, column 15.
+    // A value that was moved is reported of where it stood: line 7, column 15.
     eyes[1].number("height", "of it", {.least = 9.0});
     CHECK_THROWS_WITH(document.finish(), Catch::Contains("hill.toml:7:15: eye[1].height"));
 }

@@ -124,10 +124,10 @@ TEST_CASE("a number beyond its bound is held there, one of no effect is told",
     idle.start.push_back(0.5);
     idle.low.push_back(0.0);
     idle.high.push_back(1.0);
-    const Fit told = fit(idle);
-    CHECK(told.number[2].idle);
-    CHECK_FALSE(told.number[0].idle);
-    CHECK(told.number[0].value == Approx(200.0).epsilon(1e-4));
+    const Fit reported = fit(idle);
+    CHECK(reported.number[2].idle);
+    CHECK_FALSE(reported.number[0].idle);
+    CHECK(reported.number[0].value == Approx(200.0).epsilon(1e-4));
 }
 
 TEST_CASE("two numbers of one effect are correlated, and not more values than numbers refused",

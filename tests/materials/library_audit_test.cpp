@@ -242,7 +242,7 @@ TEST_CASE("notes of a library are read as they stand", "[materials][audit]") {
     CHECK_FALSE(names_source("W931", "W93"));
     const MaterialNote bare{.name = "x", .what = "", .like = "", .lines = {"albedo = 0.2"}};
     CHECK(lines_without_source(bare).size() == 1);
-    const MaterialNote told{
+    const MaterialNote reported{
         .name = "x", .what = "", .like = "", .lines = {"# measured", "albedo = 0.2"}};
-    CHECK(lines_without_source(told).empty());
+    CHECK(lines_without_source(reported).empty());
 }

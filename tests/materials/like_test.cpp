@@ -138,26 +138,26 @@ TEST_CASE("a band past the ends of the library's own n and k is told",
           "[materials][like][own_keys][spectrum]") {
     const std::vector<Band> bands{flat_band("8-12", 8.0, 12.0), flat_band("far", 20.0, 30.0),
                                   flat_band("uv", 0.25, 0.4)};
-    const auto told = [&](const std::string& name) {
+    const auto reported = [&](const std::string& name) {
         std::vector<std::string> of_index;
         for (const std::string& note : spectrum_notes(library()[library().find(name)], bands)) {
             if (note.find("n and k") != std::string::npos) of_index.push_back(note);
         }
         return of_index;
     };
-    REQUIRE(told("ice").size() == 2);
-    CHECK_THAT(told("ice")[0], Catch::Contains("n and k were given over 0.3 to 25 µm") &&
-                                   Catch::Contains("so in band far"));
-    CHECK_THAT(told("ice")[1], Catch::Contains("so in band uv"));
+    REQUIRE(reported("ice").size() == 2);
+    CHECK_THAT(reported("ice")[0], Catch::Contains("n and k were given over 0.3 to 25 µm") &&
+                                       Catch::Contains("so in band far"));
+    CHECK_THAT(reported("ice")[1], Catch::Contains("so in band uv"));
     for (const char* name : {"water", "glass"}) {
-        REQUIRE(told(name).size() == 1);
-        CHECK_THAT(told(name)[0],
+        REQUIRE(reported(name).size() == 1);
+        CHECK_THAT(reported(name)[0],
                    Catch::Contains("over 0.3 to 100 µm") && Catch::Contains("so in band uv"));
     }
-    REQUIRE(told("aluminium").size() == 1);
-    CHECK_THAT(told("aluminium")[0], Catch::Contains("over 0.30996 to 99.996 µm"));
-    CHECK(told("painted_steel").empty());
-    CHECK(told("asphalt").empty());
+    REQUIRE(reported("aluminium").size() == 1);
+    CHECK_THAT(reported("aluminium")[0], Catch::Contains("over 0.30996 to 99.996 µm"));
+    CHECK(reported("painted_steel").empty());
+    CHECK(reported("asphalt").empty());
 }
 
 TEST_CASE("a spectrum that ends short of heat is told, one in nanometres refused",

@@ -206,18 +206,19 @@ TEST_CASE("a measured finish keeps its energy under a sun anywhere",
 TEST_CASE("a BRDF that cannot be is refused in one line", "[materials][brdf]") {
     const ScratchFolder folder("refused");
     const auto path = folder.path / "own.csv";
-    const auto told = [&](const std::string& text) {
+    const auto reported = [&](const std::string& text) {
         write_whole_file(path, text);
         return refusal(path);
     };
-    CHECK_THAT(told(table([](double, double, double) { return 0.4; })),
+    CHECK_THAT(reported(table([](double, double, double) { return 0.4; })),
                Catch::Contains("own.csv: sends back 1.257 of the light at 0 deg"));
-    CHECK_THAT(told(table([](double i, double, double) { return 0.1 + 0.001 * i; })),
+    CHECK_THAT(reported(table([](double i, double, double) { return 0.1 + 0.001 * i; })),
                Catch::Contains("not reciprocal"));
-    CHECK_THAT(told("light_deg,eye_deg,azimuth_deg,brdf_sr\n0,0,0,0.1\n0,0,180,0.1\n0,60,0,0.1\n"
-                    "0,60,180,0.1\n60,0,0,0.1\n60,0,180,0.1\n60,60,0,0.1\n70,60,180,0.1\n"),
-               Catch::Contains("no row of light 60, eye 60, azimuth 180"));
-    CHECK_THAT(told("light_deg,eye_deg,azimuth_deg,brdf_sr\n0,0,0,-0.1\n"),
+    CHECK_THAT(
+        reported("light_deg,eye_deg,azimuth_deg,brdf_sr\n0,0,0,0.1\n0,0,180,0.1\n0,60,0,0.1\n"
+                 "0,60,180,0.1\n60,0,0,0.1\n60,0,180,0.1\n60,60,0,0.1\n70,60,180,0.1\n"),
+        Catch::Contains("no row of light 60, eye 60, azimuth 180"));
+    CHECK_THAT(reported("light_deg,eye_deg,azimuth_deg,brdf_sr\n0,0,0,-0.1\n"),
                Catch::Contains("own.csv:2:"));
     const auto merl = folder.path / "short.binary";
     write_whole_file(merl, std::string("short"));

@@ -1,4 +1,4 @@
-#include "materials/atmosphere/moon.hpp"
+#include "materials/atmosphere/moonlight.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

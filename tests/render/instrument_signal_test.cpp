@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "render/instrument/calibration.hpp"
+#include "render/instrument/count_calibration.hpp"
 #include "render/instrument/presets.hpp"
 #include "tests/support/camera_series.hpp"
 

@@ -182,7 +182,7 @@ TEST_CASE("the shadow of what goes is blurred with it", "[render][motion][sun]")
     // The sun's disc adds a penumbra of 2 sqrt(2) sqrt(2) m times 9.3 mrad, 0.04 m; its samples,
     // one each of the pixel's, leave sqrt(0.25 / 256) of noise; where the first sixteen are alike
     // the others are not asked: a sixteenth. Columns that the bar itself covers
-    // in part tell the floor's share alone, and are left out.
+    // in part tell the floor's share alone, and are skipped.
     int seen = 0;
     for (int column = 0; column < width; ++column) {
         if (floor[column] < 0.99) continue;

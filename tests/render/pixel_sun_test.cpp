@@ -10,7 +10,7 @@
 #include "render/view/cast_view.hpp"
 #include "terrain/place/site.hpp"
 #include "tests/support/box_shadow.hpp"
-#include "tests/support/sheets.hpp"
+#include "tests/support/hanging_sheets.hpp"
 
 using namespace diurna;
 using namespace diurna::testing;

@@ -5,14 +5,14 @@
 
 #include "materials/base/error.hpp"
 #include "materials/radiation/planck.hpp"
-#include "render/rays/hops.hpp"
-#include "tests/support/hop_stage.hpp"
+#include "render/rays/secondary_rays.hpp"
+#include "tests/support/secondary_stage.hpp"
 
 using namespace diurna;
 
 TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume][by_comparison]") {
     const double absorption = GENERATE(0.02, 0.3, 2.0), thickness = 4.0;
-    HopStage stage;
+    SecondaryStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 300.0f);
     stage.plume(20.0, thickness, absorption, 700.0);
     const auto seen = stage.look(stage.observer(5, 0.5), mwir);
@@ -22,7 +22,7 @@ TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume
     CAPTURE(absorption);
     CHECK(seen.at(12) == Approx(expected).epsilon(2e-5));  // the ray's slant: 0.15 deg at most
     // In front of the cold sky it shines alone.
-    HopStage open;
+    SecondaryStage open;
     open.wall(-60.0, 1.0, plain(0.0), 300.0f);
     open.plume(20.0, thickness, absorption, 700.0);
     CHECK(open.look(open.observer(5, 0.5), mwir).at(12) ==
@@ -30,7 +30,7 @@ TEST_CASE("a plume absorbs and emits by Beer and Lambert", "[render][hops][plume
 }
 
 TEST_CASE("plumes in a row, and an eye inside one", "[render][hops][plume]") {
-    HopStage stage;
+    SecondaryStage stage;
     stage.wall(60.0, 20.0, plain(0.0), 300.0f);
     stage.plume(20.0, 2.0, 0.2, 500.0);
     stage.plume(30.0, 3.0, 0.1, 400.0);
@@ -44,7 +44,7 @@ TEST_CASE("plumes in a row, and an eye inside one", "[render][hops][plume]") {
 }
 
 TEST_CASE("a plume's mesh must be closed", "[render][hops][plume]") {
-    HopStage stage;
+    SecondaryStage stage;
     stage.plume(20.0, 2.0, 0.2, 500.0);
     stage.plumes[0].triangle.pop_back();
     CHECK_THROWS_AS(PlumeScene(stage.plumes), InputError);

@@ -55,7 +55,8 @@ struct Scenery {
         const ViewOptions options{.samples = samples, .texture_levels = &texture_levels};
         View view = cast_view(rays, facets(), observer, options);
         const PlumeScene none({});
-        const Hops hops = follow_rays(view, {rays, facets(), materials, none}, observer, options);
+        const SecondaryRays secondary_rays =
+            follow_rays(view, {rays, facets(), materials, none}, observer, options);
         const FacetViews sky =
             texture_levels.empty() ? solid_sky : for_all_levels(texture_levels, solid_sky);
         std::vector<float> temperature, lit;
@@ -72,7 +73,7 @@ struct Scenery {
                        .to_sun = {std::sin(zenith), 0.0, std::cos(zenith)},
                        .sun_zenith_deg = sun_zenith_deg,
                        .ground_height_km = 0.3},
-                      {.hops = &hops});
+                      {.secondary_rays = &secondary_rays});
     }
 };
 

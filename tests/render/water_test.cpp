@@ -10,10 +10,10 @@
 #include "materials/base/units.hpp"
 #include "materials/matter/read_library.hpp"
 #include "materials/radiation/planck.hpp"
-#include "render/rays/hop_light.hpp"
-#include "tests/support/hop_stage.hpp"
+#include "render/rays/secondary_light.hpp"
 #include "tests/support/isothermal.hpp"
 #include "tests/support/sea.hpp"
+#include "tests/support/secondary_stage.hpp"
 
 using namespace diurna;
 
@@ -26,7 +26,7 @@ Material water() {
 
 /// The eye 3 m (or `up`) over a wide lake, a pixel that looks down at an angle [deg].
 struct Lake {
-    HopStage stage;
+    SecondaryStage stage;
     Observer eye;
     explicit Lake(double down_deg, double wind, Atmosphere air, float kelvins = 290.0f,
                   double up = 3.0) {
@@ -199,9 +199,9 @@ TEST_CASE("water, gloss and rough metal as warm as all around look black",
     lake.eye.width = lake.eye.height = 25;
     lake.eye.horizontal_fov_deg = 16.0;
     const auto seen = lake.stage.look(lake.eye, band);
-    REQUIRE(seen.hops.pixel.size() > 300);
+    REQUIRE(seen.secondary_rays.pixel.size() > 300);
     double worst = 0.0;
-    for (const std::uint32_t p : seen.hops.pixel) {
+    for (const std::uint32_t p : seen.secondary_rays.pixel) {
         worst = std::max(worst, std::abs(seen.at(p) / band_radiance(band, kelvins) - 1.0));
     }
     CAPTURE(kelvins, band.name, worst);
@@ -224,15 +224,16 @@ TEST_CASE("water under a roof has no speckle",
     side({{-300, -300, -3}, {-300, 300, -3}, {-300, 300, 30}, {-300, -300, 30}});
     lake.eye.width = lake.eye.height = 12;
     const auto seen = lake.stage.look(lake.eye, band, 4, true);
-    REQUIRE(seen.hops.pixel.size() == 144);
+    REQUIRE(seen.secondary_rays.pixel.size() == 144);
     double worst = 0.0;
-    for (const std::uint32_t p : seen.hops.pixel) {
+    for (const std::uint32_t p : seen.secondary_rays.pixel) {
         worst = std::max(worst, std::abs(brightness_temperature(band, seen.at(p)) - 290.0));
     }
     CAPTURE(worst);
     CHECK(worst < 0.1);
     for (std::size_t i = 0; i < seen.reference.size(); ++i) {
-        CHECK(seen.at(seen.hops.pixel[41 * i]) == Approx(seen.reference[i]).epsilon(1e-4));
+        CHECK(seen.at(seen.secondary_rays.pixel[41 * i]) ==
+              Approx(seen.reference[i]).epsilon(1e-4));
     }
 }
 
@@ -251,7 +252,7 @@ TEST_CASE("water before a warm wall has no speckle", "[render][water][speckle][b
     lake.eye.horizontal_fov_deg = 0.02;
     const auto seen = lake.stage.look(lake.eye, band, 16);
     CAPTURE(wind, down_deg, wall_m);
-    REQUIRE(seen.hops.pixel.size() == 256);
+    REQUIRE(seen.secondary_rays.pixel.size() == 256);
 
     double wall = 0.0, sky = 0.0, water = 0.0;
     Sea{wind}.each_wave(
@@ -271,7 +272,7 @@ TEST_CASE("water before a warm wall has no speckle", "[render][water][speckle][b
     const double expected =
         brightness_temperature(band, band_radiance(band, 290.0) + water + wall + sky);
     double mean = 0.0, square = 0.0;
-    for (const std::uint32_t p : seen.hops.pixel) {
+    for (const std::uint32_t p : seen.secondary_rays.pixel) {
         const double off = brightness_temperature(band, seen.at(p)) - expected;
         mean += off / 256.0;
         square += off * off / 256.0;
@@ -285,7 +286,7 @@ TEST_CASE("water before a warm wall has no speckle", "[render][water][speckle][b
 TEST_CASE("rough metal has no speckle", "[render][water][speckle][by_replication]") {
     const double roughness = GENERATE(0.1, 0.3, 0.6);
     const Band band = flat_band("8-12", 8.0, 12.0, bin_edges_um());
-    HopStage stage;
+    SecondaryStage stage;
     stage.air = summer();
     stage.rectangle({{-900, -900, -3}, {900, -900, -3}, {900, 900, -3}, {-900, 900, -3}},
                     plain(0.05), 310.0f);
@@ -296,7 +297,7 @@ TEST_CASE("rough metal has no speckle", "[render][water][speckle][by_replication
     std::array<int, 2> count{};
     for (const int i : {0, 1}) {
         const auto seen = stage.look(eye, band, i == 0 ? 16 : 1024);
-        for (const std::uint32_t p : seen.hops.pixel) {
+        for (const std::uint32_t p : seen.secondary_rays.pixel) {
             const double t = brightness_temperature(band, seen.at(p));
             mean[std::size_t(i)] += t;
             square[std::size_t(i)] += t * t;

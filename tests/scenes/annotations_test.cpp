@@ -17,8 +17,8 @@
 #include "materials/base/files.hpp"
 #include "render/picture/exr.hpp"
 #include "scenes/input/scene_file.hpp"
-#include "scenes/labels/contrast.hpp"
 #include "scenes/labels/kitti.hpp"
+#include "scenes/labels/label_contrast.hpp"
 #include "scenes/labels/object_masks.hpp"
 #include "scenes/labels/split.hpp"
 #include "scenes/run/job.hpp"
@@ -142,7 +142,7 @@ TEST_CASE("a reader of the planes finds every mask, box and area of the labels",
             CHECK(label["area"] == area);
             CHECK(label["bbox"] == Json({left, top, right - left + 1, bottom - top + 1}));
         }
-        for (const float id : seen) CHECK(id <= 0.0f);  // nothing seen is left out
+        for (const float id : seen) CHECK(id <= 0.0f);  // nothing seen is skipped
     }
     CHECK(labels == coco["annotations"].size());
 }
@@ -365,19 +365,19 @@ TEST_CASE("a loader in Python finds labels, planes and pictures to be one",
     while (const std::size_t count = fread(block, 1, sizeof block, pipe)) text.append(block, count);
     pclose(pipe);
     CAPTURE(text);
-    std::map<std::string, double> told;
+    std::map<std::string, double> reported;
     std::istringstream lines(text);
     std::string name;
-    for (double value = 0.0; lines >> name >> value;) told[name] = value;
-    CHECK(told["images"] == double(yard().coco["images"].size()));
-    CHECK(told["annotations"] == double(yard().coco["annotations"].size()));
+    for (double value = 0.0; lines >> name >> value;) reported[name] = value;
+    CHECK(reported["images"] == double(yard().coco["images"].size()));
+    CHECK(reported["annotations"] == double(yard().coco["annotations"].size()));
     for (const char* what : {"ids", "size", "grey", "mask", "area", "box", "contrast", "yolo"}) {
         CAPTURE(what);
-        REQUIRE(told.contains(std::string("wrong_") + what));
-        CHECK(told[std::string("wrong_") + what] == 0.0);
+        REQUIRE(reported.contains(std::string("wrong_") + what));
+        CHECK(reported[std::string("wrong_") + what] == 0.0);
     }
-    CHECK(told["precision_of_truth"] == 1.0);
-    CHECK(told["precision_of_overlap_0.62"] == Approx(0.3).margin(1e-6));
-    CHECK(told.contains("precision_of_nothing"));
-    CHECK(told["precision_of_nothing"] == 0.0);
+    CHECK(reported["precision_of_truth"] == 1.0);
+    CHECK(reported["precision_of_overlap_0.62"] == Approx(0.3).margin(1e-6));
+    CHECK(reported.contains("precision_of_nothing"));
+    CHECK(reported["precision_of_nothing"] == 0.0);
 }

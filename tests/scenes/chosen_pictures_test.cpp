@@ -43,7 +43,7 @@ frames = ["2026-07-15T12:00:00-04:00", "2026-07-15T13:00:00-04:00"]
 }
 
 /// "east 8-12 T0400" for every picture, hours in UTC.
-std::vector<std::string> told(const std::vector<ObserverInput>& observers) {
+std::vector<std::string> reported(const std::vector<ObserverInput>& observers) {
     std::vector<std::string> pictures;
     for (const ObserverInput& observer : observers) {
         for (const Instant when : observer.frames) {
@@ -79,9 +79,11 @@ TEST_CASE("pictures are chosen by observer, band and hour of the scene's clock",
     const ScratchFolder folder("only");
     write_text(folder.path / "scene.toml", two_observers());
     const Scene scene = read_scene(folder.path / "scene.toml", {}, true);
-    const auto chosen = [&](Texts only) { return told(chosen_pictures(scene, {.only = only})); };
+    const auto chosen = [&](Texts only) {
+        return reported(chosen_pictures(scene, {.only = only}));
+    };
     // Clocks are four hours behind UTC: midnight is 04:00.
-    CHECK(told(scene.observers).size() == 14);
+    CHECK(reported(scene.observers).size() == 14);
     CHECK(chosen({"observer=above"}) == Texts{"above 8-12 16:00", "above 8-12 17:00"});
     CHECK(chosen({"frames=07:59..12:00", "band=8-12"}) ==
           Texts{"east 8-12 12:00", "east 8-12 16:00", "above 8-12 16:00"});
@@ -113,10 +115,11 @@ TEST_CASE("shards have every picture once", "[only]") {
     for (const std::size_t count : {1u, 2u, 3u, 8u, 20u}) {
         Texts all;
         for (std::size_t number = 1; number <= count; ++number) {
-            for (std::string& picture : told(chosen_pictures(scene, {.shard = {number, count}})))
+            for (std::string& picture :
+                 reported(chosen_pictures(scene, {.shard = {number, count}})))
                 all.push_back(std::move(picture));
         }
-        CHECK(all == told(scene.observers));
+        CHECK(all == reported(scene.observers));
     }
 }
 

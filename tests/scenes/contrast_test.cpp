@@ -212,7 +212,7 @@ TEST_CASE("contrast at another range is that of the same bodies behind the air t
 
 TEST_CASE("contrast tables are checked where they stand", "[scenes][contrast]") {
     const ScratchFolder folder("contrast_mistakes");
-    const auto one = [&](const std::string& keys, const std::string& told) {
+    const auto one = [&](const std::string& keys, const std::string& reported) {
         lay(folder, plates("\n[[contrast]]\n" + keys));
         try {
             read_scene(folder.path / "scene.toml");
@@ -220,7 +220,7 @@ TEST_CASE("contrast tables are checked where they stand", "[scenes][contrast]") 
         } catch (const InputError& error) {
             REQUIRE(error.mistakes().size() == 1);
             INFO(error.mistakes()[0].line());
-            CHECK(error.mistakes()[0].line().find(told) != std::string::npos);
+            CHECK(error.mistakes()[0].line().find(reported) != std::string::npos);
         }
     };
     one("", "targets: missing");

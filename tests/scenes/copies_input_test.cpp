@@ -11,7 +11,7 @@
 #include "scenes/world/copy_ground.hpp"
 #include "tests/support/copied_crates.hpp"
 
-// What copies may be told, and the ground that is made fine for them.
+// What copies may be reported, and the ground that is made fine for them.
 
 using namespace diurna;
 using namespace copied_crates;
@@ -35,7 +35,7 @@ TEST_CASE("the ground of many copies is made fine once", "[scenes][copies]") {
     const ScratchFolder folder("copies_ground");
     const auto ground = [&](const std::string& objects) {
         const Prepared built = prepare(read_scene(written(folder.path, objects)));
-        // Nothing left out and nothing twice.
+        // Nothing skipped and nothing twice.
         double area = 0.0;
         for (std::size_t f = 0; f < built.world.ground_facets; ++f) {
             area += double{built.world.facets.area[f]} * built.world.facets.normal[f].z();
@@ -67,7 +67,7 @@ TEST_CASE("the ground of many copies is made fine once", "[scenes][copies]") {
 
 TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mistakes]") {
     const ScratchFolder folder("copies_mistakes");
-    const auto told = [&](const std::string& keys) {
+    const auto reported = [&](const std::string& keys) {
         const std::string all =
             mistakes_of(folder.path, "[[object]]\nname = \"crate\"\n" + about_crate + keys);
         CAPTURE(all);
@@ -78,23 +78,24 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
         CAPTURE(text, part);
         CHECK(text.find(part) != std::string::npos);
     };
-    has(told("copies = [[0.0, 0.0, 0.0]]\nplace_m = [0.0, 0.0]"), "place_m: stands beside copies");
-    has(told("copies = [[0.0, 0.0, 500.0]]"), "found heading_deg 500");
-    const std::string turned = told("copies = [[0.0, 0.0, 500.0]]");
+    has(reported("copies = [[0.0, 0.0, 0.0]]\nplace_m = [0.0, 0.0]"),
+        "place_m: stands beside copies");
+    has(reported("copies = [[0.0, 0.0, 500.0]]"), "found heading_deg 500");
+    const std::string turned = reported("copies = [[0.0, 0.0, 500.0]]");
     CHECK(turned.find("toml:") == turned.rfind("toml:"));
-    has(told("copies = [[0.0, 0.0]]"), "copies");
-    has(told("copies = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 0.0, 90.0]]"),
+    has(reported("copies = [[0.0, 0.0]]"), "copies");
+    has(reported("copies = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [0.0, 0.0, 90.0]]"),
         "copies: two copies stand at east 0 m, north 0 m");
-    has(told("copies = [[9000.0, 0.0, 0.0]]"), "crate_0001");
-    has(told("place_m = [0.0, 0.0]\ncopies_alike_K = 1.0"), "copies_alike_K: stands without");
+    has(reported("copies = [[9000.0, 0.0, 0.0]]"), "crate_0001");
+    has(reported("place_m = [0.0, 0.0]\ncopies_alike_K = 1.0"), "copies_alike_K: stands without");
 
-    has(told("copies_file = \"none.csv\""), "no such file");
-    has(told("copies = [[0.0, 0.0, 0.0]]\n[[object.part]]\nname = \"*\"\n[[object.contact]]\n"
-             "between = [\"*\", \"ground\"]\nconductance_W_m2K = 10.0"),
+    has(reported("copies_file = \"none.csv\""), "no such file");
+    has(reported("copies = [[0.0, 0.0, 0.0]]\n[[object.part]]\nname = \"*\"\n[[object.contact]]\n"
+                 "between = [\"*\", \"ground\"]\nconductance_W_m2K = 10.0"),
         "contact with the ground");
     const std::string texture =
         "\n[[texture]]\nname = \"worn\"\nstd = 0.01\ncorrelation_length_m = 1.0\n";
-    has(told("copies = [[0.0, 0.0, 0.0]]\ntexture = \"worn\"" + texture), "texture: not on an");
+    has(reported("copies = [[0.0, 0.0, 0.0]]\ntexture = \"worn\"" + texture), "texture: not on an");
     has(mistakes_of(folder.path, "[[object]]\nname = \"crate\"\ncopies = [[0.0, 0.0, 0.0]]\n" +
                                      with(about_crate, "painted_sheet", "rusty") +
                                      "[material.rusty]\nlike = \"painted_sheet\"\n"
@@ -103,13 +104,13 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
         "on which a texture lies");
     write_text(folder.path / "park.csv",
                "# a yard\neast_m,north_m,heading_deg\n1,2,3\n\n4,\"5\",six\n");
-    has(told("copies_file = \"park.csv\""), "park.csv:5:");
+    has(reported("copies_file = \"park.csv\""), "park.csv:5:");
     write_text(folder.path / "park.csv", "east_m,nord_m,heading_deg\n1,2,3\n");
-    has(told("copies_file = \"park.csv\""), "north_m");
+    has(reported("copies_file = \"park.csv\""), "north_m");
     write_text(folder.path / "park.csv", "east_m,north_m,heading_deg,colour\n0,0,0,3\n");
-    has(told("copies_file = \"park.csv\""), "unknown column 'colour'");
+    has(reported("copies_file = \"park.csv\""), "unknown column 'colour'");
     write_text(folder.path / "park.csv", "east_m,north_m,heading_deg\n5,5,0\n0,0,0\n5,5,90\n");
-    has(told("copies_file = \"park.csv\""), "park.csv:4:3");
+    has(reported("copies_file = \"park.csv\""), "park.csv:4:3");
     write_text(folder.path / "park.csv", "east_m,north_m,heading_deg\n0,0,0\n10,0,90\n");
     CHECK(mistakes_of(folder.path,
                       "[[object]]\nname = \"crate\"\n" + about_crate + "copies_file = \"park.csv\"")
@@ -120,7 +121,7 @@ TEST_CASE("what copies cannot have is told in one line", "[scenes][copies][mista
         "crate_0002");
 }
 
-// Edges of 0.5 m that reach into each other are told; things that touch are not.
+// Edges of 0.5 m that reach into each other are reported; things that touch are not.
 TEST_CASE("copies that stand in one another are told", "[scenes][copies]") {
     const ScratchFolder folder("copies_overlap");
     const auto noted = [&](const std::string& places) {

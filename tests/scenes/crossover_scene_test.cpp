@@ -48,7 +48,7 @@ SunTimes sun_times() {
     return {noon - half, noon, noon + half};
 }
 
-/// The median of a plane over the pixels where `among` has this value, those at its rim left out.
+/// The median of a plane over the pixels where `among` has this value, those at its rim skipped.
 double middle(const Frame& frame, const std::string& plane, const std::string& among, float value) {
     const std::vector<float>& key = frame[among].pixel;
     std::vector<float> found;

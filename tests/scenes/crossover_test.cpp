@@ -136,11 +136,11 @@ refined = false
 }
 
 TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossover]") {
-    const auto one = [](const std::string& keys, const std::string& told) {
+    const auto one = [](const std::string& keys, const std::string& reported) {
         const std::vector<Mistake> mistakes = mistakes_of("\n[[crossover]]\n" + keys);
         REQUIRE(mistakes.size() == 1);
         INFO(mistakes[0].line());
-        CHECK(mistakes[0].line().find(told) != std::string::npos);
+        CHECK(mistakes[0].line().find(reported) != std::string::npos);
     };
     one("first = \"plat\"\nsecond = \"ground\"\n", "plate");
     one("first = \"plate\"\nsecond = \"plate\"\n", "the same as first");
@@ -164,11 +164,11 @@ TEST_CASE("tables of crossovers are checked where they stand", "[scenes][crossov
         plate_on_plain("\n[[crossover]]\nfirst = \"plate\"\nsecond = \"ground\"\nuncertain = "
                        "[{ key = \"weather.changed.wind\", one_sigma = 1.1 }]\n"));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
-    const std::string told = read_text(folder.path / "out.txt");
-    INFO(told);
-    CHECK(told.find("scene.toml:") != std::string::npos);
-    CHECK(told.find("wind_factor") != std::string::npos);
-    CHECK(told.find("heat balance") == std::string::npos);
+    const std::string reported = read_text(folder.path / "out.txt");
+    INFO(reported);
+    CHECK(reported.find("scene.toml:") != std::string::npos);
+    CHECK(reported.find("wind_factor") != std::string::npos);
+    CHECK(reported.find("heat balance") == std::string::npos);
     lay(folder, plate_on_plain(""));
     CHECK(crossover(folder.path / "scene.toml", folder.path / "out") == 2);
 }

@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "scenes/kept/digest.hpp"
+#include "scenes/cache/digest.hpp"
 #include "scenes/report/chart.hpp"
 #include "scenes/report/chart_layout.hpp"
 #include "scenes/report/time_axis.hpp"

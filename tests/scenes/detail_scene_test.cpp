@@ -8,8 +8,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
+#include "scenes/cache/stage_keys.hpp"
 #include "scenes/input/scene_file.hpp"
-#include "scenes/kept/stage_keys.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/scene_sky_view.hpp"
 #include "scenes/run/sun_exposure.hpp"
@@ -252,16 +252,16 @@ TEST_CASE("a detail's faults are told in one line each", "[scenes][detail][stres
     fine = fine_raster();
     for (float& height : fine.height) height /= 0.3048f;
     place.write(fine);
-    const auto step_told = [](const Prepared& prepared) {
+    const auto step_reported = [](const Prepared& prepared) {
         return std::count_if(prepared.notes.begin(), prepared.notes.end(), [](const auto& note) {
             return note.find("where it is blended into it") != std::string::npos;
         });
     };
     const Scene feet = place.scene(std::string(detail_table) + "height_unit = \"ft\"\n");
-    CHECK(step_told(prepare(feet)) == 0);
+    CHECK(step_reported(prepare(feet)) == 0);
     CHECK(ground_point(elevation_of(feet), site(), local(wall_column, 70.0), "crest").z() ==
           Approx(wall).margin(0.01));
-    CHECK(step_told(prepare(place.scene(detail_table))) == 1);  // taken for metres
+    CHECK(step_reported(prepare(place.scene(detail_table))) == 1);  // taken for metres
 }
 
 TEST_CASE("of several rasters of land cover the first that knows a material wins",

@@ -1,4 +1,4 @@
-#include "scenes/run/far_ground.hpp"
+#include "scenes/run/ground_to_horizon.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "scenes/doubts/doubts.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/run/stepper.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 #include "scenes/world/border_ground.hpp"
 #include "tests/support/slope_scene.hpp"
 
@@ -64,7 +64,7 @@ TEST_CASE("a picture goes on beyond the raster as warm as its ground", "[scenes]
     REQUIRE(beyond_count > 100);
     CHECK(beyond / beyond_count == Approx(on / on_count).margin(0.5));
     // Of 32 x 40 pixels those that meet no facet and look below the horizon, 0.25 degrees deep.
-    const auto lines = as_lines(view_doubts(scene.prepared()));
+    const auto lines = as_lines(view_warnings(scene.prepared()));
     REQUIRE(lines.size() == 1);
     CAPTURE(lines[0]);
     const double share = std::stod(lines[0].substr(lines[0].find("eye: ") + 5));
@@ -86,5 +86,5 @@ TEST_CASE("who looks at the raster alone depends on nothing beyond", "[scenes][b
     CHECK_FALSE(seen_beyond(view, ground, 0.5));
     view.extent.sky_zenith_deg = {40.0F, 90.3F};
     CHECK(seen_beyond(view, ground, 0.5));
-    CHECK(view_doubts(scene).empty());
+    CHECK(view_warnings(scene).empty());
 }

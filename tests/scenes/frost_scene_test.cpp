@@ -43,7 +43,7 @@ Prepared january() {
 }  // namespace
 
 // Where the ground below thaws by as much each day whatever it begins with, the slope of the day
-// tells no start: such facets stayed 0.1 K off for ever.
+// reports no start: such facets stayed 0.1 K off for ever.
 TEST_CASE("a day of frost and thaw repeats on every facet", "[scenes][frost][by_events]") {
     const Prepared prepared = january();
     Progress silent(ProgressStyle::silent);

@@ -67,10 +67,10 @@ TEST_CASE("inspect tells texts apart and what to call next", "[scenes][inspect]"
              {place / "column.toml", "column\nnext: diurna column "},
              {place / "idling.parts.toml", "parts of a target\n"},
              {place / "trucks.png", "picture\nformat: PNG\n"}}) {
-        const Ran told = inspected(file);
-        CAPTURE(file, told.out);
-        CHECK(told.code == 0);
-        CHECK(told.out.find(says) != std::string::npos);
+        const Ran reported = inspected(file);
+        CAPTURE(file, reported.out);
+        CHECK(reported.code == 0);
+        CHECK(reported.out.find(says) != std::string::npos);
     }
 }
 
@@ -92,11 +92,11 @@ TEST_CASE("what inspect does not know gets one line and code 2", "[scenes][inspe
                                             {"broken.obj", "v 1 2\n"},
                                             {"deep.json", std::string(200'000, '[')}}) {
         write_text(folder.path / name, text);
-        const Ran told = inspected(folder.path / name);
-        CAPTURE(name, told.out);
-        CHECK(told.code == 2);
-        CHECK(std::count(told.out.begin(), told.out.end(), '\n') == 1);
-        CHECK(told.out.find(name) != std::string::npos);
+        const Ran reported = inspected(folder.path / name);
+        CAPTURE(name, reported.out);
+        CHECK(reported.code == 2);
+        CHECK(std::count(reported.out.begin(), reported.out.end(), '\n') == 1);
+        CHECK(reported.out.find(name) != std::string::npos);
     }
     fs::create_directory(folder.path / "folder");
     CHECK(inspected(folder.path / "folder").code == 2);

@@ -118,15 +118,15 @@ TEST_CASE("a scene's instruments measure what is seen", "[scenes][instrument]") 
         }
     }
 
-    // The report says how often radiance was sampled, and what was left out.
-    const auto told = [&](const std::string& words) {
+    // The report says how often radiance was sampled, and what was skipped.
+    const auto reported = [&](const std::string& words) {
         return std::any_of(report.notes.begin(), report.notes.end(),
                            [&](const auto& note) { return note.find(words) != std::string::npos; });
     };
-    CHECK(told("samples of radiance a pixel each way"));
-    CHECK(told("left out for want of settings: "));
-    CHECK(told("NETD at 300 K 45 mK"));
-    CHECK_FALSE(told("the same noise"));
+    CHECK(reported("samples of radiance a pixel each way"));
+    CHECK(reported("left out for want of settings: "));
+    CHECK(reported("NETD at 300 K 45 mK"));
+    CHECK_FALSE(reported("the same noise"));
 }
 
 TEST_CASE("an instrument's frame alone is its frame in the sequence", "[scenes][instrument]") {
@@ -166,10 +166,10 @@ TEST_CASE("one table [instrument] will do, and what is wrong with one is told in
     };
     for (const auto& [text, expected] : wrong) {
         CAPTURE(text);
-        const std::string told = mistakes_of(one + text);
-        CAPTURE(told);
-        CHECK(told.find(expected) != std::string::npos);
-        CHECK(told.find("scene.toml:") != std::string::npos);
+        const std::string reported = mistakes_of(one + text);
+        CAPTURE(reported);
+        CHECK(reported.find(expected) != std::string::npos);
+        CHECK(reported.find("scene.toml:") != std::string::npos);
     }
     CHECK(mistakes_of(small_scene() + "[instrument]\n").find("expected one of its observer's") !=
           std::string::npos);
@@ -182,7 +182,7 @@ TEST_CASE("one table [instrument] will do, and what is wrong with one is told in
 TEST_CASE("settings that contradict each other are told before anything is computed",
           "[scenes][instrument]") {
     const ScratchFolder folder("instrument_contradiction");
-    const auto told = [&](const std::string& text) -> std::string {
+    const auto reported = [&](const std::string& text) -> std::string {
         try {
             prepare(read(folder, text));
         } catch (const InputError& error) {
@@ -192,15 +192,16 @@ TEST_CASE("settings that contradict each other are told before anything is compu
     };
     const std::string start =
         small_scene() + "[[instrument]]\nobserver = \"east\"\nband = \"3-5\"\n";
-    const std::string quiet = told(start + "detector = { netd_mK = 1.0 }\n");
+    const std::string quiet = reported(start + "detector = { netd_mK = 1.0 }\n");
     CHECK(quiet.find("scene.toml:") != std::string::npos);
     CHECK(quiet.find("a NETD of 1 mK is less than") != std::string::npos);
-    CHECK(told(start + "optics = { k1 = -40.0 }\n").find("folds over") != std::string::npos);
+    CHECK(reported(start + "optics = { k1 = -40.0 }\n").find("folds over") != std::string::npos);
     const std::string bright =
         with(small_scene(), "bands = [\"3-5\", \"8-12\"]", "bands = [\"0.4-0.7\"]") +
         "[instrument]\npreset = \"visible\"\n";
-    CHECK(told(bright).empty());
-    CHECK(told(bright + "correction = { kind = \"two_point\", temperatures_K = [290.0, 310.0] }\n")
+    CHECK(reported(bright).empty());
+    CHECK(reported(bright +
+                   "correction = { kind = \"two_point\", temperatures_K = [290.0, 310.0] }\n")
               .find("no light to correct") != std::string::npos);
 }
 

@@ -337,7 +337,7 @@ TEST_CASE("a jet as warm as a lump, and one that has less than it would give", "
 }
 
 TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
-    const auto told = [](const std::string& keys) {
+    const auto reported = [](const std::string& keys) {
         const ScratchFolder folder("jet");
         std::string all;
         try {
@@ -347,31 +347,34 @@ TEST_CASE("mistakes of a jet are told", "[scenes][jet]") {
         }
         return all;
     };
-    CHECK(told(from_above).empty());
-    const std::string both = told(std::string(from_above) + "flow_kg_s = 0.1\nlump = \"gas\"\n");
+    CHECK(reported(from_above).empty());
+    const std::string both =
+        reported(std::string(from_above) + "flow_kg_s = 0.1\nlump = \"gas\"\n");
     CHECK(both.find("speed_m_s: expected either this or flow_kg_s") != std::string::npos);
     CHECK(both.find("temperature_K: expected either this or lump") != std::string::npos);
     CHECK(both.find("no 'gas' in this object") != std::string::npos);
-    CHECK(told("outlet = [0, 0]\ndirection = [0, 0, 0]\ndiameter_m = 0.1\nspeed_m_s = "
-               "1\ntemperature_K = 400.0\n")
+    CHECK(reported("outlet = [0, 0]\ndirection = [0, 0, 0]\ndiameter_m = 0.1\nspeed_m_s = "
+                   "1\ntemperature_K = 400.0\n")
               .find("nothing but zeros") != std::string::npos);
-    CHECK(told(std::string(from_above) + "runs = true\nhours = [\"06:00-07:00\"]\n")
+    CHECK(reported(std::string(from_above) + "runs = true\nhours = [\"06:00-07:00\"]\n")
               .find("stands beside runs = true") != std::string::npos);
     // A pipe of 0.1 m passes 1.38 kg/s of air of 500 K (0.706 kg/m3) at 250 m/s.
-    CHECK(told("outlet = [0, 0, 1]\ndirection = [0, 0, -1]\ndiameter_m = 0.1\nflow_kg_s = "
-               "100.0\ntemperature_K = 500.0\n")
+    CHECK(reported("outlet = [0, 0, 1]\ndirection = [0, 0, -1]\ndiameter_m = 0.1\nflow_kg_s = "
+                   "100.0\ntemperature_K = 500.0\n")
               .find("expected 250 m/s at the most: 1.39 kg/s") != std::string::npos);
-    CHECK(told(std::string(from_above) + "hours = []\n").find("hours: found none") !=
+    CHECK(reported(std::string(from_above) + "hours = []\n").find("hours: found none") !=
           std::string::npos);
-    CHECK(told(std::string(from_above) + "hours = [\"06:00-07:00 2\"]\n")
+    CHECK(reported(std::string(from_above) + "hours = [\"06:00-07:00 2\"]\n")
               .find("a share from 0 to 1") != std::string::npos);
-    CHECK(told(std::string(from_above) + "hours = [\"22:00-02:00\", \"2026-03-21 01:00-03:00\"]\n")
+    CHECK(reported(std::string(from_above) +
+                   "hours = [\"22:00-02:00\", \"2026-03-21 01:00-03:00\"]\n")
               .find("'2026-03-21 01:00-03:00' overlaps '22:00-02:00'") != std::string::npos);
-    CHECK(told(std::string(from_above) + "hours = [\"22:00-02:00\", \"02:00-03:00\"]\n").empty());
-    CHECK(told(std::string(from_above) + "[[object.jet]]\nname = \"exhaust\"\n" + from_above)
+    CHECK(
+        reported(std::string(from_above) + "hours = [\"22:00-02:00\", \"02:00-03:00\"]\n").empty());
+    CHECK(reported(std::string(from_above) + "[[object.jet]]\nname = \"exhaust\"\n" + from_above)
               .find("'exhaust' stands twice") != std::string::npos);
-    // What is out of its range is told once.
-    const std::string slow = told(
+    // What is out of its range is reported once.
+    const std::string slow = reported(
         "outlet = [0, 0, 1]\ndirection = [0, 0, -1]\ndiameter_m = "
         "0.1\nspeed_m_s = 0\ntemperature_K = 500.0\n");
     CHECK(std::count(slow.begin(), slow.end(), '\n') == 1);

@@ -293,7 +293,7 @@ TEST_CASE("voids of a file are marked in its picture", "[scenes][land][voids]") 
     write_geotiff(scratch.path / "holed.tif", dem, {{"height", dem.height}});
     std::string text = with(small_scene(), scene_of(small_scene()).terrain.elevation.file.string(),
                             (scratch.path / "holed.tif").string());
-    CHECK_THROWS_AS(prepare(scene_of(text)), InputError);  // refused unless told to fill
+    CHECK_THROWS_AS(prepare(scene_of(text)), InputError);  // refused unless reported to fill
     text = with(text, "tolerance_m = 10.0", "tolerance_m = 10.0\nvoids = \"fill\"");
     text = with(text, "frame_every_s = 21600.0", "frame_every_s = 86400.0");
     JobOptions options;

@@ -100,7 +100,7 @@ TEST_CASE("an eye stands over its latitude and longitude", "[scenes][places][by_
     CHECK((above - below).head<2>().norm() > 1.0);
     CHECK((high.sequences[0].at(0).position - above).head<2>().norm() < 2e-3);
     CHECK(high.sequences[0].at(0).position.z() == Approx(above.z()).margin(1.0));
-    // It looks at the site: the hangar stands beside, so the place itself is told by the angles.
+    // It looks at the site: the hangar stands beside, so the place itself is given by the angles.
     const Eigen::Vector3d to = -low.sequences[0].at(0).position;
     CHECK(low.sequences[0].at(0).azimuth_deg ==
           Approx(std::atan2(to.x(), to.y()) * 180.0 / M_PI + 360.0).margin(0.01));
@@ -217,7 +217,7 @@ TEST_CASE("heights above the sea and the ellipsoid part by the geoid",
              "longitude_deg = -84.203333\n", "longitude_deg = -84.203333\nheight_m = 500.0\n"));
     CHECK(raised.world.sea_level_height == Approx(500.0).margin(1e-6));
     CHECK((parts > -32.0 && parts < -30.0));
-    // Without a datum the two are one, and that is told.
+    // Without a datum the two are one, and that is reported.
     const Prepared untold = prepared(scene_with(eye(at + "height_above_ellipsoid_m = 1500.0\n")));
     const auto tells = [](const Prepared& p) {
         return std::any_of(p.notes.begin(), p.notes.end(), [](const std::string& note) {
@@ -260,36 +260,36 @@ height_above_sea_m = 600.0
 
 TEST_CASE("places that are none, or not what they seem, are told", "[scenes][places][input]") {
     const std::string height = "height_above_ground_m = 40.0\nlook_at_m = [0.0, 0.0]\n";
-    const auto told = [&](const std::string& keys) {
+    const auto reported = [&](const std::string& keys) {
         return mistakes_of(scene_with(eye(keys + height)));
     };
     const auto one_line = [](const std::string& text) {
         return std::count(text.begin(), text.end(), '\n') == 1;
     };
-    const std::string swapped = told("place = [-84.18, 36.335]\n");
+    const std::string swapped = reported("place = [-84.18, 36.335]\n");
     CHECK_THAT(swapped, Catch::Contains("observer[0].place") &&
                             Catch::Contains("km from the site") &&
                             Catch::Contains("latitude comes before longitude"));
     CHECK(one_line(swapped));
-    const std::string utm_untold = told("place = [753000.0, 4024000.0]\n");
+    const std::string utm_untold = reported("place = [753000.0, 4024000.0]\n");
     CHECK_THAT(utm_untold,
                Catch::Contains("[latitude, longitude]") && Catch::Contains("place_crs"));
     CHECK(one_line(utm_untold));
-    const std::string no_crs = told("place = [36.335, -84.18]\nplace_crs = \"EPSG:99999\"\n");
+    const std::string no_crs = reported("place = [36.335, -84.18]\nplace_crs = \"EPSG:99999\"\n");
     CHECK_THAT(no_crs, Catch::Contains("place_crs") && Catch::Contains("EPSG:99999"));
     CHECK(one_line(no_crs));
-    CHECK_THAT(told("place = [36.335, -84.18]\nplace_m = [0.0, 0.0]\n"),
+    CHECK_THAT(reported("place = [36.335, -84.18]\nplace_m = [0.0, 0.0]\n"),
                Catch::Contains("stands beside place"));
-    CHECK_THAT(told("place_m = [0.0, 0.0]\nplace_crs = \"EPSG:32616\"\n"),
+    CHECK_THAT(reported("place_m = [0.0, 0.0]\nplace_crs = \"EPSG:32616\"\n"),
                Catch::Contains("place_crs") && Catch::Contains("unknown key"));
-    CHECK_THAT(told("place = [36.335, -84.18]\nheight_above_sea_m = 500.0\n"),
+    CHECK_THAT(reported("place = [36.335, -84.18]\nheight_above_sea_m = 500.0\n"),
                Catch::Contains("stands beside another height"));
     for (const char* none :
          {"place = [36.335]\n", "place = [nan, -84.18]\n", "place = \"36.335, -84.18\"\n",
           "place = [753000.0, 4024000.0]\nplace_crs = 32616\n"}) {
-        CAPTURE(none, told(none));
-        CHECK_THAT(told(none), Catch::Contains("observer[0].place"));
-        CHECK(one_line(told(none)));
+        CAPTURE(none, reported(none));
+        CHECK_THAT(reported(none), Catch::Contains("observer[0].place"));
+        CHECK(one_line(reported(none)));
     }
     const std::string ground = "[[ground]]\nname = \"g\"\n";
     for (const char* border : {"ring = [[-84.2, 36.32], [-84.2, 36.33], [-84.19, 36.33]]\n",

@@ -10,7 +10,7 @@
 #include "tests/support/keys_of_page.hpp"
 #include "tests/support/small_scene.hpp"
 
-// A scene under measured weather: what is taken from the file, and what is told of it.
+// A scene under measured weather: what is taken from the file, and what is reported of it.
 
 using namespace diurna;
 
@@ -110,7 +110,7 @@ TEST_CASE("gaps in the days that a start is found from are gaps", "[scenes][weat
                       Catch::Contains(hole) && Catch::Contains("days that its start is found"));
     CHECK_THROWS_WITH(under_holes("", "spin_up = \"weather\"\nspin_up_days = 2\n"),
                       Catch::Contains(hole));
-    // Eleven rows that are not there, told of as filled.
+    // Eleven rows that are not there, reported of as filled.
     const std::string filled = notes_of(under_holes("on_gap = \"interpolate\"\n", ""));
     CAPTURE(filled);
     CHECK(filled.find("11 air_temperature_K on the line") != std::string::npos);

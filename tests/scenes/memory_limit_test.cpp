@@ -11,11 +11,11 @@
 using namespace diurna;
 
 TEST_CASE("a limit of memory is told in M, G or T", "[scenes][plan]") {
-    CHECK(bytes_told("800M") == 8e8);
-    CHECK(bytes_told("6.5G") == 6.5e9);
-    CHECK(bytes_told("2T") == 2e12);
+    CHECK(bytes_reported("800M") == 8e8);
+    CHECK(bytes_reported("6.5G") == 6.5e9);
+    CHECK(bytes_reported("2T") == 2e12);
     for (const char* text : {"", "G", "8", "8GB", "8 G", "-1G", "nan", "1e300G", "0M", "inf"}) {
-        CHECK_THROWS_AS(bytes_told(text), InputError);
+        CHECK_THROWS_AS(bytes_reported(text), InputError);
     }
     CHECK(free_memory() > 0.0);
 }

@@ -62,7 +62,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 /// The line of an answer that is about the mistake.
-std::string told_line(const NaturalMistake& mistake, const std::string& out) {
+std::string reported_line(const NaturalMistake& mistake, const std::string& out) {
     for (const std::string& line : lines_of(out)) {
         if (mistake.where == nullptr || line.find(mistake.where) != std::string::npos) return line;
     }
@@ -82,11 +82,12 @@ std::string cell(const std::string& text) {
 /// All answers in turn, each asked for once.
 const std::vector<Ran>& answers() {
     static const std::vector<Ran> all = [] {
-        std::vector<Ran> told;
+        std::vector<Ran> reported;
         for (const Group& group : all_mistakes()) {
-            for (const NaturalMistake& mistake : group.mistakes) told.push_back(answer(mistake));
+            for (const NaturalMistake& mistake : group.mistakes)
+                reported.push_back(answer(mistake));
         }
-        return told;
+        return reported;
     }();
     return all;
 }
@@ -97,11 +98,11 @@ std::string page() {
         "stands beside what the program says of it; tests/scenes/mistakes_test.cpp holds this "
         "page. Mistakes end with exit code 2 before anything is written; warnings do so with "
         "`check --strict`.\n";
-    auto told = answers().begin();
+    auto reported = answers().begin();
     for (const Group& group : all_mistakes()) {
         text += "\n## " + std::string(group.title) + "\n\n| mistake | answer |\n|---|---|\n";
         for (const NaturalMistake& mistake : group.mistakes) {
-            const std::string line = told_line(mistake, told++->out);
+            const std::string line = reported_line(mistake, reported++->out);
             text += "| " + cell(mistake.what) + " | " +
                     (mistake.where == nullptr ? "none: it is read as it is meant"
                                               : "`` " + cell(line) + " ``") +
@@ -127,23 +128,24 @@ TEST_CASE("each mistake gets one line, with its place and what mends it", "[scen
     auto next = answers().begin();
     for (const Group& group : all_mistakes()) {
         for (const NaturalMistake& mistake : group.mistakes) {
-            const Ran& told = *next++;
-            INFO(mistake.what << ": " << mistake.command << "\n" << told.out);
-            CHECK(told.code == mistake.code);
+            const Ran& reported = *next++;
+            INFO(mistake.what << ": " << mistake.command << "\n" << reported.out);
+            CHECK(reported.code == mistake.code);
             if (mistake.where == nullptr) {
-                CHECK(told.out.find("scene.toml: fine, ") != std::string::npos);
+                CHECK(reported.out.find("scene.toml: fine, ") != std::string::npos);
                 continue;
             }
-            const std::string line = told_line(mistake, told.out);
+            const std::string line = reported_line(mistake, reported.out);
             CHECK_FALSE(line.empty());
             for (const std::string& mends : mistake.mends) {
                 CAPTURE(mends);
                 CHECK(line.find(mends) != std::string::npos);
             }
             if (mistake.code == 2) {
-                CHECK(lines_of(told.out).size() <= 2);  // what follows from it may be told, too
+                CHECK(lines_of(reported.out).size() <=
+                      2);  // what follows from it may be reported, too
             } else {
-                CHECK(told.out.find("scene.toml: 1 warning, ") != std::string::npos);
+                CHECK(reported.out.find("scene.toml: 1 warning, ") != std::string::npos);
                 CHECK(line.starts_with("warning: "));
             }
         }

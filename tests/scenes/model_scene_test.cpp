@@ -115,17 +115,17 @@ TEST_CASE("a scene says what a model is painted with and when it runs", "[scenes
 
 TEST_CASE("what does not go with a model is told", "[scenes][models]") {
     const ScratchFolder folder("models");
-    const auto told = [&](const std::string& more, const std::string& model = "truck") {
+    const auto reported = [&](const std::string& more, const std::string& model = "truck") {
         return mistakes_of(scene_with(folder.path, object_of("a", model, 0.0, more)));
     };
-    CHECK(told("").empty());
-    CHECK(told("", "trukc").find("did you mean 'truck'") != std::string::npos);
-    CHECK(told("mesh = \"mesh.obj\"\n").find("stands beside model") != std::string::npos);
-    CHECK(told("up = \"y\"\n").find("stands beside model") != std::string::npos);
-    CHECK(told("running = [\"5 to 6\"]\n").find("expected hours") != std::string::npos);
-    CHECK(told("running = [\"05:00-06:00\"]\n", "container").find("runs = true") !=
+    CHECK(reported("").empty());
+    CHECK(reported("", "trukc").find("did you mean 'truck'") != std::string::npos);
+    CHECK(reported("mesh = \"mesh.obj\"\n").find("stands beside model") != std::string::npos);
+    CHECK(reported("up = \"y\"\n").find("stands beside model") != std::string::npos);
+    CHECK(reported("running = [\"5 to 6\"]\n").find("expected hours") != std::string::npos);
+    CHECK(reported("running = [\"05:00-06:00\"]\n", "container").find("runs = true") !=
           std::string::npos);
-    CHECK(told("net_clearance_m = 40.0\n").find("net_clearance_m") != std::string::npos);
+    CHECK(reported("net_clearance_m = 40.0\n").find("net_clearance_m") != std::string::npos);
     const std::string file = mistakes_of(
         scene_with(folder.path,
                    "[[object]]\nname = \"a\"\nmesh = \"mesh.obj\"\nplace_m = [0, 0]\nmaterial = "

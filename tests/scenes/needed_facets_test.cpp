@@ -54,7 +54,7 @@ double farthest_apart(const Prepared& prepared, const Stages& stages, const Span
 
 }  // namespace
 
-// The same scene with every facet solved is the truth here: what is left out is asked, not what is
+// The same scene with every facet solved is the truth here: what is skipped is asked, not what is
 // computed.
 TEST_CASE("facets that no picture needs are left out within the tolerance",
           "[scenes][needed][by_variation]") {
@@ -91,17 +91,17 @@ TEST_CASE("a scene whose state is kept is solved whole", "[scenes][needed]") {
     Progress silent(ProgressStyle::silent);
     const SpanResult result = solve_scene(Stages(prepared), silent, 0.1);
     CHECK(result.report.facets == prepared.world.surfaces().size());
-    const auto told = [](const SpanResult& of, const std::string& why) {
+    const auto reported = [](const SpanResult& of, const std::string& why) {
         return std::any_of(of.notes.begin(), of.notes.end(), [&](const std::string& note) {
             return note.find("every facet, in spite of tolerance_K: " + why) != std::string::npos;
         });
     };
-    CHECK(told(result, "the heat of all is kept"));
+    CHECK(reported(result, "the heat of all is kept"));
 }
 
 // A box with a room, over ground that no picture shows: the shade below it warms its bottom, its
 // bottom the room, the room the wall that is seen. Without knowing this the pictures were 0.1 K off
-// where 0.003 K were told.
+// where 0.003 K were reported.
 TEST_CASE("ground that warms what is seen by way of a room is solved", "[scenes][needed]") {
     const ScratchFolder folder("needed_room");
     for (const char* file : {"level.asc", "level.prj"}) {

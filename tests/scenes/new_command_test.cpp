@@ -17,9 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int verb(const std::string& arguments, const fs::path& told) {
+int verb(const std::string& arguments, const fs::path& reported) {
     return WEXITSTATUS(std::system(
-        ("'" DIURNA_BINARY "' " + arguments + " >'" + told.string() + "' 2>&1").c_str()));
+        ("'" DIURNA_BINARY "' " + arguments + " >'" + reported.string() + "' 2>&1").c_str()));
 }
 
 const std::string elevation = DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif";
@@ -28,24 +28,24 @@ const std::string elevation = DIURNA_SOURCE_DIR "/scenes/jacksboro/elevation.tif
 
 TEST_CASE("a first scene of an elevation file alone is one that solves", "[scenes][new]") {
     const ScratchFolder folder("new");
-    const fs::path scene = folder.path / "place", told = folder.path / "told.txt";
-    REQUIRE(verb("new '" + scene.string() + "' --dem '" + elevation + "'", told) == 0);
-    CHECK(read_text(told).find("its weather is made up") != std::string::npos);
+    const fs::path scene = folder.path / "place", reported = folder.path / "told.txt";
+    REQUIRE(verb("new '" + scene.string() + "' --dem '" + elevation + "'", reported) == 0);
+    CHECK(read_text(reported).find("its weather is made up") != std::string::npos);
     CHECK(fs::exists(scene / "elevation.tif"));
     CHECK(read_text(scene / "scene.toml").find("no measurement") != std::string::npos);
     // Noon of its clock is within half an hour of the sun's.
     const Scene read = read_scene(scene / "scene.toml");
     CHECK(std::abs(read.time.utc_offset / 3600.0 - read.site->longitude_deg / 15.0) <= 0.5);
     CHECK(read.observers.size() == 1);
-    CHECK(verb("check '" + (scene / "scene.toml").string() + "'", told) == 0);
+    CHECK(verb("check '" + (scene / "scene.toml").string() + "'", reported) == 0);
     CHECK(verb("solve '" + (scene / "scene.toml").string() + "' --set time.duration_h=2 " +
                    "--set terrain.radius_m=200 --out '" + (folder.path / "t.nc").string() + "'",
-               told) == 0);
+               reported) == 0);
 }
 
 TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][new]") {
     const ScratchFolder folder("new_weather");
-    const fs::path told = folder.path / "told.txt";
+    const fs::path reported = folder.path / "told.txt";
     std::string weather = "time,air_temperature_K\n";
     for (int h = 5; h < 60; ++h) {
         weather +=
@@ -54,7 +54,7 @@ TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][ne
     write_text(folder.path / "measured.csv", weather);
     const std::string begin = "new '" + (folder.path / "place").string() + "' --dem '" + elevation +
                               "' --weather '" + (folder.path / "measured.csv").string() + "'";
-    REQUIRE(verb(begin + " --at 36.30,-84.25", told) == 0);
+    REQUIRE(verb(begin + " --at 36.30,-84.25", reported) == 0);
     const Scene scene = read_scene(folder.path / "place/scene.toml");
     // 84.25 W is UTC - 6 h: midnight of the 10th is 06 Z, an hour after the first row.
     CHECK(scene.time.start == parse_instant("2024-03-10T00:00:00-06:00"));
@@ -64,19 +64,19 @@ TEST_CASE("a first scene takes the first whole day of its weather", "[scenes][ne
 
 TEST_CASE("a first scene that cannot be leaves nothing", "[scenes][new]") {
     const ScratchFolder folder("new_refused");
-    const fs::path scene = folder.path / "place", told = folder.path / "told.txt";
+    const fs::path scene = folder.path / "place", reported = folder.path / "told.txt";
     const std::string begin = "new '" + scene.string() + "' --dem ";
     for (const auto& [arguments, says] :
          {std::pair{fmt::format("'{}/none.tif'", folder.path.string()), std::string("none.tif")},
           {"'" + elevation + "' --at 36.3", std::string("degrees north and east")},
           {"'" + elevation + "' --at 10.0,20.0", std::string("expected 60 at least")},
           {"'" + elevation + "' --weather '" + elevation + "'", std::string("elevation.tif")}}) {
-        CHECK(verb(begin + arguments, told) == 2);
-        INFO(read_text(told));
-        CHECK(read_text(told).find(says) != std::string::npos);
+        CHECK(verb(begin + arguments, reported) == 2);
+        INFO(read_text(reported));
+        CHECK(read_text(reported).find(says) != std::string::npos);
         CHECK(!fs::exists(scene));
     }
     fs::create_directory(scene);
-    CHECK(verb(begin + "'" + elevation + "'", told) == 2);
+    CHECK(verb(begin + "'" + elevation + "'", reported) == 2);
     CHECK(fs::is_empty(scene));
 }

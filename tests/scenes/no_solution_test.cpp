@@ -5,7 +5,7 @@
 #include "scenes/run/job.hpp"
 #include "tests/support/small_scene.hpp"
 
-// Where the heat of a facet has no balance, a run ends, and tells whose and when.
+// Where the heat of a facet has no balance, a run ends, and reports whose and when.
 
 using namespace diurna;
 

@@ -129,9 +129,10 @@ TEST_CASE("snow lies in the open and on a roof, not under it nor in flight", "[s
                 CHECK(frost[f] == Approx(9.0).margin(0.3));
             }
         }
-        std::string told;
-        for (const std::string& note : result.notes) told += note + "\n";
-        CHECK_THAT(told, Catch::Contains("rain and snow fall straight down"));
-        CHECK((told.find("in flight and gather none") != std::string::npos) == (*object != '\0'));
+        std::string reported;
+        for (const std::string& note : result.notes) reported += note + "\n";
+        CHECK_THAT(reported, Catch::Contains("rain and snow fall straight down"));
+        CHECK((reported.find("in flight and gather none") != std::string::npos) ==
+              (*object != '\0'));
     }
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "materials/base/files.hpp"
+#include "scenes/cache/digest.hpp"
 #include "scenes/input/scene_file.hpp"
-#include "scenes/kept/digest.hpp"
 #include "scenes/report/html.hpp"
 #include "scenes/report/page.hpp"
 #include "scenes/run/job.hpp"
@@ -246,7 +246,7 @@ TEST_CASE("a page has all sections, studies left in its folder too", "[scenes][r
     // What a run was made of, with what it held.
     const std::string scene = read_text(page().parent_path().parent_path() / "scene.toml");
     CHECK(text.find(sha256(scene)) != std::string::npos);
-    // Of the balance's terms nothing is left over: their sum is told with each chart.
+    // Of the balance's terms nothing is left over: their sum is reported with each chart.
     CHECK(text.find("Their sum is nought to ") != std::string::npos);
 }
 

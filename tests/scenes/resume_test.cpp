@@ -12,8 +12,8 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/files.hpp"
+#include "scenes/cache/inputs.hpp"
 #include "scenes/input/scene_file.hpp"
-#include "scenes/kept/inputs.hpp"
 #include "scenes/plan/prepared.hpp"
 #include "scenes/run/job.hpp"
 #include "scenes/run/listed_outputs.hpp"
@@ -110,7 +110,7 @@ TEST_CASE("what is kept of a run is what it has written, and no other", "[resume
     CHECK(differing(untimed(contents(out)), untimed(whole)).empty());
 
     // An empty picture, another hour's frame, half a frame, one byte of the temperatures, a label
-    // of another run among the labels: each is found, told, and made anew.
+    // of another run among the labels: each is found, reported, and regenerated.
     const std::string png = find_file(out / "frames", ".png", 0);
     const std::string first = find_file(out / "frames", ".exr", 0);
     const std::string second = find_file(out / "frames", ".exr", 1);
@@ -174,7 +174,7 @@ TEST_CASE("every file that a scene is made of is in the key", "[resume]") {
     const fs::path moved = place.folder.path.string() + "-moved";
     CHECK(job_key(run_inputs(prepare(read_scene(moved / "scene.toml")).scene), {}) == before);
     fs::remove_all(moved);
-    // A file that changes after it was read is no input to be told of.
+    // A file that changes after it was read is no input to be reported of.
     const Scene scene = prepare(read_scene(place.scene)).scene;
     write_text(place.folder.path / "paint.csv", "wavelength_um,reflectance\n0.3,0.2\n20,0.05\n");
     CHECK_THROWS_WITH(run_inputs(scene), Catch::Contains("paint.csv: has changed"));
@@ -200,7 +200,7 @@ TEST_CASE("a folder is one run's alone", "[resume]") {
     CHECK(code_of(run) == 0);
     CHECK(verify(out).empty());
 
-    // Another file among the pictures is none of its own: told, and left alone.
+    // Another file among the pictures is none of its own: reported, and left alone.
     write_text(out / "frames/mine.exr", "x");
     CHECK(verify(out) == std::vector<std::string>{"frames/mine.exr: not of this run"});
     CHECK(code_of(run) == 2);

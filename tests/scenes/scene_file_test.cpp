@@ -97,7 +97,7 @@ TEST_CASE("names of objects are not given twice", "[scenes][scene_file]") {
 }
 
 TEST_CASE("no pixel looks round the back of the sphere", "[scenes][scene_file]") {
-    const auto told = [](const std::string& keys) {
+    const auto reported = [](const std::string& keys) {
         std::string all;
         for (const Mistake& mistake : mistakes_of(with(
                  small_scene(), "horizontal_fov_deg = 24.0\nwidth = 64\nheight = 48\n", keys))) {
@@ -106,25 +106,27 @@ TEST_CASE("no pixel looks round the back of the sphere", "[scenes][scene_file]")
         return all;
     };
     // 360 degrees on 640 columns are 320 rows from pole to pole.
-    const std::string tall =
-        told("projection = \"panorama\"\nhorizontal_fov_deg = 360.0\nwidth = 640\nheight = 512\n");
+    const std::string tall = reported(
+        "projection = \"panorama\"\nhorizontal_fov_deg = 360.0\nwidth = 640\nheight = 512\n");
     CHECK(tall.find("observer[0].height: rows of the panorama reach over 288 degrees") !=
           std::string::npos);
     CHECK(tall.find("height = 320") != std::string::npos);
-    CHECK(told("projection = \"panorama\"\nhorizontal_fov_deg = 360.0\nwidth = 640\nheight = 320\n")
+    CHECK(reported(
+              "projection = \"panorama\"\nhorizontal_fov_deg = 360.0\nwidth = 640\nheight = 320\n")
               .empty());
     // The corners of a square of 360 degrees are 254 off the axis; 254.6 is where they are 180.
-    const std::string square =
-        told("projection = \"equidistant\"\nhorizontal_fov_deg = 360.0\nwidth = 64\nheight = 64\n");
+    const std::string square = reported(
+        "projection = \"equidistant\"\nhorizontal_fov_deg = 360.0\nwidth = 64\nheight = 64\n");
     CHECK(square.find("look round its back") != std::string::npos);
     CHECK(square.find("horizontal_fov_deg = 254") != std::string::npos);
-    CHECK(
-        told("projection = \"equidistant\"\nhorizontal_fov_deg = 254.0\nwidth = 64\nheight = 64\n")
-            .empty());
+    CHECK(reported(
+              "projection = \"equidistant\"\nhorizontal_fov_deg = 254.0\nwidth = 64\nheight = 64\n")
+              .empty());
     // 2 f sin(theta / 2): a square's corner is at 180 where its side is at 90.
-    const std::string even =
-        told("projection = \"equisolid\"\nhorizontal_fov_deg = 200.0\nwidth = 64\nheight = 64\n");
+    const std::string even = reported(
+        "projection = \"equisolid\"\nhorizontal_fov_deg = 200.0\nwidth = 64\nheight = 64\n");
     CHECK(even.find("horizontal_fov_deg = 180") != std::string::npos);
-    CHECK(told("projection = \"equisolid\"\nhorizontal_fov_deg = 180.0\nwidth = 64\nheight = 64\n")
+    CHECK(reported(
+              "projection = \"equisolid\"\nhorizontal_fov_deg = 180.0\nwidth = 64\nheight = 64\n")
               .empty());
 }

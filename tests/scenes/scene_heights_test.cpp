@@ -92,9 +92,9 @@ TEST_CASE("a sounding's inversion is the lapse where none is told", "[scenes][he
     const double off = 291.0 - (273.15 + 18.0 + 6.0 * 23.0 / 200.0);
     CHECK(air_at_height(rule, station, 500.0).temperature ==
           Approx(297.15 + off * (1.0 - 177.0 / 1500.0)).margin(0.01));
-    const Read told(with_weather("lapse = -6.5\n") + air, inversion);
-    CHECK(air_at_height(air_by_height(told.scene, told.weather), station, 1323.0).temperature ==
-          Approx(284.5));
+    const Read reported(with_weather("lapse = -6.5\n") + air, inversion);
+    CHECK(air_at_height(air_by_height(reported.scene, reported.weather), station, 1323.0)
+              .temperature == Approx(284.5));
     CHECK_THAT(problem(small_scene() + "[atmosphere]\nsounding = \"none.csv\"\n"),
                Catch::Contains("sounding"));
 }

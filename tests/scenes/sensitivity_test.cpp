@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// diurna sensitivity, and its exit code; what it tells stands in FOLDER/out.txt.
+/// diurna sensitivity, and its exit code; what it reports stands in FOLDER/out.txt.
 int sensitivity(const ScratchFolder& folder, const std::string& options = "") {
     const std::string out = (folder.path / "out").string();
     return WEXITSTATUS(
@@ -61,8 +61,8 @@ output = [
 ]
 )");
     const int code = sensitivity(folder);
-    const std::string told = read_text(folder.path / "out.txt");
-    INFO(told);
+    const std::string reported = read_text(folder.path / "out.txt");
+    INFO(reported);
     REQUIRE(code == 0);
     const Json json = answer(folder);
     CHECK(json["scenes"] == 4);
@@ -75,11 +75,11 @@ output = [
     const Json& contrast = json["outputs"][1];
     CHECK(contrast["base"].get<double>() == Approx(balanced(200.0) - balanced(300.0)).margin(5e-3));
     CHECK(contrast["uncertain"][0]["slope"].get<double>() == Approx(-slope).epsilon(2e-3));
-    // What has no part in it is told, and is zero to the last digit.
+    // What has no part in it is reported, and is zero to the last digit.
     CHECK(plain["uncertain"][1]["slope"] == 0.0);
     CHECK(contrast["uncertain"][1]["slope"] == 0.0);
-    CHECK(told.find("wind_factor changes nothing") != std::string::npos);
-    CHECK(told.find("internal_heat_W_m2 changes nothing") == std::string::npos);
+    CHECK(reported.find("wind_factor changes nothing") != std::string::npos);
+    CHECK(reported.find("internal_heat_W_m2 changes nothing") == std::string::npos);
     CHECK(json["notes"].dump().find("wind_factor changes nothing") != std::string::npos);
 }
 
@@ -100,8 +100,8 @@ output = [
 )",
                                          heat));
     const int code = sensitivity(folder);
-    const std::string told = read_text(folder.path / "out.txt");
-    INFO(told);
+    const std::string reported = read_text(folder.path / "out.txt");
+    INFO(reported);
     REQUIRE(code == 0);
     const Json json = answer(folder);
     CHECK(json["scenes"] == 2 + 2 * 2);
@@ -121,7 +121,7 @@ output = [
     }
     CHECK(json["outputs"][2]["base"].is_null());
     CHECK(json["outputs"][2]["uncertain"][0]["slope"].is_null());
-    CHECK(told.find("no such crossover") != std::string::npos);
+    CHECK(reported.find("no such crossover") != std::string::npos);
 }
 
 TEST_CASE("elementary effects of two numbers that act on each other are those of their quotient",
@@ -197,11 +197,11 @@ output = [
         lay_heated_plate(folder, "\n[[sensitivity]]\n" + keys);
         CAPTURE(keys);
         CHECK(sensitivity(folder) == 2);
-        const std::string told = read_text(folder.path / "out.txt");
-        INFO(told);
-        CHECK(told.find(words) != std::string::npos);
-        CHECK(told.find("scene.toml:") != std::string::npos);
-        CHECK(told.find("heat balance") == std::string::npos);
+        const std::string reported = read_text(folder.path / "out.txt");
+        INFO(reported);
+        CHECK(reported.find(words) != std::string::npos);
+        CHECK(reported.find("scene.toml:") != std::string::npos);
+        CHECK(reported.find("heat balance") == std::string::npos);
         CHECK(!std::filesystem::exists(folder.path / "out"));
     };
     const std::string out = "output = [{ first = \"plate\", at_h = 9.0 }]\n";

@@ -120,7 +120,7 @@ TEST_CASE("a snowed plain looks like snow of its albedo", "[scenes][snow]") {
           Approx(mean_of(snow, 1.5, 1.8, sunlight)).epsilon(0.03));
     CHECK(median(warm["emissivity_1.8-12"].pixel) ==
           Approx(1.0 - mean_of(snow, 8.0, 12.0, heat)).margin(0.001));
-    // What is told is what was used; the material is the scene's.
+    // What is reported is what was used; the material is the scene's.
     CHECK(median(warm["snow_cover"].pixel) == 1.0);
     CHECK(median(warm["snow_albedo"].pixel) == Approx(solar_mean(snow)).margin(1e-6));
     const MaterialId asphalt = prepared.scene.materials.find("asphalt");

@@ -8,9 +8,9 @@
 
 #include "materials/base/error.hpp"
 #include "materials/base/units.hpp"
-#include "scenes/doubts/doubts.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 #include "tests/support/slope_scene.hpp"
 
 using namespace diurna;
@@ -48,7 +48,7 @@ Prepared prepared(const ScratchFolder& folder, const Ground& ground, const std::
 
 std::string crate(const std::string& rest) { return object("crate", rest); }
 
-std::vector<std::string> warnings(const Prepared& scene) { return as_lines(stand_doubts(scene)); }
+std::vector<std::string> warnings(const Prepared& scene) { return as_lines(stand_warnings(scene)); }
 
 }  // namespace
 
@@ -107,12 +107,12 @@ TEST_CASE("on level ground an object stands as without a slope, bit by bit", "[s
 }
 
 TEST_CASE("what stands upright on a slope is warned of with its depth and its gap",
-          "[scenes][stance][doubts]") {
+          "[scenes][stance][warnings]") {
     const ScratchFolder folder("stance_upright");
     write_text(folder.path / "crate.obj", box(3.0, 6.0, 2.0));
     const Prepared scene =
         prepared(folder, plane(25.0, 0.0), crate("place_m = [4.0, -3.0]\nstands = \"upright\""));
-    // 3 m along the fall of 25 degrees: 1.40 m; a hundredth of it is left out at the corners.
+    // 3 m along the fall of 25 degrees: 1.40 m; a hundredth of it is skipped at the corners.
     const auto lines = warnings(scene);
     REQUIRE(lines.size() == 1);
     CAPTURE(lines[0]);

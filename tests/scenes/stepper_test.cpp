@@ -19,7 +19,7 @@ using namespace diurna;
 
 namespace {
 
-/// A box of thin sheet on a plain part of the small scene, with a way as told.
+/// A box of thin sheet on a plain part of the small scene, with a way as reported.
 Scene crate_scene(const ScratchFolder& folder, const std::string& way) {
     write_text(folder.path / "crate.obj", crate_mesh);
     std::string text = small_scene();

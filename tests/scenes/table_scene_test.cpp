@@ -113,11 +113,11 @@ TEST_CASE("a scene through a table of paths looks as through the air it was made
     CHECK(worst_of(pictures.at(0), "convolved") < 0.005);
     // The table stays midnight's air.
     CHECK(noon > 0.1);
-    bool told = false;
+    bool reported = false;
     for (const std::string& note : table.notes) {
-        told = told || note.find("air.tp7, the same at every instant") != std::string::npos;
+        reported = reported || note.find("air.tp7, the same at every instant") != std::string::npos;
     }
-    CHECK(told);
+    CHECK(reported);
     CHECK(read_text(folder / "table" / "manifest.json", 1u << 24).find("air.tp7") !=
           std::string::npos);
 }

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "scenes/doubts/doubts.hpp"
 #include "scenes/input/scene_file.hpp"
 #include "scenes/plan/prepared.hpp"
+#include "scenes/warnings/scene_warnings.hpp"
 #include "tests/support/slope_scene.hpp"
 
 using namespace diurna;
@@ -39,7 +39,7 @@ double share_of(const Prepared& scene) {
 }
 
 bool warned(const Prepared& scene) {
-    const auto lines = as_lines(view_doubts(scene));
+    const auto lines = as_lines(view_warnings(scene));
     return std::any_of(lines.begin(), lines.end(), [](const std::string& line) {
         return line.find("observer.cam") != std::string::npos &&
                line.find("hides") != std::string::npos;

@@ -435,7 +435,7 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
     const ScratchFolder folder("mistakes");
     over_plain::write_scene(folder.path, {.mesh = box(2, 0.5)});
     const std::string plain = read_text(folder.path / "scene.toml");
-    const auto told = [&](const std::string& tables) {
+    const auto reported = [&](const std::string& tables) {
         std::string text = plain;
         const std::string end = "material = \"sheet\"\n";
         text.insert(text.rfind(end) + end.size(), tables);
@@ -449,31 +449,31 @@ TEST_CASE("mistakes in a target are told with their place", "[scenes][target][in
         return all;
     };
     using Catch::Matchers::Contains;
-    CHECK(told("[[object.part]]\nname = \"lid\"\n").empty());
+    CHECK(reported("[[object.part]]\nname = \"lid\"\n").empty());
     CHECK_THAT(
-        told("[[object.part]]\nname = \"lit\"\n"),
+        reported("[[object.part]]\nname = \"lit\"\n"),
         Contains("no part \"lit\" in the mesh, which has lid") && Contains("did you mean 'lid'?"));
-    CHECK_THAT(told("[[object.part]]\nname = \"lid\"\ninside = \"hall\"\n"),
+    CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\ninside = \"hall\"\n"),
                Contains("'hall', which is no enclosure"));
-    CHECK_THAT(told("[[object.part]]\nname = \"lid\"\nhours = [\"5 till 7\"]\n"),
+    CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\nhours = [\"5 till 7\"]\n"),
                Contains("hours: found '5 till 7', expected hours and a share as 05:30-06:10 0.3"));
-    CHECK_THAT(told("[[object.part]]\nname = \"lid\"\n[[object.link]]\nbetween = [\"lid\", "
-                    "\"engin\"]\nconductance_W_K = 1\n[[object.lump]]\nname = \"engine\"\n"),
+    CHECK_THAT(reported("[[object.part]]\nname = \"lid\"\n[[object.link]]\nbetween = [\"lid\", "
+                        "\"engin\"]\nconductance_W_K = 1\n[[object.lump]]\nname = \"engine\"\n"),
                Contains("no 'engin' in this object") && Contains("did you mean 'engine'?"));
-    CHECK_THAT(told("[[object.lump]]\nname = \"engine\"\n"),
+    CHECK_THAT(reported("[[object.lump]]\nname = \"engine\"\n"),
                Contains("object[0].part: missing, expected at least one"));
     const std::string lid = "[[object.part]]\nname = \"lid\"\n";
-    CHECK_THAT(told(lid + "runs = true\n"), Contains("runs: of no heat and no temperature"));
-    CHECK_THAT(told(lid + "[[object.lump]]\nname = \"oil\"\ntemperature_K = 350\n"
-                          "heat_capacity_J_K = 1000\n"),
+    CHECK_THAT(reported(lid + "runs = true\n"), Contains("runs: of no heat and no temperature"));
+    CHECK_THAT(reported(lid + "[[object.lump]]\nname = \"oil\"\ntemperature_K = 350\n"
+                              "heat_capacity_J_K = 1000\n"),
                Contains("heat_capacity_J_K: of a lump that is held"));
-    CHECK_THAT(told(lid + "[[object.lump]]\nname = \"ground\"\n"),
+    CHECK_THAT(reported(lid + "[[object.lump]]\nname = \"ground\"\n"),
                Contains("'ground' stands for something else already"));
     const std::string on_ground = "[[object.contact]]\nconductance_W_m2K = 50\nbetween = ";
-    CHECK_THAT(
-        told(lid + on_ground + "[\"lid\", \"ground\"]\n" + on_ground + "[\"ground\", \"lid\"]\n"),
-        Contains("between: joins 'lid' and 'ground' as"));
-    CHECK_THAT(told("part_file = \"none.toml\"\n"), Contains("part_file: no such file"));
+    CHECK_THAT(reported(lid + on_ground + "[\"lid\", \"ground\"]\n" + on_ground +
+                        "[\"ground\", \"lid\"]\n"),
+               Contains("between: joins 'lid' and 'ground' as"));
+    CHECK_THAT(reported("part_file = \"none.toml\"\n"), Contains("part_file: no such file"));
     write_text(folder.path / "mesh.parts.toml", "[[part]]\nname = \"lid\"\nheat = 5\n");
-    CHECK_THAT(told(""), Contains("mesh.parts.toml:3:1: part[0].heat: unknown key"));
+    CHECK_THAT(reported(""), Contains("mesh.parts.toml:3:1: part[0].heat: unknown key"));
 }

@@ -170,7 +170,7 @@ TEST_CASE("a frame alone has the bytes it has in its sequence", "[scenes][trajec
     const std::string alone = bytes_of(folder.path / "one" / frame);
     REQUIRE(alone.size() > 1000);
     CHECK(alone == bytes_of(folder.path / "all" / frame));
-    // What it tells of its camera: half of the way, 2828 m long in plan.
+    // What it reports of its camera: half of the way, 2828 m long in plan.
     const Frame read = read_exr(folder.path / "one" / frame);
     const std::string place = read.attributes.at("camera.position_m");
     double east = 0.0, north = 0.0;
@@ -191,7 +191,7 @@ TEST_CASE("a frame alone has the bytes it has in its sequence", "[scenes][trajec
 }
 
 TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][input]") {
-    const auto told = [](const std::string& text, const std::string& csv = "") {
+    const auto reported = [](const std::string& text, const std::string& csv = "") {
         try {
             prepared(text, csv);
         } catch (const InputError& error) {
@@ -201,44 +201,45 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     };
     using Catch::Contains;
     const std::string aimed = approach + "look_at_m = [0.0, 0.0]\n" + camera;
-    CHECK(told(aimed).empty());
-    CHECK_THAT(told(with(aimed, "[0.0, 40.0]", "[0.0, 40.0, 50.0]")),
+    CHECK(reported(aimed).empty());
+    CHECK_THAT(reported(with(aimed, "[0.0, 40.0]", "[0.0, 40.0, 50.0]")),
                Contains("3 numbers for 2 waypoints"));
-    CHECK_THAT(told(with(aimed, "[0.0, 40.0]", "[0.0, 0.0]")), Contains("not later than number 1"));
-    CHECK_THAT(told(with(aimed, "trajectory = \"approach\"", "trajectory = \"aproach\"")),
+    CHECK_THAT(reported(with(aimed, "[0.0, 40.0]", "[0.0, 0.0]")),
+               Contains("not later than number 1"));
+    CHECK_THAT(reported(with(aimed, "trajectory = \"approach\"", "trajectory = \"aproach\"")),
                Contains("aproach") && Contains("approach"));
-    CHECK_THAT(told(with(aimed, "look_at_m = [0.0, 0.0]", "look_at = \"hanger\"")),
+    CHECK_THAT(reported(with(aimed, "look_at_m = [0.0, 0.0]", "look_at = \"hanger\"")),
                Contains("hanger") && Contains("hangar"));
-    CHECK_THAT(told(with(aimed, "frame_every_s = 10.0", "place_m = [0.0, 0.0]")),
+    CHECK_THAT(reported(with(aimed, "frame_every_s = 10.0", "place_m = [0.0, 0.0]")),
                Contains("place_m") && Contains("beside a trajectory"));
-    CHECK_THAT(told(with(aimed, "frame_every_s = 10.0\n", "")),
+    CHECK_THAT(reported(with(aimed, "frame_every_s = 10.0\n", "")),
                Contains("frame_every_s or frames"));
     CHECK_THAT(
-        told(with(aimed, "frame_every_s = 10.0", "frames = [\"2026-07-15T14:00:00-04:00\"]")),
+        reported(with(aimed, "frame_every_s = 10.0", "frames = [\"2026-07-15T14:00:00-04:00\"]")),
         Contains("outside the way \"approach\" in the span"));
-    CHECK_THAT(told(with(aimed, "2026-07-15T12:05", "2026-08-15T12:05")),
+    CHECK_THAT(reported(with(aimed, "2026-07-15T12:05", "2026-08-15T12:05")),
                Contains("outside the span of [time]"));
-    CHECK_THAT(told(with(aimed, "heights = \"sea\"", "heights = \"sea\"\ncurve = \"smooth\"")),
+    CHECK_THAT(reported(with(aimed, "heights = \"sea\"", "heights = \"sea\"\ncurve = \"smooth\"")),
                Contains("3 or more"));
     // Below the ground, with the instant.
-    CHECK_THAT(told(with(aimed, "[0.0, 0.0, 500.0]]", "[900.0, 900.0, 50.0]]")),
+    CHECK_THAT(reported(with(aimed, "[0.0, 0.0, 500.0]]", "[900.0, 900.0, 50.0]]")),
                Contains("below the terrain") && Contains("at 2026"));
     const std::string log =
         with(with(aimed, "waypoints_m = [[-2000.0, -2000.0, 900.0], [0.0, 0.0, 500.0]]\n", ""),
              "times_s = [0.0, 40.0]", "file = \"way.csv\"");
-    CHECK_THAT(told(log), Contains("no such file"));
-    CHECK_THAT(told(log, "time_s,east_m,north_m\n0,0,0\n1,0,0\n"), Contains("height_m"));
+    CHECK_THAT(reported(log), Contains("no such file"));
+    CHECK_THAT(reported(log, "time_s,east_m,north_m\n0,0,0\n1,0,0\n"), Contains("height_m"));
     // Columns that contradict each other, that nobody reads, or that are there twice.
     const std::string rows = "\n0,0,0,900,0\n9,0,0,900,9\n";
-    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,time" + rows),
+    CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,time" + rows),
                Contains("'time' and 'time_s', expected one"));
-    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,latitude_deg" + rows),
+    CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,latitude_deg" + rows),
                Contains("'east_m' and 'latitude_deg', expected one"));
-    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,headng_deg" + rows),
+    CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,headng_deg" + rows),
                Contains("unknown column 'headng_deg'") && Contains("heading_deg"));
-    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,height_m" + rows),
+    CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,height_m" + rows),
                Contains("'height_m' twice"));
-    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m,pitch_deg" + rows),
+    CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m,pitch_deg" + rows),
                Contains("'pitch_deg' without 'heading_deg'"));
     // One mistake, one line.
     const auto lines = [](const std::string& text) {
@@ -247,18 +248,18 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     const std::string resting =
         with(with(aimed, "[0.0, 0.0, 500.0]]", "[-2000.0, -2000.0, 900.0]]"),
              "times_s = [0.0, 40.0]", "speed_m_s = 50.0");
-    CHECK_THAT(told(resting), Contains("waypoints_m") && Contains("another place"));
-    CHECK(lines(told(resting)) == 1);
+    CHECK_THAT(reported(resting), Contains("waypoints_m") && Contains("another place"));
+    CHECK(lines(reported(resting)) == 1);
     const std::string beside =
         with(log, "file = \"way.csv\"", "file = \"way.csv\"\nspeed_m_s = 5.0");
     const std::string way = "time_s,east_m,north_m,height_m\n0,-2000,-2000,900\n40,0,0,500\n";
-    CHECK_THAT(told(beside, way), Contains("speed_m_s") && Contains("beside file"));
-    CHECK(lines(told(beside, way)) == 1);
-    CHECK_THAT(told(log, "time_s,east_m,north_m,height_m\n0,0,0,900\n0,0,0,900\n"),
+    CHECK_THAT(reported(beside, way), Contains("speed_m_s") && Contains("beside file"));
+    CHECK(lines(reported(beside, way)) == 1);
+    CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m\n0,0,0,900\n0,0,0,900\n"),
                Contains("way.csv:3:1") && Contains("not later"));
-    CHECK_THAT(told(log,
-                    "time_s,east_m,north_m,height_m,qw,qx,qy,qz\n0,0,0,900,1,0,0,0\n"
-                    "9,0,0,900,2,0,0,0\n"),
+    CHECK_THAT(reported(log,
+                        "time_s,east_m,north_m,height_m,qw,qx,qy,qz\n0,0,0,900,1,0,0,0\n"
+                        "9,0,0,900,2,0,0,0\n"),
                Contains("way.csv:3:5") && Contains("length 2"));
     // What follows from a mistake is none: a way that is wrong, and pictures within it.
     const std::string two =
@@ -268,25 +269,26 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
           with(two, "[0.0, 40.0]", "[0.0]"), with(two, "12:05:00-04:00", "12:05:00"),
           with(two, "frames = [\"2026-07-15T12:05:10-04:00\"]",
                "frames_at_sun = { elevation_deg = 10.0, azimuth_deg = 90.0 }")}) {
-        CAPTURE(told(wrong));
-        CHECK(lines(told(wrong)) == 1);
+        CAPTURE(reported(wrong));
+        CHECK(lines(reported(wrong)) == 1);
     }
     // A picture outside a way says whose.
-    CHECK_THAT(told(with(two, "12:05:10", "13:05:10")),
+    CHECK_THAT(reported(with(two, "12:05:10", "13:05:10")),
                Contains("outside the way \"approach\"") && Contains("12:05:40"));
     // Where the mistake stands.
     const std::string still =
         "[[observer]]\nname = \"still\"\nplace_m = [0.0, 0.0]\n"
         "height_above_ground_m = 40.0\n" +
         camera;
-    CHECK_THAT(told(still + "look_at_m = [0.0, 9e5]\n"),
+    CHECK_THAT(reported(still + "look_at_m = [0.0, 9e5]\n"),
                Contains("observer[0].look_at_m: ") && Contains("lies outside"));
-    CHECK_THAT(told(with(still, "[0.0, 0.0]", "[0.0, 9e5]") + "look_at_m = [0.0, 0.0]\n"),
+    CHECK_THAT(reported(with(still, "[0.0, 0.0]", "[0.0, 9e5]") + "look_at_m = [0.0, 0.0]\n"),
                Contains("observer[0].place_m: ") && Contains("lies outside"));
-    CHECK_THAT(told(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
-               Contains("velocity_m_s: is zero"));
-    CHECK_THAT(told(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n"),
+    CHECK_THAT(
+        reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
+        Contains("velocity_m_s: is zero"));
+    CHECK_THAT(reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n"),
                Contains("more than one way"));
-    CHECK(lines(told(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n")) ==
-          1);
+    CHECK(lines(reported(still +
+                         "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n")) == 1);
 }

@@ -114,7 +114,8 @@ class Browser {
         return answer["result"].value("value", Json());
     }
 
-    /// What the console was told, errors that nobody caught, what the browser refused: a line each.
+    /// What the console was reported, errors that nobody caught, what the browser refused: a line
+    /// each.
     std::vector<std::string> complaints;
 
  private:

@@ -8,7 +8,7 @@
 #include "tests/support/ran.hpp"
 
 /// Debian's Python with netCDF4, numpy and OpenImageIO, which know nothing of our readers; false,
-/// and told, where it is not there.
+/// and reported, where it is not there.
 inline bool independent_readers() {
     const bool there = std::system(
                            "/usr/bin/python3 -c 'import netCDF4, numpy, OpenImageIO' "

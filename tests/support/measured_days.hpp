@@ -197,7 +197,7 @@ inline Series bondville_1995(const std::filesystem::path& folder) {
 }
 
 /// Snow covers the plot from the fifth day on; what the thermometer says below −35 °C under a clear
-/// sky is doubted by its source and left out.
+/// sky is doubted by its source and skipped.
 ///
 /// sun_in_sky  share of the sun that the pyrgeometer counted as sky until 10 December 1995. On the
 ///             clear days before (steady nights around them) its longwave rises

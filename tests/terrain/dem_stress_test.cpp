@@ -118,7 +118,7 @@ TEST_CASE("a raster far from its UTM zone is told", "[terrain][dem][stress]") {
     const Dem right = read_dem(written("right.tif", made("EPSG:32616", 750e3, 4020e3, 30, 20, 20)));
     CHECK(right.notes.empty());
     // Cumberland in zone 16 with the eastings of zone 16 named 11 is where Nevada is: that cannot
-    // be told; eastings of 2000 km or the southern hemisphere's northings can.
+    // be reported; eastings of 2000 km or the southern hemisphere's northings can.
     for (const auto& dem : {made("EPSG:32611", 1.5e6, 4020e3, 30, 20, 20),
                             made("EPSG:32716", 750e3, 10.5e6, 30, 20, 20)}) {
         const Dem wrong = read_dem(written("wrong.tif", dem));

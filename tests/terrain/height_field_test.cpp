@@ -15,7 +15,7 @@
 #include "terrain/relief/horizon.hpp"
 #include "terrain/relief/relief_sky.hpp"
 #include "terrain/relief/relief_sun.hpp"
-#include "terrain/relief/sun_disc.hpp"
+#include "terrain/relief/relief_sun_disc.hpp"
 #include "terrain/visibility/ray_scene.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "tests/support/even_field.hpp"

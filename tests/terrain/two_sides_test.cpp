@@ -11,7 +11,7 @@
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
-#include "tests/support/sheets.hpp"
+#include "tests/support/hanging_sheets.hpp"
 
 using namespace diurna;
 using namespace diurna::testing;

@@ -136,7 +136,7 @@ TEST_CASE("noise of a curve is in the interval", "[thermal][column_tool][calibra
 TEST_CASE("what cannot be calibrated is told in a line", "[thermal][column_tool][calibrate]") {
     const ScratchFolder folder("calibrate_told");
     const auto file = folder.path / "column.toml";
-    const auto told = [&](const std::string& sought, const std::vector<std::string>& settings) {
+    const auto reported = [&](const std::string& sought, const std::vector<std::string>& settings) {
         lay_half_space(folder, sought);
         try {
             calibrate(file, settings, false);
@@ -147,26 +147,27 @@ TEST_CASE("what cannot be calibrated is told in a line", "[thermal][column_tool]
     };
     lay_curve(folder, 1.3, 0.0);
     using Catch::Contains;
-    CHECK_THAT(told(both, {}), Contains("measured.csv:54:2: found 20 (that is 20 K)") &&
-                                   Contains("calibrate.unit"));
+    CHECK_THAT(reported(both, {}), Contains("measured.csv:54:2: found 20 (that is 20 K)") &&
+                                       Contains("calibrate.unit"));
     const std::vector<std::string> celsius{"calibrate.unit=degC"};
-    CHECK_THAT(told("{ key = \"facet.aspect_deg\", low = 0.0, high = 90.0 },\n", celsius),
+    CHECK_THAT(reported("{ key = \"facet.aspect_deg\", low = 0.0, high = 90.0 },\n", celsius),
                Contains("\"facet.aspect_deg\" changes nothing"));
-    CHECK_THAT(told("{ key = \"material.albdo\", low = 0.0, high = 0.5 },\n", celsius),
+    CHECK_THAT(reported("{ key = \"material.albdo\", low = 0.0, high = 0.5 },\n", celsius),
                Contains("albdo"));
-    CHECK_THAT(told("{ key = \"material.albedo\", low = 0.1, high = 1.5 },\n", celsius),
+    CHECK_THAT(reported("{ key = \"material.albedo\", low = 0.1, high = 1.5 },\n", celsius),
                Contains("material.albedo = 1.5"));
-    CHECK_THAT(told("{ key = \"material.albedo\", low = 0.5, high = 0.1 },\n", celsius),
+    CHECK_THAT(reported("{ key = \"material.albedo\", low = 0.5, high = 0.1 },\n", celsius),
                Contains("expected above low"));
-    CHECK_THAT(told("", celsius), Contains("one to four"));
-    CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.of=back"}),
+    CHECK_THAT(reported("", celsius), Contains("one to four"));
+    CHECK_THAT(reported(both, {"calibrate.unit=degC", "calibrate.of=back"}),
                Contains("no exposed back"));
-    CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.column=skn"}), Contains("skin"));
-    CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.depth_m=5"}),
+    CHECK_THAT(reported(both, {"calibrate.unit=degC", "calibrate.column=skn"}), Contains("skin"));
+    CHECK_THAT(reported(both, {"calibrate.unit=degC", "calibrate.depth_m=5"}),
                Contains("depth_m = 5: the column's deepest node lies at 4 m"));
-    CHECK_THAT(told(both, {"calibrate.unit=degC", "calibrate.of=surface", "calibrate.depth_m=1"}),
-               Contains("has no meaning beside of"));
-    CHECK_THAT(told(both, {"calibrate.unit=degC", "time.end=2020-06-01T00:50:00Z"}),
+    CHECK_THAT(
+        reported(both, {"calibrate.unit=degC", "calibrate.of=surface", "calibrate.depth_m=1"}),
+        Contains("has no meaning beside of"));
+    CHECK_THAT(reported(both, {"calibrate.unit=degC", "time.end=2020-06-01T00:50:00Z"}),
                Contains("2 values"));
 }
 

@@ -13,7 +13,7 @@
 #include "thermal/point/run_column.hpp"
 #include "thermal/solve/solver.hpp"
 
-// Reflected light tells the albedo of the ground below the pyranometer, and of nothing else.
+// Reflected light reports the albedo of the ground below the pyranometer, and of nothing else.
 
 using namespace diurna;
 

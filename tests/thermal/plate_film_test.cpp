@@ -111,7 +111,7 @@ TEST_CASE("a level plate convects by which way it faces", "[thermal][film][free]
 
 TEST_CASE("an inclined plate convects under its share of gravity", "[thermal][film][free]") {
     // Turbulent films go as the cube root of g cos θ (θ from the upright): a warm underside 45
-    // degrees from it; the formula's 0.825 is left out by a large plate.
+    // degrees from it; the formula's 0.825 is skipped by a large plate.
     const AirFilm room = film_over(of_plate, 290.0, calm);
     const FilmPart large = plate(1000.0, 250.0);
     const double upright = film_at(room, facet_film(of_plate, 0.0, large), 320.0);

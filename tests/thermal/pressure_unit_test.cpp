@@ -11,21 +11,21 @@ TEST_CASE("a pressure of another unit is refused, with the unit that it looks li
           "[thermal][weather_file][pressure]") {
     using diurna::testing::message_of;
     const ScratchFolder folder("pressure");
-    const auto told = [&](const std::string& pressure, double height = 0.0) {
+    const auto reported = [&](const std::string& pressure, double height = 0.0) {
         return message_of(folder.path / "w.csv",
                           "time,air_temperature_K,pressure_Pa\n"
                           "2026-01-10T00:00:00Z,285,101325\n2026-01-10T01:00:00Z,285," +
                               pressure + "\n",
                           {.elevation = height});
     };
-    CHECK(told("101325").empty());
-    CHECK(told("31000", 8800.0).empty());
-    CHECK(told("29000", 9000.0).empty());  // within a tenth of that height's
-    CHECK_THAT(told("1013.25"), Catch::Contains("w.csv:3") && Catch::Contains("pressure_Pa") &&
-                                    Catch::Contains("looks like hPa") &&
-                                    Catch::Contains("pressure hPa"));
-    CHECK_THAT(told("850", 1500.0), Catch::Contains("looks like hPa"));
-    CHECK_THAT(told("101.325"), Catch::Contains("looks like kPa"));
-    CHECK_THAT(told("25000"),
+    CHECK(reported("101325").empty());
+    CHECK(reported("31000", 8800.0).empty());
+    CHECK(reported("29000", 9000.0).empty());  // within a tenth of that height's
+    CHECK_THAT(reported("1013.25"), Catch::Contains("w.csv:3") && Catch::Contains("pressure_Pa") &&
+                                        Catch::Contains("looks like hPa") &&
+                                        Catch::Contains("pressure hPa"));
+    CHECK_THAT(reported("850", 1500.0), Catch::Contains("looks like hPa"));
+    CHECK_THAT(reported("101.325"), Catch::Contains("looks like kPa"));
+    CHECK_THAT(reported("25000"),
                Catch::Contains("expected 30000 to 110000") && !Catch::Contains("looks like"));
 }

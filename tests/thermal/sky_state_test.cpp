@@ -275,7 +275,7 @@ TEST_CASE("the tilted sky's rise follows the sky: none under cloud, none in a fu
     CHECK(rise() == Approx(black));
     f.cloud_fraction = 0.7;
     CHECK(rise() == Approx(0.3 * black));
-    // Measured longwave tells its own cloud (Crawford & Duchon).
+    // Measured longwave reports its own cloud (Crawford & Duchon).
     f.cloud_fraction = not_measured;
     f.longwave_down = cloudy_longwave(f.air, 0.7);
     CHECK(rise() == Approx(0.3 * black).epsilon(1e-9));

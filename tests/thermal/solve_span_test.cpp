@@ -171,7 +171,7 @@ TEST_CASE("a day that does not repeat is known, and its trend taken out", "[ther
     const Weather before = without_trend(front, june);
     CHECK(before.at(later(june, day)).air.temperature ==
           Approx(before.at(june).air.temperature).margin(1e-9));
-    // Two days of it: the same hour of both days tells the trend, whatever the hour.
+    // Two days of it: the same hour of both days reports the trend, whatever the hour.
     Weather longer = summers(0.0, 3);
     for (std::size_t i = 0; i < longer.sample.size(); ++i) {
         longer.sample[i].air.temperature -= 10.0 * double(i) / 24.0;
@@ -215,7 +215,7 @@ SpanOptions two_days(SpanStart begin, int days_before) {
 }  // namespace
 
 // The truth: the same hills begun 120 days earlier. Level ground stands for slopes to 30 degrees:
-// the largest difference of any facet is told within a factor of two.
+// the largest difference of any facet is reported within a factor of two.
 TEST_CASE("what the start is worth is told", "[thermal][span][start]") {
     World world(8);
     world.weather = waves();
@@ -228,17 +228,17 @@ TEST_CASE("what the start is worth is told", "[thermal][span][start]") {
           std::pair{SpanStart::periodic, 1}, std::pair{SpanStart::steady, 1}}) {
         const SpanOptions options = two_days(begin, days);
         const TemperatureField run = solve_span(input, exposure, options).temperature;
-        const StartError told_of = measure_start(input, options);
+        const StartError messages_of = measure_start(input, options);
         for (const std::size_t i : {0, 1}) {
             double worst = 0.0;
             for (std::size_t f = 0; f < run.facets; ++f) {
                 worst = std::max(worst, std::abs(double(run.at(i)[f]) - double(truth.at(i)[f])));
             }
-            const double told_worst = i == 0 ? told_of.at_first : told_of.at_later;
-            CAPTURE(int(begin), days, i, told_worst, worst, told(told_of));
-            CHECK(told_of.against == StartError::Against::more_days);
-            CHECK(told_worst > 0.5 * worst);
-            CHECK(told_worst < 2.0 * worst);
+            const double reported_worst = i == 0 ? messages_of.at_first : messages_of.at_later;
+            CAPTURE(int(begin), days, i, reported_worst, worst, reported(messages_of));
+            CHECK(messages_of.against == StartError::Against::more_days);
+            CHECK(reported_worst > 0.5 * worst);
+            CHECK(reported_worst < 2.0 * worst);
         }
     }
 }
@@ -251,7 +251,7 @@ TEST_CASE("a start of which nothing better is known says so", "[thermal][span][s
     options.wanted = {options.start, options.end};
     const StartError repeated = measure_start(input, options);
     CHECK(repeated.against == StartError::Against::nothing);
-    CHECK(told(repeated).find("not known") != std::string::npos);
+    CHECK(reported(repeated).find("not known") != std::string::npos);
     options.begin = SpanStart::steady;  // at midnight the day's mean is far too warm
     const StartError steady = measure_start(input, options);
     CHECK(steady.against == StartError::Against::repeated_day);

@@ -143,7 +143,7 @@ TEST_CASE("lanes side by side and one facet alone agree to 4 ulp of their terms,
             };
             variant.modes.balance(air, natural, radiation, t, flux, slope);
             compare(flux, slope);
-            // Newton over ground so stiff that it stays where it is tells its flux as well.
+            // Newton over ground so stiff that it stays where it is reports its flux as well.
             std::fill_n(t, lanes, t[std::size_t(trial) % lanes]);
             const double reference = t[0], nothing[lanes] = {};
             variant.nodes.solve(air, {.count = lanes,

@@ -93,7 +93,7 @@ TEST_CASE("EPW: hours end at their stamp in local standard time, nines are missi
     CAPTURE(w.note);
     CHECK(has(w.note, "values filled in gaps"));
     CHECK(has(w.note, "1 longwave_down_W_m2"));
-    // The station's height counts where it is asked for and none is told.
+    // The station's height counts where it is asked for and none is reported.
     CHECK(read_weather(file, {.elevation = 900.0}).height == 900.0);
     CHECK(read_weather(file, {.elevation = 900.0, .at_station = true}).height == 1829.0);
     CHECK(read_weather(file, {.elevation = 900.0, .height = 850.0, .at_station = true}).height ==

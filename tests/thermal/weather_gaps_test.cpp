@@ -22,7 +22,7 @@ const std::string header =
     "time,air_temperature_K,wind_speed_m_s,shortwave_down_W_m2,longwave_down_W_m2\n";
 
 /// Hourly rows of June 2020 from hour `from` to hour `to`: T = 280 + h, wind h / 10, sun 10 h,
-/// longwave 300 + h; but for hours between `out_from` and `out_to`, both left out.
+/// longwave 300 + h; but for hours between `out_from` and `out_to`, both skipped.
 std::string hours(int from, int to, int out_from = -1, int out_to = -2) {
     std::string rows;
     for (int h = from; h <= to; ++h) {

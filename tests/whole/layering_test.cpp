@@ -42,7 +42,7 @@ const std::map<std::string, std::vector<std::string>> rooms = {
     {"render",
      {"picture", "instrument", "detection", "view", "light", "path", "eye", "rays", "tracer"}},
     {"scenes",
-     {"input", "keys", "world", "plan", "doubts", "kept", "labels", "report", "run", "sweep",
+     {"input", "keys", "world", "plan", "warnings", "cache", "labels", "report", "run", "sweep",
       "studies", "export", "commands"}},
 };
 
@@ -85,7 +85,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "thermal/solve/heat_state_file.cpp", "thermal/weather_file/era5_netcdf.cpp"}},
     {"hdf5.h", {"materials/base/hdf5_file.cpp"}},
     {"tbb/", {"materials/base/parallel.cpp"}},
-    {"openssl/", {"scenes/kept/digest.cpp"}},
+    {"openssl/", {"scenes/cache/digest.cpp"}},
     {"nlohmann/",
      {"scenes/labels/attribute_json.hpp",
       "scenes/labels/coco.cpp",
@@ -109,7 +109,7 @@ const std::map<std::string, std::set<std::string>> homes = {
       "materials/modtran/modtran6.cpp",
       "materials/modtran/deck.cpp",
       "terrain/objects/gltf_json.hpp"}},
-    {"cereal/", {"scenes/kept/stage_bytes.cpp"}},
+    {"cereal/", {"scenes/cache/stage_bytes.cpp"}},
     {"boost/crc", {"scenes/export/zip_file.cpp"}},
     {"boost/geometry", {"terrain/ground/ring_index.cpp"}},
     {"boost/math/", {"materials/base/least_squares.cpp", "scenes/studies/crossings.cpp"}},

@@ -97,11 +97,12 @@ TEST_CASE("the manual page has every verb and option of the program's help", "[p
         const std::size_t from = plain.find("\n.SS \"diurna " + verb),
                           to = plain.find("\n.S", from + 5);
         const std::string part = plain.substr(from, to - from);
-        const std::set<std::string> told = all(part, "\n\\.BI? \"(?:-h, )?(--[A-Za-z0-9-]+) ?\"");
+        const std::set<std::string> reported =
+            all(part, "\n\\.BI? \"(?:-h, )?(--[A-Za-z0-9-]+) ?\"");
         std::set<std::string> helped =
             all(ran(program + verb + " --help").out, "\n +(?:-h,)?(--[A-Za-z0-9-]+)");
         helped.erase("--help");
-        CHECK(told == helped);
+        CHECK(reported == helped);
     }
     if (ran("command -v man").code != 0) {
         pass_over("no man here to format the page");

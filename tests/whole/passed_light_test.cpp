@@ -10,8 +10,8 @@
 #include "terrain/visibility/reciprocity.hpp"
 #include "terrain/visibility/sun_fraction.hpp"
 #include "terrain/visibility/view_factor_sampling.hpp"
+#include "tests/support/hanging_sheets.hpp"
 #include "tests/support/render_scene.hpp"
-#include "tests/support/sheets.hpp"
 
 using namespace diurna;
 using namespace diurna::testing;

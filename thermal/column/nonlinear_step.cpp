@@ -96,7 +96,7 @@ double NonlinearColumn::solve_surface_node(const Stage& stage, const Below& belo
             at = next;
             break;
         }
-        // Every kink is crossed by landing on it; what strays is halved.
+        // Every kink is crossed by landing on it; what outliers is halved.
         if (node.latent > 0.0) next = up_to_kink(0, u, begin + next) - begin;
         if (!(next > low && next < high) || i > 60) next = 0.5 * (low + high);
         ++iterations;

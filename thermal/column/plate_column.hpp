@@ -29,7 +29,7 @@ struct PlateStep {
 
     std::size_t modes() const { return rate.size(); }
 };
-/// grid  of the plate; what it has below its last node is left out
+/// grid  of the plate; what it has below its last node is skipped
 PlateStep make_plate_step(const ColumnGrid& grid, double reference, double front_film,
                           double back_film, double step);
 

@@ -47,9 +47,9 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
     double correction = hottest;
     while (correction > settled && result.iterations < most_iterations) {
         correction = 0.0;
-        double strays = 0.0;
+        double outliers = 0.0;
         const double steady_share = result.iterations < patience ? hottest : 0.5;
-#pragma omp simd reduction(max : correction) reduction(+ : strays)
+#pragma omp simd reduction(max : correction) reduction(+ : outliers)
         for (std::size_t l = 0; l < count; ++l) {
             const double t = temperature[l];
             const SurfaceFlux at = surface_flux<Kind, Wet>(air, natural[l], radiation, heat[l], t);
@@ -77,9 +77,9 @@ SurfaceCount newton(const AirFilm& given, const SurfaceLanes& s) {
             // A halved bracket says nothing of the root but that it lies inside.
             const double unsettled = stray > 0.0 ? to - from : step;
             correction = unsettled > correction ? unsettled : correction;
-            strays += stray;
+            outliers += stray;
         }
-        result.bisections += static_cast<std::size_t>(strays);
+        result.bisections += static_cast<std::size_t>(outliers);
         ++result.iterations;
     }
     std::copy_n(flux_at, count, s.flux);

@@ -203,7 +203,7 @@ void NetworkStepper::stage(double tau, double share, const NetworkForcing& forci
         move(state.edge, missing_.edge);
         move(state.lump, missing_.lump);
         if (most < at_rest) {
-            left = 0.0;  // a share of next to nothing tells nothing
+            left = 0.0;  // a share of next to nothing reports nothing
             break;
         }
     }

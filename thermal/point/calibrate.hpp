@@ -17,7 +17,7 @@ struct CalibrationReport {
     Calibration asked;
     std::vector<Instant> when;     // of what was measured within the span
     std::vector<double> measured;  // [K]
-    std::size_t beyond = 0;        // rows before or after the span, left out
+    std::size_t beyond = 0;        // rows before or after the span, skipped
     std::size_t missing = 0;       // empty cells
     Fit fit;                       // its `before` and `after` [K]
     std::vector<std::string> notes{};

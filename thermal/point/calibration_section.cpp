@@ -30,7 +30,7 @@ std::vector<SoughtNumber> read_sought(const Section& section) {
         number.start = one.number_or("start", "where the search begins",
                                      {0.5 * (number.low + number.high), "half way"});
         number.where = one.where();
-        if (!one.amiss()) {
+        if (!one.has_mistakes()) {
             if (!(number.low < number.high)) {
                 one.mistake("high", fmt::format("found {:g}, expected above low = {:g}",
                                                 number.high, number.low));

@@ -85,7 +85,7 @@ void add_note(const std::string& note, Weather& weather) {
     weather.note += (weather.note.empty() ? "" : "; ") + note;
 }
 
-/// Reflected light tells nothing of a facet of another material.
+/// Reflected light reports nothing of a facet of another material.
 void forget_albedo(const std::string& measured_over, const std::string& material,
                    Weather& weather) {
     bool measured = false;

@@ -16,8 +16,8 @@ constexpr double shortest_step = 1e-7;  // [s]
 constexpr double unsolved = 1e9;        // [K] counts as a step's error
 constexpr double least_flux = 1e-3;     // [W m⁻²] that a balance is measured against
 
-// What a facet may try before somebody must be told: ten times and more what cases at the edges of
-// all ranges need that come to an end (tests/thermal/patience_test.cpp).
+// What a facet may try before somebody must be reported: ten times and more what cases at the edges
+// of all ranges need that come to an end (tests/thermal/patience_test.cpp).
 constexpr double tries_at_all = 20000.0;
 constexpr double tries_a_span = 200.0, tries_a_sample = 2000.0, tries_a_longest_step = 20.0;
 

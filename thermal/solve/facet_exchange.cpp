@@ -10,7 +10,7 @@ namespace diurna {
 namespace {
 
 constexpr std::size_t instants_at_once = 16;  // a cache line of every facet
-constexpr double sunlight_bound = 1e-4;       // of the global sun, left out of a facet's light
+constexpr double sunlight_bound = 1e-4;       // of the global sun, skipped of a facet's light
 constexpr float most_sent_on = 0.99f;
 
 /// Sunlight on all facets at a few instants, (facet, instant of these).
@@ -31,7 +31,7 @@ class SunlightAtOnce {
     }
 
     /// Sun and sky, and ground below the scene's edge.
-    void shine() {
+    void add_sunlight() {
         const std::size_t n = instants_.size();
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
             const Eigen::Vector3d normal = scene_.facets.normal[f].cast<double>();
@@ -182,7 +182,7 @@ void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
     for (std::size_t first = 0; first < lit.size(); first += instants_at_once) {
         const std::size_t count = std::min(instants_at_once, lit.size() - first);
         SunlightAtOnce light(scene, sun, std::span(lit).subspan(first, count));
-        light.shine();
+        light.add_sunlight();
         if (bounces) light.bounce(bound);
         light.put(incident);
     }

@@ -17,7 +17,7 @@ double rain_on(const SolveState& solve, std::size_t facet);
 class FacetForcing {
  public:
     /// weather  at the solve's instants; without it only sunlight, longwave and what falls are
-    /// told.
+    /// reported.
     ///          The solve must outlive this
     FacetForcing(const SolveState& solve, std::vector<Forcing> weather, const Block& block,
                  std::size_t lane);

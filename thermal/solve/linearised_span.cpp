@@ -175,7 +175,7 @@ void run_layered(const Kind& kind, const Block& block, const Eigen::MatrixXf& gi
 RowVectorXd relative_slopes(const Block& block) {
     const auto count = Eigen::Index(block.facet.size());
     if (block.steepness.empty()) return RowVectorXd::Ones(count);
-    // A copy: where a vector's memory begins tells how Eigen sums it, and rounds.
+    // A copy: where a vector's memory begins reports how Eigen sums it, and rounds.
     const RowVectorXd own = Eigen::Map<const RowVectorXd>(block.steepness.data(), count);
     const double mean = own.mean();
     if (!(mean < 0.0)) return RowVectorXd::Ones(count);

@@ -44,7 +44,7 @@ float largest(std::span<const float> x) {
 
 /// Carries what leaves the facets to those that see it, and on from there as they reflect it, in so
 /// many sweeps or until less than `least` [W m⁻²] would be added: `change` becomes what arrives.
-/// What was not sent stays in `leaving`; tells whether any of that counts.
+/// What was not sent stays in `leaving`; reports whether any of that counts.
 bool send(const SolveState& solve, float least, int sweeps, Field& field) {
     constexpr std::size_t most_values = 16'000'000;  // at once
     const FacetViews& view = solve.input.views;
@@ -125,8 +125,8 @@ class SkyBeyond {
 };
 
 /// All of the longwave anew. `change` becomes what arrives now less what did before. The sky of a
-/// facet's own height stands above it: what leaves is told beyond the sky at the weather's height,
-/// what arrives beyond that at its own.
+/// facet's own height stands above it: what leaves is reported beyond the sky at the weather's
+/// height, what arrives beyond that at its own.
 void renew_all(SolveState& solve, const Level& level, Field& field) {
     const std::size_t used = field.used;
     const bool heights = !solve.tiers.flat();
@@ -267,8 +267,8 @@ Eigen::RowVectorXd left_of_slopes(const SolveState& solve, const Level& level, c
 constexpr float beyond_first_order = 2000.0f;
 constexpr double usual_loss = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 
-/// Warms the blocks where more than `least` has arrived, and tells what more they send. Returns the
-/// largest change of temperature.
+/// Warms the blocks where more than `least` has arrived, and reports what more they send. Returns
+/// the largest change of temperature.
 double follow(SolveState& solve, const Level& level, float least, Field& field) {
     std::vector<double> warmest(solve.block.size(), 0.0);
     for_each_index(

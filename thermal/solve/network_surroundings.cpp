@@ -110,7 +110,7 @@ void NetworkSurroundings::set_airs() {
             AirFilm film = air_film(column.surface, column.louis, air, now.wind_speed);
             const bool louis = std::holds_alternative<Louis>(column.surface.convection);
             if (louis && !solve_.input.part.empty()) {
-                film.kind = FilmKind::sheltered_ground;  // facet_film tells the share of the wind
+                film.kind = FilmKind::sheltered_ground;  // facet_film reports the share of the wind
             }
             if (group.inner && !group.wet) film.wetness = 0.0;
             group.air.push_back(film);

@@ -12,8 +12,8 @@ namespace {
 
 const std::string failed = "the heat balance has failed: ";
 
-std::string told(const SolveState& solve, std::size_t facet, Instant when,
-                 const std::string& what) {
+std::string reported(const SolveState& solve, std::size_t facet, Instant when,
+                     const std::string& what) {
     return fmt::format("facet {} of {} at {}: {}", facet,
                        solve.input.materials[solve.input.facets.material[facet]].kind(),
                        format_instant(when), what);
@@ -27,8 +27,8 @@ std::string first_bad(const SolveState& solve, const Good& good) {
     const auto at = static_cast<std::size_t>(bad - solve.kelvin.begin());
     const std::string found =
         std::isfinite(*bad) ? fmt::format("it stands at {:g} K", *bad) : "it has no temperature";
-    return told(solve, at % solve.facets, solve.instant[at / solve.facets],
-                "its balance has no solution from 1 to 5000 K, " + found);
+    return reported(solve, at % solve.facets, solve.instant[at / solve.facets],
+                    "its balance has no solution from 1 to 5000 K, " + found);
 }
 
 bool is_within(float kelvin) {
@@ -57,7 +57,7 @@ std::string without_solution(const SolveState& solve, const PointFacets::Summary
                            targets.first_limited, targets.limited);
     }
     if (points.unsolved == 0) return "";
-    return told(
+    return reported(
         solve, points.first_unsolved_facet, points.first_unsolved,
         fmt::format("no step solves its balance, however short ({} such in all)", points.unsolved));
 }

@@ -55,7 +55,7 @@ void correct_block(SolveState& solve, const Level& level, Block& block) {
     const auto n = Eigen::Index(block.start.size() / block.stride);
     const auto count = Eigen::Index(block.facet.size());
     const Eigen::OuterStride<> stride{Eigen::Index(block.stride)};
-    // What the neighbours have moved it by since tells nothing of this matrix.
+    // What the neighbours have moved it by since reports nothing of this matrix.
     const bool update = !block.move.empty() && block.nudge <= 0.2 * block.largest_move;
     block.nudge = 0.0;
     block.move.resize(block.start.size());

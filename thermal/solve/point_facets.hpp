@@ -32,7 +32,7 @@ bool freezes(const ThermalSurface& surface);
 /// The blocks solve these facets too, as if they were plain: their first guess. A facet is taken in
 /// if it needs more: a store of water where rain or snow falls on it, or where dew and hoar on a
 /// surface that else is dry would warm it by 0.3 K or more. Where the ground evaporates by itself,
-/// dew's heat is in the blocks' balance, and only its way back is left out. Once taken in, a facet
+/// dew's heat is in the blocks' balance, and only its way back is skipped. Once taken in, a facet
 /// stays for the days that follow.
 class PointFacets {
  public:
@@ -68,7 +68,7 @@ class PointFacets {
         std::size_t first_unsolved_facet = 0;  // with unsolved: the first of these, and when
         Instant first_unsolved{};
         bool fresh = false;                                   // some were taken in by the last pass
-        std::size_t batched = 0, stores = 0, unfollowed = 0;  // as SolveReport tells them
+        std::size_t batched = 0, stores = 0, unfollowed = 0;  // as SolveReport reports them
         double most_dew_unfollowed = 0.0, dew_left_out = 0.0, worst_water_closure = 0.0;
     };
     Summary summary() const;
@@ -96,7 +96,7 @@ class PointFacets {
     std::vector<std::optional<PointColumn>> column_;  // (kind) of points side by side
     bool rains_ = false, fresh_ = false;
     std::size_t stores_ = 0, batched_ = 0;
-    Summary left_out_;  // what was told of those that were not taken in
+    Summary left_out_;  // what was reported of those that were not taken in
 };
 
 }  // namespace diurna

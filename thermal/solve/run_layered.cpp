@@ -19,11 +19,11 @@ constexpr int unsettled_substeps = 3;
 constexpr int equal_parts = 4;
 
 /// One lane of a block that a shadow's edge passes within a substep, or has just passed.
-class Stray {
+class Outlier {
  public:
     /// behind_at(share)  [W m⁻²] on a plate's back at a share of the substep; may be none
-    Stray(const MaterialColumn& column, const LayeredBatch& batch, std::size_t lane,
-          std::function<double(double)> behind_at)
+    Outlier(const MaterialColumn& column, const LayeredBatch& batch, std::size_t lane,
+            std::function<double(double)> behind_at)
         : column_(column), lane_(lane), behind_at_(std::move(behind_at)) {
         one_.resize(column.grid.size(), 1);
         for (std::size_t i = 0; i < column.grid.size(); ++i) {
@@ -132,7 +132,7 @@ class LayeredRun {
                 pass_edges();
                 pass_unsettled();
                 advance(kind_.column, air_, {at_stage_[0], at_stage_[1]}, batch_, block_.record);
-                for (const Stray& stray : strays_) stray.give(batch_);
+                for (const Outlier& stray : outliers_) stray.give(batch_);
                 std::copy_n(block_.record.slope.begin(), 2, block_.slope.begin() + stage);
             }
             heat_.end_step();
@@ -158,7 +158,7 @@ class LayeredRun {
     }
     void begin_substep(int s, std::size_t stage) {
         substep_number_ = s;
-        strays_.clear();
+        outliers_.clear();
         for (std::size_t k = 0; k < 2; ++k) {
             const StageForcing forcing = kind_.middle(block_, stage + k);
             air_[k] = forcing.air;
@@ -201,7 +201,7 @@ class LayeredRun {
             for (auto& heat : at_stage_) heat[l] += heat_.jump(l);
             if (within < 0.0) continue;
             unsettled_[l] = unsettled_substeps + 1;
-            strays_.emplace_back(kind_.column, batch_, l, behind_lane(l))
+            outliers_.emplace_back(kind_.column, batch_, l, behind_lane(l))
                 .run(
                     substep_, std::clamp(within, 1e-3, 1.0 - 1e-3), air_,
                     [&](double share, bool passed) {
@@ -218,7 +218,7 @@ class LayeredRun {
             if (--unsettled_[l] == unsettled_substeps) continue;  // its edge is in this one
             // An edge yet to come in this step has not jumped; one that has is in the heat.
             const double jumped = at_stage_[1][l] - sky_[1] - heat_.smooth(l, share_of_step(1.0));
-            strays_.emplace_back(kind_.column, batch_, l, behind_lane(l))
+            outliers_.emplace_back(kind_.column, batch_, l, behind_lane(l))
                 .run_on(
                     substep_, air_,
                     [&](double share) {
@@ -256,7 +256,7 @@ class LayeredRun {
     double sky_[2] = {}, at_stage_[2][lanes];                // [W m⁻²]
     double behind_sky_[2] = {}, behind_at_stage_[2][lanes];  // of backs
     double back_kelvin_[lanes] = {};
-    std::vector<Stray> strays_;
+    std::vector<Outlier> outliers_;
 };
 
 }  // namespace

@@ -55,7 +55,7 @@ ToBeFound to_be_found(std::span<const float> before, std::span<const float> afte
     return found;
 }
 
-/// One step of the exposure, and what tells whether a facet has come to its end's side at a share
+/// One step of the exposure, and what reports whether a facet has come to its end's side at a share
 /// of it.
 class StepOfSun {
  public:

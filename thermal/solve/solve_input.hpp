@@ -43,7 +43,7 @@ struct SolveOptions {
     Method method = Method::modes;
     double mode_error = 0.004;  // largest of the impedance (thermal/column/reduced_column.hpp)
     GridOptions grid{};         // of layered columns
-    int refinement = 1;         // divides every step, forcing as it was: tells a result's error
+    int refinement = 1;         // divides every step, forcing as it was: reports a result's error
     bool exchange = true;       // light and heat from one facet to another
     /// Steps whose instants' heat balance is wanted, ascending. One more pass takes it down, and
     /// the temperatures are that pass's.

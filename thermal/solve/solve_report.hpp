@@ -24,7 +24,7 @@ struct SolveReport {
     std::size_t points = 0;      // facets that need more (thermal/solve/point_facets.hpp)
     std::size_t batched = 0;     // of these, in lanes side by side
     std::size_t stores = 0;      // of these, whose rain, dew, snow was followed
-    /// Facets with a store that was left out: no rain fell on them, and dew was worth less than
+    /// Facets with a store that was skipped: no rain fell on them, and dew was worth less than
     /// `dew_left_out` [K]; or it condenses there as the ground's own water would. The most dew
     /// [kg m⁻²] that any of them had.
     std::size_t unfollowed = 0;

@@ -120,9 +120,9 @@ struct Piece {
     const Weather* weather = nullptr;  // null: the input's
 };
 
-/// The wanted instants whose heat balance a piece tells: those behind its start, where no step has
-/// led yet, and its start if nothing goes before.
-std::span<const Instant> told_by(const Piece& piece, const Walk& walk) {
+/// The wanted instants whose heat balance a piece reports: those behind its start, where no step
+/// has led yet, and its start if nothing goes before.
+std::span<const Instant> reported_by(const Piece& piece, const Walk& walk) {
     const std::vector<Instant>& wanted = walk.options.wanted;
     const bool leads_in = !piece.periodic && piece.to == walk.options.start;
     if (!walk.options.heat || !(piece.keeping || leads_in)) return {};
@@ -181,8 +181,8 @@ void solve_piece(const Piece& piece, Walk& walk) {
         options.progress = [&](double share) { walk.options.day.progress((done + share) / all); };
     }
     const std::vector<Instant> steps = step_instants(options);
-    const std::span<const Instant> told = told_by(piece, walk);
-    options.heat_at = steps_around(told, steps);
+    const std::span<const Instant> reported = reported_by(piece, walk);
+    options.heat_at = steps_around(reported, steps);
     const SunExposure sun = stage.exposure(steps);
     const bool begun = !piece.periodic && !walk.state.block.empty();
     SolveResult result =
@@ -194,7 +194,7 @@ void solve_piece(const Piece& piece, Walk& walk) {
         walk.result.repeated = result.report.converged;
         walk.result.repeated_error = result.report.estimated_error;
     }
-    for (const Instant when : told) walk.result.heat.add_between(result.heat, when);
+    for (const Instant when : reported) walk.result.heat.add_between(result.heat, when);
     if (piece.keeping) keep(result.temperature, piece.to >= walk.options.end, walk);
     walk.state = std::move(result.end);
     walk.day_before = std::move(result.temperature);

@@ -12,7 +12,7 @@ namespace diurna {
 /// What went before a span.
 enum class SpanStart {
     known,     // the weather where the series has a day of it, else periodic
-    weather,   // the days before it, as the weather tells; the first of them repeated
+    weather,   // the days before it, as the weather reports; the first of them repeated
     periodic,  // its first 24 hours, or the 24 before it, again and again without their trend
     steady,    // the balance of its first day's means, for ever
     state,     // SpanOptions::from

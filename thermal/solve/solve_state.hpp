@@ -57,7 +57,7 @@ struct Block {
     double relit = 0.0;         // [W m⁻²] that sunlight has changed by since the last run
     double largest_move = 1e9;  // [K] of `move`
     double nudge = 0.0;         // [K] what neighbours moved the start by since
-    bool rests = false;         // left out of the last pass
+    bool rests = false;         // skipped of the last pass
     std::optional<PeriodMap> period{};  // linearised about a run
     double film = 0.0;          // [W m⁻² K⁻¹] −Σ over facets of the first guess's slope
     StepRecord record;          // of the last run

@@ -14,7 +14,7 @@
 #include "thermal/solve/first_guess.hpp"
 #include "thermal/solve/grouping.hpp"
 #include "thermal/solve/heat_record.hpp"
-#include "thermal/solve/incident_light.hpp"
+#include "thermal/solve/incident_sunlight.hpp"
 #include "thermal/solve/longwave_exchange.hpp"
 #include "thermal/solve/network_facets.hpp"
 #include "thermal/solve/no_solution.hpp"
@@ -95,7 +95,7 @@ class Stopwatch {
 };
 
 /// The sky at every step's instant, and the light it sends to every facet.
-void light_up(SolveState& solve) {
+void set_irradiance(SolveState& solve) {
     SunPath path(solve.input.site);
     for (const Instant when : solve.instant) {
         solve.sky.push_back(solve.series.at(when, path.at(when)));
@@ -110,7 +110,7 @@ void light_up(SolveState& solve) {
     }
     solve.tilt = tilts(solve);
     take_earlier_water(solve);
-    shine(solve);
+    add_sunlight(solve);
     find_jumps(solve);
 }
 
@@ -224,7 +224,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
             const Stopwatch watch(report.exchange_seconds);
             report.light_change = relight(solve, points.cover());
         }
-        // What the neighbours send by now tells how far the pass was from its surroundings.
+        // What the neighbours send by now reports how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
         nearing.add(report, options);
         if (options.tell && !report.converged) {
@@ -367,7 +367,7 @@ SolveResult solve(const SolveInput& input, const SolveOptions& options) {
     SolveState state(input, options, series);
     SolveReport report{.facets = state.facets, .steps = int(state.steps())};
     const std::vector<KindOf> kinds = group_by_material(state);
-    light_up(state);
+    set_irradiance(state);
     Level fine = make_level(state, kinds, 1, StepSetup{}.most_substeps);
     state.kelvin.resize(state.instant.size() * state.facets);
     put_rooms(state);

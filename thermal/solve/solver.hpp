@@ -39,7 +39,7 @@ struct SolveResult {
 /// those of targets together: thermal/solve/network_facets.hpp.
 ///
 /// A facet that can lose no heat has no periodic day: `converged` is false then and the residual
-/// tells, as it does, with `unsolved`, of a facet whose balance has no solution from 1 to 5000 K.
+/// reports, as it does, with `unsolved`, of a facet whose balance has no solution from 1 to 5000 K.
 /// Throws InputError if arrays do not match; std::runtime_error, which names facet, material and
 /// instant, if a temperature comes out that is no number.
 SolveResult solve(const SolveInput& input, const SolveOptions& options);

@@ -173,7 +173,7 @@ StartError measure_start(const SolveInput& input, const SpanOptions& options) {
     return error;
 }
 
-std::string told(const StartError& error) {
+std::string reported(const StartError& error) {
     std::string than;
     switch (error.against) {
         case StartError::Against::nothing:

@@ -14,7 +14,7 @@ namespace diurna {
 /// The better start: more days of weather, up to 30, if the series has them, and before these their
 /// mean day repeated; else a repeated day in
 /// place of a steady one; else, where the span already starts from all days there are, the same
-/// with a day less, which tells rather too much. Slopes, walls and what neighbours do are not in
+/// with a day less, which reports rather too much. Slopes, walls and what neighbours do are not in
 /// it.
 struct StartError {
     enum class Against { nothing, more_days, repeated_day, a_day_less };
@@ -31,6 +31,6 @@ struct StartError {
 StartError measure_start(const SolveInput& input, const SpanOptions& options);
 
 /// In one line, after how the start was found.
-std::string told(const StartError& error);
+std::string reported(const StartError& error);
 
 }  // namespace diurna

@@ -37,7 +37,7 @@ std::size_t place(const ModeStep& step, std::size_t lane) {
 }
 
 /// The lanes that leave the others' step, each with the state it had before.
-struct Strays {
+struct Outliers {
     std::size_t count = 0;
     std::size_t lane[split_capacity];
     NaturalFilm natural[split_capacity];
@@ -91,14 +91,14 @@ struct Strays {
 };
 
 /// The lanes whose heat jumps in this step, or did in the last and where that takes parts too.
-void take_strays(const ModeStep& step, const ModeForcing& forcing, ModeBatch& batch,
-                 Strays& strays) {
-    strays.count = 0;
-    for (const HeatJump& edge : forcing.jumps) strays.take(step, forcing, batch, edge);
+void take_outliers(const ModeStep& step, const ModeForcing& forcing, ModeBatch& batch,
+                   Outliers& outliers) {
+    outliers.count = 0;
+    for (const HeatJump& edge : forcing.jumps) outliers.take(step, forcing, batch, edge);
     for (const std::size_t l : batch.unsettled) {
         const bool again = std::any_of(forcing.jumps.begin(), forcing.jumps.end(),
                                        [&](const HeatJump& edge) { return edge.lane == l; });
-        if (!again) strays.take(step, forcing, batch, {.lane = l, .share = 1e-3, .heat = 0.0});
+        if (!again) outliers.take(step, forcing, batch, {.lane = l, .share = 1e-3, .heat = 0.0});
     }
     batch.unsettled.clear();
     // A surface that follows the film nearly at once takes its whole way in two steps.
@@ -107,27 +107,27 @@ void take_strays(const ModeStep& step, const ModeForcing& forcing, ModeBatch& ba
     }
 }
 
-/// The strays' whole step, in parts.
-void split_strays(const ModeStep& step, const ModeForcing& forcing, double emissivity,
-                  Strays& strays, StepRecord& record) {
-    const std::size_t groups = strays.fill(step.modes());
+/// The outliers' whole step, in parts.
+void split_outliers(const ModeStep& step, const ModeForcing& forcing, double emissivity,
+                    Outliers& outliers, StepRecord& record) {
+    const std::size_t groups = outliers.fill(step.modes());
     const bool halved =
         kernel().split(forcing.air_before.low, forcing.air.low, step.coefficients(emissivity),
                        {.groups = groups,
                         .dew_point_before = bend_of(forcing.air_before.low),
                         .dew_point = bend_of(forcing.air.low),
-                        .natural = strays.natural,
-                        .share = strays.share,
-                        .jump = strays.jump,
-                        .heat_before = strays.heat_before,
-                        .heat = strays.heat,
-                        .state = strays.state,
-                        .temperature = strays.temperature,
-                        .drive = strays.drive,
-                        .slope = strays.slope,
-                        .to = strays.to,
-                        .above = above(forcing, strays.up)});
-    record.bisections += halved ? strays.count : 0;
+                        .natural = outliers.natural,
+                        .share = outliers.share,
+                        .jump = outliers.jump,
+                        .heat_before = outliers.heat_before,
+                        .heat = outliers.heat,
+                        .state = outliers.state,
+                        .temperature = outliers.temperature,
+                        .drive = outliers.drive,
+                        .slope = outliers.slope,
+                        .to = outliers.to,
+                        .above = above(forcing, outliers.up)});
+    record.bisections += halved ? outliers.count : 0;
 }
 
 /// All units at one pace.
@@ -238,12 +238,12 @@ void end_modes(const ModeStep& step, ModeBatch& batch) {
 
 void advance_modes(const ModeStep& step, const ModeForcing& forcing, double emissivity,
                    ModeBatch& batch, StepRecord& record) {
-    static thread_local Strays strays;
-    take_strays(step, forcing, batch, strays);
+    static thread_local Outliers outliers;
+    take_outliers(step, forcing, batch, outliers);
     advance_units(step, forcing, emissivity, batch, record);
-    if (strays.count > 0) {
-        split_strays(step, forcing, emissivity, strays, record);
-        for (std::size_t k = 0; k < strays.count; ++k) strays.give(step, batch, k);
+    if (outliers.count > 0) {
+        split_outliers(step, forcing, emissivity, outliers, record);
+        for (std::size_t k = 0; k < outliers.count; ++k) outliers.give(step, batch, k);
     }
     double sum = 0.0;
     for (std::size_t l = 0; l < batch.count; ++l) sum += batch.slope[l];

@@ -14,7 +14,7 @@ namespace {
 constexpr int steps_after_jump = 2;  // in parts
 
 /// A plate that goes the step by itself.
-struct Stray {
+struct Outlier {
     HeatJump jump;
     bool on_back;
     NaturalFilm natural;
@@ -26,7 +26,7 @@ struct Stray {
 /// The whole step of one plate whose heat jumps within it, from its state before.
 template <class Kinds>
 void split_plate(const PlateStep& step, const ThermalSurface& surface, const ModeForcing& forcing,
-                 Stray& stray, StepRecord& record) {
+                 Outlier& stray, StepRecord& record) {
     const HeatJump& jump = stray.jump;
     double* const x = stray.x.data();
     double* const drive = stray.drive;
@@ -76,8 +76,9 @@ void split_plate(const PlateStep& step, const ThermalSurface& surface, const Mod
 /// Takes the plates whose heat jumps in this step, or did in the last, out of the batch before the
 /// others' step writes over where they stand, and goes their step.
 template <class Kinds>
-std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surface,
-                              const ModeForcing& forcing, PlateBatch& batch, StepRecord& record) {
+std::vector<Outlier> run_outliers(const PlateStep& step, const ThermalSurface& surface,
+                                  const ModeForcing& forcing, PlateBatch& batch,
+                                  StepRecord& record) {
     std::vector<HeatJump> jumps(forcing.jumps.begin(), forcing.jumps.end());
     // Where both faces jump, the back's is drawn out over the step.
     for (const HeatJump& jump : batch.behind_jumps) {
@@ -100,23 +101,23 @@ std::vector<Stray> run_strays(const PlateStep& step, const ThermalSurface& surfa
                                          [&](const HeatJump& other) { return other.lane == lane; });
         jumps.erase(last, jumps.end());
     }
-    std::vector<Stray> strays;
+    std::vector<Outlier> outliers;
     for (std::size_t k = 0; k < jumps.size(); ++k) {
         const HeatJump& jump = jumps[k];
-        Stray& stray = strays.emplace_back(
-            Stray{.jump = jump,
-                  .on_back = k >= forcing.jumps.size() && k < fresh,
-                  .natural = batch.natural[jump.lane],
-                  .behind_before = batch.behind_before,
-                  .behind = batch.behind,
-                  .drive = {batch.drive[0][jump.lane], batch.drive[1][jump.lane]},
-                  .x = {}});
+        Outlier& stray = outliers.emplace_back(
+            Outlier{.jump = jump,
+                    .on_back = k >= forcing.jumps.size() && k < fresh,
+                    .natural = batch.natural[jump.lane],
+                    .behind_before = batch.behind_before,
+                    .behind = batch.behind,
+                    .drive = {batch.drive[0][jump.lane], batch.drive[1][jump.lane]},
+                    .x = {}});
         for (std::size_t m = 0; m < step.modes(); ++m) {
             stray.x.push_back(batch.state[m * lanes + jump.lane]);
         }
         split_plate<Kinds>(step, surface, forcing, stray, record);
     }
-    return strays;
+    return outliers;
 }
 
 /// What the backs take in at a step's end [lane].
@@ -223,8 +224,8 @@ void solve_one_by_one(const PlateStep& step, const TwoAirs& airs, const double* 
     }
 }
 
-/// The drives' own part into the modes, and the strays back to their places.
-void take_drives(const PlateStep& step, const std::vector<Stray>& strays, PlateBatch& batch) {
+/// The drives' own part into the modes, and the outliers back to their places.
+void take_drives(const PlateStep& step, const std::vector<Outlier>& outliers, PlateBatch& batch) {
     double* const u0 = batch.drive[0].data();
     double* const u1 = batch.drive[1].data();
     for (std::size_t m = 0; m < step.modes(); ++m) {
@@ -233,7 +234,7 @@ void take_drives(const PlateStep& step, const std::vector<Stray>& strays, PlateB
 #pragma omp simd
         for (std::size_t l = 0; l < lanes; ++l) x[l] += to * (f0 * u0[l] + f1 * u1[l]);
     }
-    for (const Stray& stray : strays) {
+    for (const Outlier& stray : outliers) {
         const std::size_t l = stray.jump.lane;
         for (std::size_t m = 0; m < step.modes(); ++m) batch.state[m * lanes + l] = stray.x[m];
         u0[l] = stray.drive[0];
@@ -277,13 +278,14 @@ void tell_faces(const PlateStep& step, const TwoAirs& airs, const double* heat, 
 template <class Kinds>
 void advance(const PlateStep& step, const ThermalSurface& surface, const ModeForcing& forcing,
              PlateBatch& batch, StepRecord& record) {
-    const std::vector<Stray> strays = run_strays<Kinds>(step, surface, forcing, batch, record);
+    const std::vector<Outlier> outliers =
+        run_outliers<Kinds>(step, surface, forcing, batch, record);
     const TwoAirs airs(surface, forcing.air.low);
     const Bases base = decay_modes(step, batch);
     if (!solve_drives<Kinds>(step, airs, forcing, base, batch, record)) {
         solve_one_by_one<Kinds>(step, airs, forcing.heat, base, batch, record);
     }
-    take_drives(step, strays, batch);
+    take_drives(step, outliers, batch);
     tell_faces<Kinds>(step, airs, forcing.heat, batch, record);
 }
 

@@ -13,9 +13,9 @@ namespace diurna {
 
 /// The bulk Richardson number beyond which colder ground damps the air no further: over ground that
 /// is not smooth and level for kilometres air in calm nights still moves by drainage and waves that
-/// no mean wind tells of. Martin and Lejeune (1998, Ann. Glaciol. 26, 179) hold it down over alpine
-/// snow so, as SURFEX does since; 0.1 is chosen on snow (Weissfluhjoch, November and December) and
-/// stubble (Bondville, January to March).
+/// no mean wind reports of. Martin and Lejeune (1998, Ann. Glaciol. 26, 179) hold it down over
+/// alpine snow so, as SURFEX does since; 0.1 is chosen on snow (Weissfluhjoch, November and
+/// December) and stubble (Bondville, January to March).
 inline constexpr double stable_limit = 0.1;
 
 /// Bulk transfer of heat between ground and air after Monin and Obukhov, in Louis's closed form

@@ -22,8 +22,8 @@ SkySeries::SkySeries(Weather weather, const Site& site, double elevation, const 
       clear_(clear),
       course_(weather_, site, elevation, clear, later(from, -day), later(to, day)) {
     infer_cloud();
-    if (const std::string told = tell(course_.report()); !told.empty()) {
-        weather_.note += (weather_.note.empty() ? "" : "; ") + told;
+    if (const std::string reported = tell(course_.report()); !reported.empty()) {
+        weather_.note += (weather_.note.empty() ? "" : "; ") + reported;
     }
     albedo_.reserve(weather_.sample.size());
     for (const Forcing& f : weather_.sample) {

@@ -23,7 +23,7 @@ class SkySeries {
     SkyState dark(Instant when) const;
 
     const Weather& weather() const { return weather_; }
-    /// What became of measured sunlight; also told in weather().note.
+    /// What became of measured sunlight; also reported in weather().note.
     const SunCourseReport& sunlight() const { return course_.report(); }
 
  private:

@@ -33,11 +33,11 @@ struct SunFactor {
 /// global light are left to the clear sky and the cloud (`at` says so by NaN).
 class SunCourse {
  public:
-    /// Rows that matter from `from` to `to`; the others are left out.
+    /// Rows that matter from `from` to `to`; the others are skipped.
     SunCourse(const Weather& weather, const Site& site, double elevation, const ClearSky& clear,
               Instant from, Instant to);
 
-    /// Direct and diffuse sunlight, NaN where no row tells. `clear` is clear_sunlight() then.
+    /// Direct and diffuse sunlight, NaN where no row reports. `clear` is clear_sunlight() then.
     Sunlight at(Instant when, const Sunlight& clear) const;
 
     /// Global sunlight over the clear sky's, by row of the weather; NaN: unknown, or a low sun

@@ -62,9 +62,10 @@ void change_weather(Weather& weather, const WeatherChange& change, const std::st
                                     &sample.shortwave_up, &sample.plane_of_array});
         sky |= scale(change.longwave, {&sample.longwave_down});
     }
-    std::string told;
+    std::string reported;
     const auto tell = [&](double value, double usual, const char* what) {
-        if (value != usual) told += fmt::format("{}{} {:g}", told.empty() ? "" : ", ", what, value);
+        if (value != usual)
+            reported += fmt::format("{}{} {:g}", reported.empty() ? "" : ", ", what, value);
     };
     tell(change.warmer, 0.0, "air + K");
     tell(change.wind, 1.0, "wind x");
@@ -77,7 +78,7 @@ void change_weather(Weather& weather, const WeatherChange& change, const std::st
     if (change.longwave != 1.0 && !sky) {
         throw InputError(where + ".longwave_factor", "the file has no measured longwave");
     }
-    weather.note += (weather.note.empty() ? "" : "; ") + ("changed: " + told);
+    weather.note += (weather.note.empty() ? "" : "; ") + ("changed: " + reported);
 }
 
 }  // namespace diurna

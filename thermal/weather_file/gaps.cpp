@@ -188,7 +188,7 @@ void humidity_of_dew_points(WeatherTable& table) {
     (missing(dew) < missing(humidity) ? humidity : dew).clear();
 }
 
-std::string told(const std::array<Filled, quantity_count>& filled) {
+std::string reported(const std::array<Filled, quantity_count>& filled) {
     long long all = 0;
     std::string by_line, by_formula;
     const auto add = [](std::string& list, long long count, std::size_t q) {
@@ -226,7 +226,7 @@ void fill_gaps(WeatherTable& table, OnGap on_gap, const AskedSpan& asked,
         if (!table.has(quantity) || facts(quantity).kind == QuantityKind::other) continue;
         filled[q] = filler.fill(quantity);
     }
-    if (std::string line = told(filled); !line.empty()) table.notes.push_back(std::move(line));
+    if (std::string line = reported(filled); !line.empty()) table.notes.push_back(std::move(line));
 }
 
 }  // namespace diurna

@@ -23,7 +23,7 @@ inline constexpr double longest_small_gap = 3.0 * 3600.0;  // [s] between the va
 /// says; only those within the asked span, and what its start uses before
 /// and behind it, are refused or counted. Before the first and behind the
 /// last value a state is held; radiation is left unmeasured. Sunlight of empty cells at night is
-/// none, where a site tells what night is. The notes count every value that was filled.
+/// none, where a site reports what night is. The notes count every value that was filled.
 ///
 /// Throws InputError at the first large gap within the span, if they are refused, or if a file has
 /// no air temperature at all.

@@ -11,7 +11,7 @@ namespace diurna {
 /// What a column of a weather file may hold.
 enum class Quantity {
     air_temperature,    // [K]
-    dew_point,          // [K]; gives the humidity where that is not told
+    dew_point,          // [K]; gives the humidity where that is not reported
     relative_humidity,  // 0 to 1, over water
     pressure,           // [Pa] at the station
     altimeter,          // [Pa] QNH: at the sea, by the standard atmosphere, from the station's

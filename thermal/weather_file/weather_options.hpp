@@ -29,7 +29,7 @@ struct WeatherOptions {
     OnGap on_gap = OnGap::refuse;
     WeatherChange change{};
     AskedSpan asked{};           // what must be covered; none: nothing in particular
-    std::optional<Site> site{};  // tells night from day, and whether the station is far away
+    std::optional<Site> site{};  // reports night from day, and whether the station is far away
     std::string where_file = "weather.file";
     std::string where = "weather.interval";  // of `interval`: "scene.toml:12:1: weather.interval"
     std::string where_changed = "weather.changed";

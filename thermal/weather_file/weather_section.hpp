@@ -27,11 +27,11 @@ struct HeightKeys {
     double lapse = -6.5e-3;   // [K m⁻¹]
     bool by_profile = false;  // after the air's profile instead
 };
-/// sounded  there is a radiosonde's profile, which is followed unless a lapse is told
+/// sounded  there is a radiosonde's profile, which is followed unless a lapse is reported
 HeightKeys read_height_keys(const Section& section, bool sounded, WeatherOptions& options);
 
 /// `measured_over` of [weather]: the name of the material below the pyranometers; "" if it is not
-/// told.
+/// reported.
 std::string read_measured_over(const Section& section, const std::vector<std::string>& materials);
 
 }  // namespace diurna

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "render/light/lit_facets.hpp"
+
+namespace diurna {
+
+class PathTable;
+
+/// How the light of secondary rays is worked out.
+struct SecondaryOptions {
+    int bounces = all_bounces;  // of light between surfaces (bounces.hpp)
+    double tolerance = 1e-3;    // [K] of the tables, in apparent temperature
+    bool by_term = true;        // the terms of a facet's radiance one by one
+    /// Of the whole picture: used where it reaches as far as the secondary rays do.
+    const PathTable* path = nullptr;
+};
+
+}  // namespace diurna

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "terrain/facets.hpp"
+
+namespace diurna {
+
+/// One thing that a ray meets on its way through panes, nets and plumes and off mirrors.
+struct SecondaryRay {
+    enum class Kind : std::uint8_t { facet, plume, sky };
+    enum class Way : std::uint8_t { direct, through, mirrored };  // past the one before
+
+    Kind kind = Kind::sky;
+    Way way = Way::direct;
+    bool closed = false;     // facet: rays end here, whatever it is made of
+    bool straight = true;    // on the line of sight: no mirror on the way
+    std::uint32_t what = 0;  // index of the facet or plume
+    std::int32_t before =
+        -1;  // the secondary ray before, counted in the pixel's own list; −1: the eye
+    float weight = 0.0f;  // share of the pixel
+    float range = 0.0f;   // [m] along the way; plume: to its middle
+    float height = 0.0f;  // [m] above the origin's level surface
+    float cosine = 1.0f;  // facet: of the angle to its normal
+    float chord = 0.0f;   // plume [m]
+    Eigen::Vector3f direction = Eigen::Vector3f::UnitZ();  // unit, of the ray that arrives
+};
+
+/// What the rays of those pixels meet that see a pane, a net, a mirror or a plume: for a static
+/// view found once, as View.
+struct SecondaryRays {
+    std::vector<std::uint32_t> pixel;  // ascending
+    std::vector<std::uint32_t> row;  // (pixel + 1) secondary rays of pixel k: [row[k], row[k + 1])
+    std::vector<SecondaryRay> secondary;  // of a pixel: one before those behind it
+    double observer_height = 0.0;         // [m] above the origin's level surface
+
+    bool empty() const { return secondary.empty(); }
+    std::span<const SecondaryRay> of(std::size_t k) const {
+        return std::span(secondary).subspan(row[k], row[k + 1] - row[k]);
+    }
+};
+
+/// Every facet in the secondary rays, ascending, each once.
+std::vector<FacetId> facets_of(const SecondaryRays& secondary_rays);
+/// What a picture sees: the targets of its view, then facets_of() the secondary rays.
+std::vector<FacetId> seen_facets(std::span<const FacetId> targets,
+                                 const SecondaryRays& secondary_rays);
+
+}  // namespace diurna

@@ -1,0 +1,83 @@
+#include "render/rays/secondary_samples.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/rays/follow_rays.hpp"
+#include "tests/support/secondary_stage.hpp"
+
+using namespace diurna;
+
+namespace {
+
+/// A wall half 290, half 330 K behind a pane, a net and a tilted mirror's place, by an edge that
+/// runs through some pixels.
+struct Edge {
+    SecondaryStage stage;
+    Observer eye;
+    Edge() : eye(stage.observer(24, 6.0)) {
+        stage.rectangle({{-40, 80, -40}, {0.13, 80, -40}, {0.31, 80, 40}, {-40, 80, 40}},
+                        plain(0.0), 290.0f);
+        stage.rectangle({{0.13, 80, -40}, {40, 80, -40}, {40, 80, 40}, {0.31, 80, 40}}, plain(0.0),
+                        330.0f);
+        stage.wall(30.0, 5.0, pane(0.0, 0.7), 300.0f);
+    }
+
+    SecondaryRays follow(int samples, const SecondarySampling* sampling) const {
+        const RayScene scene(stage.facets);
+        const MaterialLibrary materials(stage.all);
+        const PlumeScene none(stage.plumes);
+        View view = cast_view(scene, stage.facets, eye, {.samples = 16});
+        const SecondaryScene place{
+            .rays = scene, .facets = stage.facets, .materials = materials, .plumes = none};
+        return follow_rays(view, place, eye, {.samples = samples}, sampling);
+    }
+    /// (pixel) share of the warm half.
+    std::vector<double> warm(const SecondaryRays& secondary_rays) const {
+        std::vector<double> share(24 * 24, 0.0);
+        for (std::size_t k = 0; k < secondary_rays.pixel.size(); ++k) {
+            for (const SecondaryRay& secondary : secondary_rays.of(k)) {
+                if (secondary.before < 0 || secondary.kind != SecondaryRay::Kind::facet) continue;
+                if (stage.temperature[secondary.what] > 320.0f) {
+                    share[secondary_rays.pixel[k]] += double{secondary.weight};
+                }
+            }
+        }
+        return share;
+    }
+};
+
+}  // namespace
+
+// Behind a pane of transmittance 0.7 an edge of 40 K is one of 28 K; the edge's pixels are given by
+// area: here by 4096 samples.
+TEST_CASE("samples behind panes go where they are needed", "[render][hops][adaptive]") {
+    const Edge edge;
+    Appearance look{.facet = edge.stage.temperature, .sky = 250.0f};
+    const SecondarySampling sampling{{.from = 16, .to = 1024, .tolerance = 0.3}, {&look, 1}};
+    const auto exact = edge.warm(edge.follow(4096, nullptr));
+    const auto few = edge.warm(edge.follow(16, nullptr));
+    const auto wanted = edge.warm(edge.follow(16, &sampling));
+    double worst_few = 0.0, worst = 0.0;
+    int flat = 0;
+    for (std::size_t p = 0; p < exact.size(); ++p) {
+        worst_few = std::max(worst_few, 28.0 * std::abs(few[p] - exact[p]));
+        worst = std::max(worst, 28.0 * std::abs(wanted[p] - exact[p]));
+        flat += exact[p] == 0.0 || exact[p] == 1.0;
+    }
+    CAPTURE(worst_few, worst, flat);
+    CHECK(worst_few > 1.0);
+    CHECK(worst < 0.6);
+    CHECK(flat > 500);
+}
+
+// 16 values of 290 and 330 K alike: σ² = 426.7 K²; n = 426.7 / 1.5² = 190, the next doubling 256.
+TEST_CASE("a pixel wants as many samples as its spread needs", "[render][hops][adaptive]") {
+    std::vector<double> values;
+    for (int s = 0; s < 16; ++s) values.push_back(s % 2 == 0 ? 290.0 : 330.0);
+    Appearance look;
+    CHECK(samples_wanted(values, {{.from = 16, .to = 4096, .tolerance = 1.5}, {&look, 1}}) == 256);
+    CHECK(samples_wanted(values, {{.from = 16, .to = 100, .tolerance = 1.5}, {&look, 1}}) == 64);
+    values.assign(16, 300.0);
+    CHECK(samples_wanted(values, {{.from = 16, .to = 4096, .tolerance = 1.5}, {&look, 1}}) == 16);
+}

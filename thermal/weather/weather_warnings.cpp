@@ -1,0 +1,251 @@
+#include "thermal/weather/weather_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "materials/air/moist_air.hpp"
+#include "materials/base/units.hpp"
+#include "terrain/place/sun.hpp"
+#include "thermal/weather/sun_lag.hpp"
+
+namespace diurna {
+
+namespace {
+
+constexpr double solar_constant = 1361.0;  // [W m⁻²] at 1 AU (Kopp & Lean 2011)
+constexpr double least_lag = 2400.0;       // [s] valleys' late dawns make less
+constexpr double about = 5.0 * 86400.0;    // [s] before and behind the middle, for the lag
+
+/// A kind of doubt: how many samples it is of, and which comes first.
+struct Kind {
+    std::string hint;
+    std::string first{};
+    std::size_t count = 0;
+
+    /// NaN is no doubt.
+    void look(double value, double least, double most, Instant when, const char* what) {
+        if (!(value < least || value > most)) return;
+        if (count++ > 0) return;
+        first = fmt::format("found {} = {:.4g} at {}, expected {:.4g} to {:.4g}", what, value,
+                            format_instant(when), least, most);
+    }
+    void tell(const std::string& where, std::vector<Mistake>& warnings) const {
+        if (count == 0) return;
+        const std::string more = count > 1 ? fmt::format(" (and {} samples more)", count - 1) : "";
+        warnings.push_back({where, first + more, hint});
+    }
+};
+
+/// What to do about another unit: declare it, where the file's format has columns to declare.
+std::string other_unit(const Weather& weather, const std::string& problem,
+                       const std::string& declaration) {
+    return weather.declarable
+               ? fmt::format("{}is the column's unit another? [weather.columns] takes {}", problem,
+                             declaration)
+               : problem + "the file's format has one unit for it: was it converted wrongly?";
+}
+
+/// Where the sun is to be looked at from: the station, where it is far from the site.
+Site place_measured(const Weather& weather, const Site& site) {
+    if (!weather.station) return site;
+    const Geodetic& station = *weather.station;
+    constexpr double near_deg = 1.0;
+    const bool near =
+        std::abs(station.latitude_deg - site.latitude_deg) < near_deg &&
+        std::abs(std::remainder(station.longitude_deg - site.longitude_deg, 360.0)) < near_deg;
+    return near ? site : Site{station.latitude_deg, station.longitude_deg, site.height};
+}
+
+/// The highest sun of a sample's interval: sine of its elevation, and the elevation.
+struct HighestSun {
+    double sine = 0.0, elevation_deg = -90.0, distance_au = 1.0;
+};
+HighestSun highest_sun(const Site& site, Instant middle, double span) {
+    HighestSun highest;
+    const int points = span > 0.0 ? 5 : 1;
+    for (int i = 0; i < points; ++i) {
+        const double share = points > 1 ? i / (points - 1.0) - 0.5 : 0.0;
+        const SunPosition sun = sun_position(site, later(middle, share * span));
+        if (sun.elevation_deg < highest.elevation_deg) continue;
+        highest = {std::max(0.0, std::sin(radians(sun.elevation_deg))), sun.elevation_deg,
+                   sun.distance_au};
+    }
+    return highest;
+}
+
+bool within(Instant when, Instant begin, Instant end) { return when >= begin && when <= end; }
+
+void warn_of_states(const Weather& weather, Instant begin, Instant end, const std::string& where,
+                    std::vector<Mistake>& warnings) {
+    Kind air{
+        other_unit(weather, "never measured at the ground: ", "\"air_temperature degC\" or degF")};
+    Kind wind{other_unit(weather, "", "\"wind_speed km/h\" or kn")};
+    Kind rain{other_unit(weather, "", "\"rain mm\" of an interval")};
+    Kind sky{"BSRN's limits: is it net or upward radiation, or of another unit?"};
+    Kind over_air{
+        "of 0.4 to 1 black bodies of the air and 25 W/m2 (BSRN): is it net or upward "
+        "radiation, or the air's temperature of another unit?"};
+    const std::string weight = fmt::format(
+        "it is that at the station, {:.0f} m above the sea (the standard atmosphere has {:.0f}), "
+        "not reduced to the sea: {}",
+        weather.height, standard_pressure(weather.height),
+        weather.carried ? "is weather.height_m another, or the elevation in feet "
+                          "(terrain.height_unit = \"ft\")?"
+                        : "is site.elevation_m another?");
+    Kind pressure{weight};
+    double most_humid = -1.0;
+    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
+        const Instant when = weather.instant[i];
+        if (!within(when, begin, end)) continue;
+        const Forcing& f = weather.sample[i];
+        air.look(f.air.temperature, 183.9, 329.9, when, "air_temperature_K");
+        const double usual = standard_pressure(weather.height);
+        pressure.look(f.air.pressure, 0.85 * usual, 1.075 * usual, when, "pressure_Pa");
+        wind.look(f.wind_speed, 0.0, 60.0, when, "wind_speed_m_s");
+        rain.look(f.rain_mm_h, 0.0, 305.0, when, "rain_mm_h");
+        sky.look(f.longwave_down, 40.0, 700.0, when, "longwave_down_W_m2");
+        const double black = stefan_boltzmann * std::pow(f.air.temperature, 4);
+        over_air.look(f.longwave_down, 0.4 * black, black + 25.0, when, "longwave_down_W_m2");
+        most_humid = std::max(
+            most_humid, f.air.vapour_pressure / saturation_vapour_pressure(f.air.temperature));
+    }
+    for (const Kind& kind : {air, pressure, wind, rain, sky}) kind.tell(where, warnings);
+    if (sky.count == 0 && air.count == 0) over_air.tell(where, warnings);
+    if (most_humid >= 0.0 && most_humid < 0.03) {
+        warnings.push_back({where,
+                            fmt::format("relative_humidity is {:.2g} at the most", most_humid),
+                            "it is a share, 0 to 1: was percent divided by 100 twice?"});
+    }
+}
+
+std::string hours(double seconds) {
+    const int minutes = int(std::lround(std::abs(seconds) / 60.0));
+    return minutes % 60 == 0 ? fmt::format("{} h", minutes / 60)
+                             : fmt::format("{} h {} min", minutes / 60, minutes % 60);
+}
+
+/// What would mend the times, from how far they are off [s].
+std::string mend_of(double lag, double longitude_deg, bool declarable) {
+    if (!declarable) {
+        return fmt::format(
+            "is the time zone in the file's header right, or is it "
+            "site.longitude_deg = {:g}?",
+            longitude_deg);
+    }
+    const long quarters = std::lround(lag / 900.0);
+    const long minutes = 15 * std::abs(quarters);
+    return fmt::format(
+        "stamps that say Z but are local want an offset of {}{:02}:{:02} (in the time column, or "
+        "[weather.columns] time = \"time {}{:02}:{:02}\"); or is it site.longitude_deg = {:g}?{}",
+        quarters > 0 ? '-' : '+', minutes / 60, minutes % 60, quarters > 0 ? '-' : '+',
+        minutes / 60, minutes % 60, longitude_deg,
+        minutes <= 75 ? " An hour or less may be weather.interval or summer time" : "");
+}
+
+/// Light at night, no light by day, and a course that is not the sun's. Returns whether times are
+/// in doubt.
+bool warn_of_times(const Weather& weather, const Site& site, Instant begin, Instant end,
+                   const std::string& where, std::vector<Mistake>& warnings) {
+    const Instant middle = later(begin, 0.5 * seconds_between(begin, end));
+    const auto lag = sun_lag(weather, site, later(middle, -about), later(middle, about));
+    const auto unfit = [](double fit) { return 1.0 - fit * std::abs(fit); };
+    const bool off = lag && std::abs(lag->seconds) >= least_lag && lag->fit > 0.85 &&
+                     unfit(lag->fit) < 0.6 * unfit(lag->as_it_is);
+    std::size_t dark = 0, lit = 0, low_light = 0;
+    double brightest = 0.0, highest = 0.0, deepest = 0.0;
+    Instant when{};
+    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
+        const double light = std::max(std::isnan(weather.sample[i].shortwave_down)
+                                          ? weather.sample[i].direct_normal
+                                          : weather.sample[i].shortwave_down,
+                                      0.0);
+        if (!within(weather.instant[i], begin, end) || std::isnan(light)) continue;
+        const HighestSun sun = highest_sun(site, weather.instant[i], weather.span_of(i));
+        lit += light > 2.0;
+        if (sun.elevation_deg > 15.0) {
+            ++low_light;
+            highest = std::max(highest, sun.elevation_deg);
+        }
+        if (sun.elevation_deg < -3.0 && light > 25.0) {
+            ++dark;
+            if (light > brightest) {
+                brightest = light;
+                deepest = sun.elevation_deg;
+                when = weather.instant[i];
+            }
+        }
+    }
+    const std::string night =
+        dark == 0 ? ""
+                  : fmt::format(
+                        "{:.0f} W/m2 of sunlight measured at {} with the sun {:.0f} degrees "
+                        "below the horizon",
+                        brightest, format_instant(when), -deepest);
+    if (off) {
+        warnings.push_back(
+            {where,
+             fmt::format("times look {} {}: measured sunlight follows the sun's course so shifted "
+                         "(correlation {:.2f}), not as it stands ({:.2f}){}",
+                         hours(lag->seconds), lag->seconds > 0.0 ? "early" : "late", lag->fit,
+                         lag->as_it_is, night.empty() ? "" : "; " + night),
+             mend_of(lag->seconds, site.longitude_deg, weather.declarable)});
+    } else if (dark > 0) {
+        warnings.push_back({where, night + fmt::format(" ({} samples)", dark),
+                            weather.declarable ? "is the time column's offset from UTC right, or "
+                                                 "site.longitude_deg?"
+                                               : "is the time zone in the file's header right, or "
+                                                 "site.longitude_deg?"});
+    } else if (low_light > 2 && lit == 0) {
+        warnings.push_back(
+            {where,
+             fmt::format("no sunlight was measured from {} to {}, with the sun up to "
+                         "{:.0f} degrees high",
+                         format_instant(begin), format_instant(end), highest),
+             weather.declarable
+                 ? "a column of zeros is darkness: leave it out to have sunlight "
+                   "modelled"
+                 : "zeros are darkness: where nothing was measured, the format has a "
+                   "code for missing values"});
+    }
+    return off || dark > 0;
+}
+
+void warn_of_sunlight(const Weather& weather, const Site& site, Instant begin, Instant end,
+                      const std::string& where, std::vector<Mistake>& warnings) {
+    Kind global{other_unit(
+        weather, "more than BSRN holds possible: ", "\"shortwave_down kJ/m2\" and others")};
+    Kind direct{"more than the sun sends: is it of another unit, or global?"};
+    Kind diffuse{"more than BSRN holds possible: is it of another unit, or global?"};
+    Kind up{"more than BSRN holds possible: is its unit another?"};
+    for (std::size_t i = 0; i < weather.sample.size(); ++i) {
+        const Instant when = weather.instant[i];
+        if (!within(when, begin, end)) continue;
+        const HighestSun sun = highest_sun(site, when, weather.span_of(i));
+        const double flux = solar_constant / (sun.distance_au * sun.distance_au);
+        const double course = flux * std::pow(sun.sine, 1.2);
+        const Forcing& f = weather.sample[i];
+        constexpr double least = -50.0;  // [W m⁻²] of a pyranometer that radiates
+        global.look(f.shortwave_down, least, 1.5 * course + 100.0, when, "shortwave_down_W_m2");
+        direct.look(f.direct_normal, least, flux, when, "direct_normal_W_m2");
+        diffuse.look(f.diffuse, least, 0.95 * course + 50.0, when, "diffuse_W_m2");
+        up.look(f.shortwave_up, least, 1.2 * course + 50.0, when, "shortwave_up_W_m2");
+    }
+    for (const Kind& kind : {global, direct, diffuse, up}) kind.tell(where, warnings);
+}
+
+}  // namespace
+
+std::vector<Mistake> weather_warnings(const Weather& weather, const Site& place, Instant begin,
+                                      Instant end, const std::string& where) {
+    const Site site = place_measured(weather, place);
+    std::vector<Mistake> warnings = weather.warnings;
+    warn_of_states(weather, begin, end, where, warnings);
+    if (!warn_of_times(weather, site, begin, end, where, warnings)) {
+        warn_of_sunlight(weather, site, begin, end, where, warnings);
+    }
+    return warnings;
+}
+
+}  // namespace diurna

@@ -7,5 +7,6 @@ cd "$(dirname "$0")/.."
 cmake --preset release -Wno-dev >/dev/null
 cmake --build --preset release --target diurna pages
 (cd build/release && cpack >/dev/null)
-ls build/release/packages/*.deb
-echo "install the program: sudo apt-get install ./$(ls build/release/packages/diurna_*.deb | tail -1)"
+packages=(build/release/packages/diurna_*.deb)
+printf '%s\n' build/release/packages/*.deb
+echo "install the program: sudo apt-get install ./${packages[-1]}"

@@ -55,7 +55,7 @@ show $out/report.html
 
 cat <<END
 
-Done in $((SECONDS - begin)) seconds. Try next:
+Done in $((SECONDS - begin)) seconds. Try next (each takes a minute or two on two processors):
   a place of your own      $program new my_place --dem YOUR_ELEVATION.tif && $program run my_place/scene.toml --out out/my_place
   when things look alike   $program crossover scenes/crossover/scene.toml --out out/crossover
   cameras with noise       $program run scenes/instruments/scene.toml --out out/instruments

@@ -8,8 +8,8 @@ namespace diurna {
 
 namespace {
 
-constexpr std::size_t first_pass = 5;           // before it, Newton and exchange still work
-constexpr double slow = 0.5, divergent = 0.98;  // λ between them is extrapolated
+constexpr std::size_t first_pass = 4;  // before it, Newton and exchange still work
+constexpr double slow = 0.3, most = 0.98, least = -8.0;  // of λ: |λ| above `slow` is extrapolated
 
 template <class Values>
 double dot_of_changes(const Values& a, const Values& b, const Values& c, const Values& d) {
@@ -20,16 +20,17 @@ double dot_of_changes(const Values& a, const Values& b, const Values& c, const V
     return sum;
 }
 
-/// The share of its error that each pass leaves; 0 where the last three do not lie on a line.
+/// The share of its error that each pass leaves, below 0 where passes overshoot; 0 where the last
+/// three do not lie on a line.
 template <class Values>
 double share_left(const Values& first, const Values& second, const Values& third) {
     const double before = dot_of_changes(first, second, first, second);
     const double last = dot_of_changes(second, third, second, third);
     const double along = dot_of_changes(first, second, second, third);
-    constexpr double on_a_line = 0.9;  // cosine between the two changes
-    if (!(before > 0.0) || along < on_a_line * std::sqrt(before * last)) return 0.0;
+    constexpr double on_a_line = 0.9;  // |cosine| between the two changes
+    if (!(before > 0.0) || std::abs(along) < on_a_line * std::sqrt(before * last)) return 0.0;
     const double share = along / before;
-    return share > slow && share < divergent ? share : 0.0;
+    return std::abs(share) > slow && share > least && share < most ? share : 0.0;
 }
 
 template <class Body>
@@ -64,7 +65,7 @@ void Extrapolation::after_pass(SolveState& solve) {
         known.push_back(taken(solve, block));
         if (known.size() < 3) return;
         const double share = share_left(known[0].excess, known[1].excess, known[2].excess);
-        if (share > 0.0) {
+        if (share != 0.0) {
             const double further = share / (1.0 - share);
             for (std::size_t i = 0; i < block.start.size(); ++i) {
                 block.start[i] += further * (known[2].start[i] - known[1].start[i]);

@@ -7,11 +7,12 @@
 
 namespace diurna {
 
-/// Shortens a slow approach of passes: ground under a sheet that hides the sky gets back most of
-/// what it sends, and each pass then leaves 0.8 to 0.95 of the error of the one before. Three
-/// passes in a row tell that share, λ, by block, from starts and neighbours' longwave; what all
-/// further ones would add is λ / (1 − λ) of the last difference (Aitken's Δ², for vectors: Sidi,
-/// Vector Extrapolation Methods, SIAM 2017). Blocks that rest are not touched.
+/// Shortens slow or alternating sequences of passes. Ground under a body gets back most of what it
+/// sends; its slopes differ from its block's, and what exchange_longwave() moves it by then misses
+/// by the same share, λ, pass after pass: too far (−0.8 under a crate on grass, −2 on water) or not
+/// far enough. Three passes in a row show λ, by block, from neighbours' longwave; all further
+/// passes would add λ / (1 − λ) of the last change (Aitken's Δ² for vectors: A. Sidi, Vector
+/// Extrapolation Methods, SIAM 2017). Blocks that have settled are not touched.
 class Extrapolation {
  public:
     /// Call after each pass that has not converged. Scenes that converge in a few passes pay

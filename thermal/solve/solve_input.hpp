@@ -36,7 +36,7 @@ struct SolveOptions {
     bool periodic = true;        // the span repeats for ever; else it starts from SolveInput::from,
                                  // or from its mean balance
     bool goes_on = false;        // other spans follow: what is slower than this one is kept
-    int max_passes = 12;         // over the span; four times as many while they bring it nearer
+    int max_passes = 12;         // over the span; twice as many while they bring it nearer
     double tolerance = 1e-4;     // [K] |P(T) − T| of every node after a period
     double settled =
         0.01;  // [K] that neighbours' heat may still be worth at the end; 0.05 where water lies

@@ -209,7 +209,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
     Extrapolation extrapolation;
     const auto goes_on = [&] {
         return report.passes < options.max_passes ||
-               (report.passes < 4 * options.max_passes && nearing.nearer());
+               (report.passes < 2 * options.max_passes && nearing.nearer());
     };
     while (!report.converged && goes_on()) {
         {

@@ -165,8 +165,7 @@ FacetDay facet_day(const Sample& sample, std::size_t f, const MaterialColumn& co
                  .step = o.step,
                  .heat = {},
                  .jump = {}};
-    const OpenSky open{.view = double{sample.view.sky[f]},
-                       .horizon = horizon_view(sky_of(sample.view, sample.facets, f))};
+    const OpenSky open = open_sky(sky_of(sample.view, sample.facets, f));
     const auto light = [&](std::size_t i, double fraction) {
         return facet_sunlight(sky[i], normal.dot(sky[i].to_sun), fraction, open);
     };

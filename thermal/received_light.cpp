@@ -87,9 +87,8 @@ ReceivedLight received_light(const ReceiverView& view, std::size_t r, double see
                              const SkyState& sky, const LeavingLight& leaving) {
     const SkyVector sunny = sky_vector(view.sunlight, r), warm = sky_vector(view.heat, r);
     const SkyLight light = sky_light(sky);
-    const OpenSky open{.view = double{sunny[0]}, .horizon = horizon_view(sunny)};
     return {.sun = light.beam * seen,
-            .sky = facet_sunlight(light, 0.0, open),
+            .sky = facet_sunlight(light, 0.0, open_sky(sunny)),
             .reflected = from_facets(view.sunlight, r, view.beyond, leaving.sunlight),
             .sky_longwave =
                 double{warm[0]} * sky.longwave_down + sky.tilted_longwave * tilted_sky_excess(warm),

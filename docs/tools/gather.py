@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Lays out what mkdocs builds the site of: docs/tools/gather.py FOLDER.
 
-Pages written for the site stand in docs/; keys, library and the folders' own pages are taken from where they stand, so that each text is
-once in the repository; the command line's page and the validation tables are made here. Links between files of the repository
-become links between pages; to a file that is no page they become its name.
+Pages written for the site are in docs/. Keys, library and the folders' own pages are copied from their places. The help of every
+command and the places of the equations are added here, at <!-- marks -->. Links between files of the repository become links between
+pages; a link to a file that is no page becomes its name. A validation table that differs between README.md and docs/validation.md
+is a mistake (bench/update_readme.sh fills both).
 """
 
 import os
@@ -18,26 +19,25 @@ PROGRAM = Path(os.environ.get("DIURNA_PROGRAM", ROOT / "build/release/diurna"))
 
 # Pages of the repository -> of the site.
 TAKEN = {
-    "README.md": "house/README.md",
-    "materials/README.md": "house/materials.md",
-    "terrain/README.md": "house/terrain.md",
-    "thermal/README.md": "house/thermal.md",
-    "thermal/weather_file/README.md": "house/weather_file.md",
-    "render/README.md": "house/render.md",
-    "scenes/README.md": "house/scenes.md",
-    "scenes/crossover/README.md": "house/crossover.md",
-    "scenes/approach/README.md": "house/approach.md",
-    "python/README.md": "house/python.md",
-    "packaging/README.md": "house/packaging.md",
-    "SECURITY.md": "house/SECURITY.md",
-    "CONTRIBUTING.md": "house/CONTRIBUTING.md",
-    "CHANGELOG.md": "house/CHANGELOG.md",
-    "bench/courtyard/README.md": "house/courtyard.md",
+    "README.md": "code/README.md",
+    "materials/README.md": "code/materials.md",
+    "terrain/README.md": "code/terrain.md",
+    "thermal/README.md": "code/thermal.md",
+    "thermal/weather_file/README.md": "code/weather_file.md",
+    "render/README.md": "code/render.md",
+    "scenes/README.md": "code/scenes.md",
+    "scenes/crossover/README.md": "code/crossover.md",
+    "scenes/approach/README.md": "code/approach.md",
+    "python/README.md": "code/python.md",
+    "packaging/README.md": "code/packaging.md",
+    "SECURITY.md": "code/SECURITY.md",
+    "CONTRIBUTING.md": "code/CONTRIBUTING.md",
+    "CHANGELOG.md": "code/CHANGELOG.md",
+    "bench/courtyard/README.md": "code/courtyard.md",
     "tests/scenes/mistakes.md": "reference/mistakes.md",
     "scenes/KEYS.md": "reference/keys.md",
     "materials/LIBRARY.md": "reference/materials.md",
 }
-MADE = {"docs/reference/commands.md": "reference/commands.md"}  # as pages of docs/ call it
 
 
 def pages():
@@ -77,13 +77,8 @@ def with_links(text, source, target, site, pictures):
 
 
 def marked(page, mark):
-    """What stands in a page between <!-- mark --> and <!-- end -->."""
+    """The text of a page between <!-- mark --> and <!-- end -->."""
     return re.search(f"<!-- {mark} -->\n(.*?)<!-- end -->", (ROOT / page).read_text(), re.S)[1]
-
-
-def with_tables(text):
-    """"<!-- table NAME of PAGE -->" becomes that table."""
-    return re.sub(r"<!-- table (\w+) of (\S+) -->", lambda m: marked(m[2], m[1]), text)
 
 
 def equation_places():
@@ -101,13 +96,15 @@ def help_of(*verb):
     return subprocess.run([PROGRAM, *verb, "--help"], check=True, capture_output=True, text=True).stdout.rstrip()
 
 
-def command_page():
-    """What the program says of itself, verb by verb."""
+def help_texts():
+    """The help of the program and of each verb, as sections of docs/reference/commands.md."""
     whole = help_of()
-    verbs = re.findall(r"^  ([a-z]+)(?= {2,}|$)", whole.split("Subcommands:")[1], re.M)
-    text = "# Command line\n\nWhat `diurna --help` and `diurna VERB --help` print. Exit codes: 0 done; 1 failed while running, or the\n"
-    text += "solver has not converged (results are kept); 2 bad input or usage.\n\n"
-    text += f"```text\n{whole}\n```\n"
+    verbs = re.findall(r"^  ([a-z]+)(?= {2,}|$)", whole, re.M)
+    page = (ROOT / "docs/reference/commands.md").read_text()
+    unnamed = [verb for verb in verbs if not re.search(rf"`(diurna )?{verb}\b", page)]
+    if not verbs or unnamed:
+        raise SystemExit(f"docs/reference/commands.md: no row for {', '.join(unnamed) or 'any command'}")
+    text = f"## diurna --help\n\n```text\n{whole}\n```\n"
     for verb in verbs:
         text += f"\n## diurna {verb}\n\n```text\n{help_of(verb)}\n```\n"
     return text
@@ -115,13 +112,18 @@ def command_page():
 
 def main(folder):
     stage = Path(folder)
-    site, pictures = {**pages(), **MADE}, set()
-    for source, target in pages().items():
-        text = with_tables((ROOT / source).read_text()).replace("<!-- places of equations -->", equation_places())
+    site, pictures = pages(), set()
+    if marked("README.md", "validation") != marked("docs/validation.md", "validation"):
+        raise SystemExit("docs/validation.md: another table than README.md (bench/update_readme.sh fills both)")
+    made = {"places of equations": equation_places, "help of every command": help_texts}
+    for source, target in site.items():
+        text = (ROOT / source).read_text()
+        for mark, text_of in made.items():
+            if f"<!-- {mark} -->" in text:
+                text = text.replace(f"<!-- {mark} -->", text_of())
         place = stage / "pages" / target
         place.parent.mkdir(parents=True, exist_ok=True)
         place.write_text(with_links(text, source, target, site, pictures))
-    (stage / "pages/reference/commands.md").write_text(command_page())
     for picture in sorted(pictures):
         place = stage / "pages/pictures" / picture
         place.parent.mkdir(parents=True, exist_ok=True)

@@ -55,8 +55,8 @@ def try_block(block, folder, environment):
 
 def try_page(page, scratch):
     """Number of commands, of mistakes."""
-    folder = scratch / page.stem
-    folder.mkdir()
+    folder = scratch / page.relative_to(ROOT).with_suffix("")
+    folder.mkdir(parents=True)
     environment = dict(os.environ, DIURNA=str(ROOT), XDG_CACHE_HOME=str(scratch / "cache"),
                        PATH=f"{PROGRAM.parent}:{os.environ['PATH']}")
     commands = mistakes = 0
@@ -85,7 +85,7 @@ def try_page(page, scratch):
 
 def main(names):
     pages = [Path(name).resolve() for name in names]
-    pages = pages or sorted((ROOT / "docs").glob("*.md")) + sorted((ROOT / "docs").glob("how-to/*.md"))
+    pages = pages or sorted((ROOT / "docs").glob("*.md")) + sorted((ROOT / "docs").glob("*/**/*.md"))
     begin, wrong = time.monotonic(), 0
     with tempfile.TemporaryDirectory() as scratch:
         for page in pages:

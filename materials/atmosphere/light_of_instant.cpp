@@ -21,13 +21,15 @@ BandModel with_black_share(const BandModel& model, double share) {
     return clouded;
 }
 
-BandModel with_longwave(const BandModel& model, double height_km, double wanted) {
+/// - most_cloud: share of cloud that sunlight allows
+BandModel with_longwave(const BandModel& model, double height_km, double wanted,
+                        double most_cloud) {
     const double clear = ground_longwave(with_black_share(model, 0.0), height_km);
     BandModel overcast = model;
     overcast.cloud.fraction = overcast.cloud.emissivity = 1.0;
     const double full = ground_longwave(overcast, height_km);
     const double share =
-        full > clear + 1.0 ? std::clamp((wanted - clear) / (full - clear), 0.0, 1.0) : 0.0;
+        full > clear + 1.0 ? std::clamp((wanted - clear) / (full - clear), 0.0, most_cloud) : 0.0;
     BandModel fitted = with_black_share(model, share);
     const double got = std::lerp(clear, full, share);
     constexpr double close = 0.05;  // [W m⁻²]
@@ -59,16 +61,26 @@ double scale_of(double wanted, double own) {
     return own > least_light ? std::max(0.0, wanted) / own : 1.0;
 }
 
+/// The share of the sky that can be cloud where so much of the clear model's beam is left: a warm
+/// sky behind a clear beam is warm air, not cloud. All of it under a sun too low to tell.
+double cloud_allowed(const BandModel& model, const SunLight& sun, double height_km, double beam) {
+    constexpr double lowest_sun_deg = 5.0;
+    if (sun.zenith_deg > 90.0 - lowest_sun_deg || sun.moon || std::isnan(beam)) return 1.0;
+    BandModel clear = model;
+    clear.cloud.sunlit_fraction = 0.0;
+    const double own = ground_sunlight(clear, sun, height_km).sun_direct;
+    return 1.0 - std::clamp(scale_of(beam, own), 0.0, 1.0);
+}
+
 /// Beam and diffuse made to be the known ones, and reported in `sums`.
-BandModel with_sunlight(const BandModel& model, const SunLight& sun, double height_km,
-                        const KnownLight& known, GroundFluxes& sums) {
+BandModel with_sunlight(const BandModel& model, bool observed_clear, const SunLight& sun,
+                        double height_km, const KnownLight& known, GroundFluxes& sums) {
     BandModel fitted = model;
     fitted.cloud.sunlit_fraction = 0.0;
     sums = ground_sunlight(fitted, sun, height_km);
     const double cosine = std::max(0.0, std::cos(radians(sun.zenith_deg)));
     const double global = sums.sun_direct * cosine + sums.sun_diffuse;
     const double beam = scale_of(known.direct_normal, sums.sun_direct);
-    const bool observed_clear = model.cloud.fraction == 0.0;
     if (beam < 1.0 && global > least_light && !observed_clear) {
         const double all = known.direct_normal * cosine + known.diffuse;
         const SunlitCloud cloud =
@@ -90,12 +102,16 @@ LightOfInstant light_of_instant(const BandModel& model, const SunLight& sun, dou
                                 const KnownLight& known) {
     BandModel fitted = model;
     const bool heat_known = !std::isnan(known.longwave_down);
-    if (heat_known) fitted = with_longwave(model, height_km, known.longwave_down);
+    if (heat_known) {
+        fitted = with_longwave(model, height_km, known.longwave_down,
+                               cloud_allowed(model, sun, height_km, known.direct_normal));
+    }
     GroundFluxes sums;
     const bool sun_known = !std::isnan(known.direct_normal) && !std::isnan(known.diffuse);
     if (sun.zenith_deg < 90.0 && !sun.moon) {
         if (sun_known) {
-            fitted = with_sunlight(fitted, sun, height_km, known, sums);
+            fitted =
+                with_sunlight(fitted, model.cloud.fraction == 0.0, sun, height_km, known, sums);
         } else {
             sums = ground_sunlight(fitted, sun, height_km);
         }

@@ -24,7 +24,8 @@ struct KnownLight {
 /// balance). The model's cloud fraction is what was observed of it.
 ///
 ///  1. Longwave: the share of black cloud, between the model's clear and overcast sky, that gives
-///     it (by day and by night). What is left over goes into the sky's emitting column
+///     it (by day and by night); with a sun above 5° no more cloud than the known beam leaves room
+///     for, 1 − beam over the clear model's. What is left over goes into the sky's emitting column
 ///     (LightScale::sky_column: opaque bands keep the air's temperature, windows give way), and
 ///     what no column can give into a grey factor.
 ///  2. Beam and diffuse: the cloud (part of the sky, optical depth) that leaves these of the clear

@@ -233,9 +233,8 @@ void take_fit_away(const std::array<std::vector<double>, even_sky_functions>& co
 
 }  // namespace
 
-SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input) {
-    const auto& model = std::get<BandModel>(input.atmosphere);
-    const double height_km = input.ground_height_km, zenith_deg = input.sun_zenith_deg;
+SunlitShape sunlit_shape(const SunField& field, const BandModel& model, double height_km,
+                         double zenith_deg) {
     const Aureole aureole(field, model, height_km, zenith_deg);
     const Fit& fit = sunlit_fit();
     const std::size_t nodes = aureole.irradiance.size();

@@ -48,12 +48,15 @@ struct SunlitShape {
     std::array<std::vector<double>, uneven_functions> uneven{};  // its c_k [sr⁻¹]
     std::vector<std::vector<double>> left;  // (direction of half_sky)(node) it less that sum [sr⁻¹]
 };
-SunlitShape sunlit_shape(const SunField& field, const RadianceInput& input);
+SunlitShape sunlit_shape(const SunField& field, const BandModel& model, double height_km,
+                         double zenith_deg);
 
 /// Sunlight scattered by the scene's air, and how that of the sky is spread.
 struct ScatteredSun : SunField {
     ScatteredSun(SunField field, const RadianceInput& input)
-        : SunField(std::move(field)), shape(sunlit_shape(*this, input)) {}
+        : SunField(std::move(field)),
+          shape(sunlit_shape(*this, std::get<BandModel>(input.atmosphere), input.ground_height_km,
+                             input.sun_zenith_deg)) {}
     SunlitShape shape;
 };
 

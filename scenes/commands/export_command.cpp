@@ -47,7 +47,7 @@ void check_arguments(const ExportArguments& a) {
 }
 
 /// What a scene names, though it is not opened here.
-std::vector<FileRead> named_files(const Scene& scene) {
+std::vector<FileRead> files_named_in(const Scene& scene) {
     std::vector<FileRead> files;
     for (const auto& file : scene.weather.files) files.push_back({.path = file});
     for (const ObjectInput& object : scene.terrain.objects) {
@@ -79,13 +79,13 @@ void export_verb(const ExportArguments& a) {
     } else if (a.to == "geotiff") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
-        check_output_file(a.out, named_files(scene));
+        check_output_file(a.out, files_named_in(scene));
         const std::size_t posts = write_heat_geotiff(a.out, heat, scene, instants);
         fmt::print("{} posts, {} instants: {}\n", posts, instants.size(), out);
     } else if (a.to == "kmz") {
         const Scene scene = read_scene(a.scene, a.settings, a.allow_outside);
         check_output_file(a.out, opened.files());
-        check_output_file(a.out, named_files(scene));
+        check_output_file(a.out, files_named_in(scene));
         const ColourScale scale = write_kmz(a.out, heat, scene, instants);
         fmt::print("{} instants, {:g} to {:g} degC: {}\n", instants.size(), scale.low, scale.high,
                    out);

@@ -75,11 +75,12 @@ struct Scene {
     std::vector<ContrastInput> contrasts;
     std::vector<SensitivityInput> sensitivities;
     SweepInput sweep;
-    double tolerance = 0.0;     // [K] rms of pictures, for what they do not show; 0: nothing
-    int sky_rays = 64;          // per facet of the ground
-    int object_sky_rays = 256;  // per facet of buildings and objects
-    int sun_samples = 4;        // per facet and instant
-    int check_points = 128;     // of pictures whose heat is found anew, to tell what facets leave
+    double tolerance = 0.0;  // [K] rms of pictures, for what they do not show; 0: nothing
+    std::vector<std::string> idle_sky_keys{};  // of [sky], whose formulas `air` replaces
+    int sky_rays = 64;                         // per facet of the ground
+    int object_sky_rays = 256;                 // per facet of buildings and objects
+    int sun_samples = 4;                       // per facet and instant
+    int check_points = 128;                    // places in pictures solved by themselves
     std::uint64_t seed = 1;
     std::vector<FileRead> files{};  // all that were opened for it so far
     // What the file says, settings included: all of it, and without what nothing but pictures

@@ -181,6 +181,10 @@ Scene read_scene(const Document& document) {
     const Section atmosphere = root.section("atmosphere", "the air between surface and eye");
     scene.air = read_air(atmosphere);
     take_haze(scene.air, sky, scene.sky);
+    for (const char* key : {"aerosol_380nm", "aerosol_500nm", "ozone_cm", "precipitable_water_cm",
+                            "sun", "linke_turbidity", "longwave"}) {
+        if (scene.air.drives_heat && sky.has(key)) scene.idle_sky_keys.emplace_back(key);
+    }
     read_heights(weather, scene.air, scene.weather);
     scene.output =
         read_output(root.section("output", "what a run writes beside temperatures and pictures"));

@@ -155,11 +155,13 @@ std::string in_words(const CheckError& error, const CheckPoints& points, double 
     const std::string unchecked =
         points.skipped == 0
             ? ""
-            : fmt::format("; {} drawn places on panes, nets, sheets, targets or copies are not "
-                          "checked",
-                          points.skipped);
+            : fmt::format(
+                  "; {} drawn places on panes, nets, sheets, targets or copies are not "
+                  "checked",
+                  points.skipped);
     if (points.point.empty()) {
-        return fmt::format("{} no picture shows ground or a plain object{}", check_begins, unchecked);
+        return fmt::format("{} no picture shows ground or a plain object{}", check_begins,
+                           unchecked);
     }
     std::vector<std::string> observers, materials;
     for (const CheckError::Of& of : error.observer) {

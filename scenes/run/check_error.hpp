@@ -18,13 +18,13 @@ struct CheckError {
         double rms = 0.0;  // [K]
         std::size_t points = 0;
     };
-    double rms = 0.0;             // [K] over points and instants
-    double low = 0.0, high = 0.0; // [K] 95 % interval of rms, by drawing points again (bootstrap)
-    double by_rays = 0.0;         // [K] rms likewise, of facets from themselves with more rays
-    double percentile_99 = 0.0;   // [K]
-    double worst = 0.0;           // [K]
-    std::string worst_at;         // in words: facet, material, local time
-    std::vector<Of> observer;     // those that have points
+    double rms = 0.0;              // [K] over points and instants
+    double low = 0.0, high = 0.0;  // [K] 95 % interval of rms, by drawing points again (bootstrap)
+    double by_rays = 0.0;          // [K] rms likewise, of facets from themselves with more rays
+    double percentile_99 = 0.0;    // [K]
+    double worst = 0.0;            // [K]
+    std::string worst_at;          // in words: facet, material, local time
+    std::vector<Of> observer;      // those that have points
     std::vector<Of> share;  // materials, by their part of the square: rms is that part, 0 to 1
 };
 

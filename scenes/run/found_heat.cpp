@@ -39,7 +39,7 @@ std::optional<TemperatureField> at_instants(const std::vector<Instant>& wanted,
     return some;
 }
 
-constexpr const char* pictures = "pictures";      // that points were drawn in
+constexpr const char* pictures = "pictures";  // that points were drawn in
 constexpr const char* facets_row = "row facets' sizes and rays";
 
 Messages messages_of(const Scene& scene, const SpanResult& result) {
@@ -93,9 +93,8 @@ SceneHeat scene_heat(const Stages& stages, const std::vector<RunInput>& inputs, 
         }
     }
     const auto begun = std::chrono::steady_clock::now();
-    SceneHeat heat{
-        .result = solve_scene(stages, progress, tolerance, prepared.scene.check_points),
-        .reported = {}};
+    SceneHeat heat{.result = solve_scene(stages, progress, tolerance, prepared.scene.check_points),
+                   .reported = {}};
     heat.reported = messages_of(prepared.scene, heat.result);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     if (store != nullptr && heat.result.report.converged && store->keeps(took.count())) {

@@ -153,10 +153,10 @@ SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& op
         part.push_back(std::make_unique<SolvedPart>(stage.input, who, points.beside));
         solved.push_back({stage.from, part.back()->input(),
                           [&](const std::vector<Instant>& when) {
-                              return solved_part(
-                                  stage.exposure(when), who,
-                                  points.point.empty() ? SunExposure{}
-                                                       : sun_at(points, scene, when));
+                              return solved_part(stage.exposure(when), who,
+                                                 points.point.empty()
+                                                     ? SunExposure{}
+                                                     : sun_at(points, scene, when));
                           },
                           stage.early});
     }

@@ -70,7 +70,9 @@ void write_manifest(const fs::path& folder, const Scene& scene, const Manifest& 
                                   {"solar_time", format_solar_time(manifest.site, when)}});
         if (i >= manifest.facts.size()) continue;
         nlohmann::ordered_json facts = attribute_json(manifest.facts[i]);
-        for (const char* group : {"sun", "air"}) json["frames"].back()[group] = facts[group];
+        for (const char* group : {"sun", "sky", "air"}) {
+            if (facts.contains(group)) json["frames"].back()[group] = facts[group];
+        }
     }
     for (const auto& [observer, course] : manifest.cameras) {
         json["cameras"][observer] = course_json(course);

@@ -39,6 +39,9 @@ std::vector<Mistake> shape_warnings(const Prepared& prepared);
 /// which earlier versions took.
 std::vector<Mistake> clock_warnings(const Prepared& prepared);
 
+/// Keys of [sky] that the scene's air replaces, and light on a tilted plane in the weather file.
+std::vector<Mistake> light_warnings(const Prepared& prepared);
+
 /// "scene.toml: object.truck: stands inside ... (move ...)", each once.
 std::vector<std::string> as_lines(const std::vector<Mistake>& warnings);
 

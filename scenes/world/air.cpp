@@ -12,7 +12,7 @@ namespace diurna {
 
 Atmosphere atmosphere_at(const Scene& scene, const World& world, const Weather& weather,
                          Instant instant) {
-    return atmosphere_over(scene, world, weather, heights_of_surfaces(world), instant);
+    return atmosphere_over(scene, world, weather, heights_of_ground(world), instant);
 }
 
 Atmosphere atmosphere_over(const Scene& scene, const World& world, const Weather& weather,

@@ -64,7 +64,7 @@ std::vector<AirMoment> moments_of(const World& world, const Weather& weather,
 /// The scene's air without cloud over its station, where only the air at the ground differs.
 AirLight own_light(const Scene& scene, const World& world, const Weather& weather,
                    const std::vector<AirMoment>& moments, bool sunlight, bool longwave) {
-    const HeightSpan ground = heights_of_surfaces(world);
+    const HeightSpan ground = heights_of_ground(world);
     const auto air_of = [&](const AirState& air) {
         Forcing forcing;
         forcing.air = air;

@@ -64,6 +64,20 @@ HeightSpan heights_of_surfaces(const World& world) {
     return span;
 }
 
+HeightSpan heights_of_ground(const World& world) {
+    HeightSpan span{world.sea_level_height, world.sea_level_height};
+    bool first = true;
+    for (std::size_t f = 0; f < world.ground_facets; ++f) {
+        for (const std::uint32_t v : world.facets.corner[f]) {
+            const double height = height_above_sea(world, world.facets.vertex[v].cast<double>());
+            span.low = first ? height : std::min(span.low, height);
+            span.high = first ? height : std::max(span.high, height);
+            first = false;
+        }
+    }
+    return span;
+}
+
 AirByHeight air_by_height(const Scene& scene, const Weather& weather) {
     AirByHeight rule{.station = weather.height, .lapse = scene.weather.by_height.lapse};
     if (scene.weather.by_height.by_profile) {

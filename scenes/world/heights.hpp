@@ -35,6 +35,8 @@ struct HeightSpan {
     double low, high;
 };
 HeightSpan heights_of_surfaces(const World& world);
+/// The same of the ground alone, whose air the weather's is: what flies does not lift it.
+HeightSpan heights_of_ground(const World& world);
 
 /// From the weather's station to any height, as the scene's [weather] says: for facets and for
 /// lines of sight.

@@ -55,14 +55,14 @@ LightOfInstant light_over(const Scene& scene, const World& world, const SkySerie
 
 LightOfInstant scene_light(const Scene& scene, const World& world, const SkySeries& sky,
                            Instant instant) {
-    return light_over(scene, world, sky, heights_of_surfaces(world), instant);
+    return light_over(scene, world, sky, heights_of_ground(world), instant);
 }
 
 InstantLights::InstantLights(const Scene& scene, const World& world, const Weather& weather)
     : sky_(weather, world.site, weather.height, scene.sky, scene.time.start, scene.time.end()) {}
 
 LightOfInstant InstantLights::at(const Scene& scene, const World& world, Instant instant) const {
-    const HeightSpan ground = heights_of_surfaces(world);
+    const HeightSpan ground = heights_of_ground(world);
     const Key key{seconds_between(Instant{}, instant), ground.low, ground.high};
     {
         const std::lock_guard lock(mutex_);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scenes/world/air_spread.hpp"
 #include "scenes/world/driven_weather.hpp"
 #include "thermal/weather/cropped_weather.hpp"
 #include "thermal/weather/sky_series.hpp"
@@ -38,7 +39,10 @@ Weather scene_weather(const Scene& scene, const World& world, Weather measured) 
     const double height = measured.height;
     const SkySeries series(std::move(measured), world.site, height, scene.sky, scene.time.start,
                            scene.time.end());
-    return scene.air.drives_heat ? driven_weather(scene, world, series) : series.weather();
+    if (!scene.air.drives_heat) return series.weather();
+    Weather driven = driven_weather(scene, world, series);
+    driven.spreads = air_spread(scene, world, driven);
+    return driven;
 }
 
 Weather scene_weather(const Scene& scene, const World& world) {

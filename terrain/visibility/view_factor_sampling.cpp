@@ -234,8 +234,8 @@ FacetViews sampled(const FacetSet& from, const FacetSet& facets, const RayScene&
                 views.shares[f] = {};
                 continue;
             }
-            views.shares[f] = open_shares(from.normal[f], found.covered[f - begin], weight,
-                                          double{views.sky[f]});
+            views.shares[f] =
+                open_shares(from.normal[f], found.covered[f - begin], weight, double{views.sky[f]});
         }
     });
     views.others = joined(blocks, from.size());

@@ -91,7 +91,8 @@ double apart(const Solved& one, const Solved& other, const ScratchFolder& folder
 
 // The truth is the same yard by facets of 2 m and sixteen times the rays: a scene of its own, of
 // which the points know nothing.
-TEST_CASE("check points report the error of facets in pictures", "[scenes][check_points][by_variation]") {
+TEST_CASE("check points report the error of facets in pictures",
+          "[scenes][check_points][by_variation]") {
     const ScratchFolder folder("check_points");
     const auto fine_rays = [](const std::string& text) {
         return with(text, "sky_rays = 32", "sky_rays = 512\nobject_sky_rays = 4096");

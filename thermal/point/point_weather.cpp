@@ -15,7 +15,8 @@ PointWeather::PointWeather(const PointJob& job)
       normal_(direction(job.aspect_deg, 90.0 - job.slope_deg)),
       rain_share_(job.surface.flight ? 0.0 : rain_share(normal_.z(), 1.0)) {
     const SkyVector sky = plane_behind_ring(normal_.cast<float>(), job.sky_view);
-    open_ = {.view = job.sky_view, .horizon = horizon_view(sky)};
+    open_ = open_sky(sky);
+    open_.view = job.sky_view;
     if (job.clear_sky.longwave_by_direction) tilted_ = tilted_sky_excess(sky);
 }
 

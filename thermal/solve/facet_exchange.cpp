@@ -25,7 +25,7 @@ class SunlightAtOnce {
             for (std::size_t tier = 0; tier < sun.sky.tiers; ++tier) {
                 const SkyState& sky = sun.sky.sky[i * sun.sky.tiers + tier];
                 const SkyLight light = sky_light(sky);
-                light_.push_back({light.beam, light.even, light.horizon, sky.global_horizontal()});
+                light_.push_back({light, sky.global_horizontal()});
             }
         }
     }
@@ -35,11 +35,8 @@ class SunlightAtOnce {
         const std::size_t n = instants_.size();
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
             const Eigen::Vector3d normal = scene_.facets.normal[f].cast<double>();
-            const auto at = [&](std::size_t k, double Light::*value) {
-                return sun_.sky.at_facet(light_, k, f, value);
-            };
-            const OpenSky open{.view = double{scene_.views.sky[f]},
-                               .horizon = horizon_view(sky_of(scene_.views, scene_.facets, f))};
+            OpenSky open = open_sky(sky_of(scene_.views, scene_.facets, f));
+            open.view = double{scene_.views.sky[f]};
             for (std::size_t k = 0; k < n; ++k) {
                 const SkyState& sky = sun_.sky.sky[instants_[k] * sun_.sky.tiers];
                 // The fraction counts the facet's own turning away already.
@@ -47,13 +44,14 @@ class SunlightAtOnce {
                                        ? 1.0
                                        : sun_.fraction[instants_[k] * scene_.facets.size() + f];
                 const double seen = std::max(0.0, normal.dot(sky.to_sun)) * lit;
-                double light = facet_sunlight({.beam = at(k, &Light::beam),
-                                               .even = at(k, &Light::even),
-                                               .horizon = at(k, &Light::horizon)},
-                                              seen, open);
-                if (scene_.exchange) {
-                    light += double(scene_.views.below[f]) * albedo(f, k) * at(k, &Light::global);
-                }
+                const auto of_tier = [&](const Light& of) {
+                    double light = facet_sunlight(of.sky, seen, open);
+                    if (scene_.exchange) {
+                        light += double(scene_.views.below[f]) * albedo(f, k) * of.global;
+                    }
+                    return light;
+                };
+                const double light = sun_.sky.at_facet(light_, k, f, of_tier);
                 incident_[f * n + k] = float(light);
             }
         });
@@ -122,7 +120,8 @@ class SunlightAtOnce {
     const SunlitInstants& sun_;
     std::span<const std::size_t> instants_;
     struct Light {
-        double beam, even, horizon, global;  // [W m⁻²] sky_light's parts; on the horizontal
+        SkyLight sky;
+        double global;  // [W m⁻²] on the horizontal
     };
     std::vector<Light> light_;  // (instant, tier)
     std::vector<float> incident_;

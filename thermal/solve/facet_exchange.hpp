@@ -43,12 +43,14 @@ struct SkyOverFacets {
 
     std::size_t instants() const { return sky.size() / tiers; }
     /// A value of every sky's, at a facet: (instant, tier) of them.
-    template <class T>
+    /// - value: of a T, a number
+    template <class T, class Value>
     double at_facet(const std::vector<T>& of, std::size_t i, std::size_t f,
-                    double T::*value) const {
-        if (tiers == 1) return of[i].*value;
+                    const Value& value) const {
+        if (tiers == 1) return std::invoke(value, of[i]);
         const T* const below = &of[i * tiers + low[f]];
-        return below[0].*value + double(share[f]) * (below[1].*value - below[0].*value);
+        const double here = std::invoke(value, below[0]);
+        return here + double(share[f]) * (std::invoke(value, below[1]) - here);
     }
 };
 

@@ -267,6 +267,18 @@ Eigen::RowVectorXd left_of_slopes(const SolveState& solve, const Level& level, c
 constexpr float beyond_first_order = 2000.0f;
 constexpr double usual_loss = 20.0;  // [W m⁻² K⁻¹] radiation and air together
 
+/// Starts of facets that see mostly their own like, as water under a hull does, move by no more at
+/// once: they lose next to nothing, so a lasting heat would move them to where slopes are others.
+void limit_moves(const Block& block, const Field& field, Eigen::MatrixXd& start) {
+    constexpr float mostly = 0.5f;
+    constexpr double farthest = 3.0;  // [K]
+    for (Eigen::Index l = 0; l < start.cols(); ++l) {
+        if (field.itself[block.facet[std::size_t(l)]] < mostly) continue;
+        const double most = start.col(l).cwiseAbs().maxCoeff();
+        if (most > farthest) start.col(l) *= farthest / most;
+    }
+}
+
 /// Warms the blocks where more than `least` has arrived, and reports what more they send. Returns
 /// the largest change of temperature.
 double follow(SolveState& solve, const Level& level, float least, Field& field) {
@@ -299,7 +311,8 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             }
             run_linearised(solve, level, block, heat, day);
             if (solve.options.periodic) {
-                const Eigen::MatrixXd start = close_period(block, day.steep, day.state);
+                Eigen::MatrixXd start = close_period(block, day.steep, day.state);
+                limit_moves(block, field, start);
                 const Eigen::MatrixXd follow = follow_start(block, day.steep, start);
                 day.warmer += follow;
                 if (!block.behind.empty()) day.warmer_behind += follow;

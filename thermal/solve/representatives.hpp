@@ -24,7 +24,8 @@ struct Representatives {
 /// Every facet is its own representative.
 Representatives all_represent_themselves(std::size_t facets);
 
-/// Patches that are solved beside a scene's facets: they receive light and heat from these and send none.
+/// Patches that are solved beside a scene's facets: they receive light and heat from these and send
+/// none.
 struct BesideFacets {
     FacetSet facets;                    // with vertices of their own
     FacetViews views;                   // (patch) of the scene's facets

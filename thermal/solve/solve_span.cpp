@@ -155,10 +155,11 @@ SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weathe
     const auto& [facets, views, span_sun, materials, weather, site, clock, elevation, by_height,
                  height, part, beside, network, open_above, clear_sky, measured_share,
                  sunlight_views, span_from, span_guess] = span;
-    return {facets,         views,          sun,     materials,  own_weather ? *own_weather : weather,
-            site,           clock,          elevation, by_height, height,
-            part,           beside,         network, open_above, clear_sky,
-            measured_share, sunlight_views, from,    guess};
+    return {
+        facets,         views,          sun,       materials,  own_weather ? *own_weather : weather,
+        site,           clock,          elevation, by_height,  height,
+        part,           beside,         network,   open_above, clear_sky,
+        measured_share, sunlight_views, from,      guess};
 }
 
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.

@@ -12,6 +12,7 @@
 #include "materials/base/error.hpp"
 #include "materials/base/parallel.hpp"
 #include "terrain/place/sun_path.hpp"
+#include "thermal/solve/extrapolation.hpp"
 #include "thermal/solve/first_guess.hpp"
 #include "thermal/solve/grouping.hpp"
 #include "thermal/solve/heat_record.hpp"
@@ -205,6 +206,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
     constexpr double usual_passes = 3.0;
     const SolveOptions& options = solve.options;
     Nearing nearing;
+    Extrapolation extrapolation;
     const auto goes_on = [&] {
         return report.passes < options.max_passes ||
                (report.passes < 2 * options.max_passes && nearing.nearer());
@@ -227,6 +229,7 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
         // What the neighbours send by now reports how far the pass was from its surroundings.
         judge(solve, points, targets, renew_longwave(solve, level, report), report);
         nearing.add(report, options);
+        if (!report.converged) extrapolation.after_pass(solve);
         if (options.tell && !report.converged) {
             options.tell(what_is_left(solve, points, targets, report));
         }

@@ -38,6 +38,7 @@ void thin_out(const Forcing& now, const AirState& there, const AirByHeight& rule
     sky.direct_normal *= ratio(high.direct_normal, low.direct_normal);
     sky.diffuse_horizontal *=
         std::lerp(global, ratio(high.diffuse_horizontal, low.diffuse_horizontal), clearness);
+    if (sky.split.by_air) return;
     sky.split = perez_split(sky.direct_normal, sky.diffuse_horizontal, 90.0 - sky.sun.elevation_deg,
                             solar_constant / (sky.sun.distance_au * sky.sun.distance_au));
 }

@@ -5,6 +5,7 @@
 
 #include "materials/base/units.hpp"
 #include "thermal/weather/apparent_sun.hpp"
+#include "thermal/weather/sky_spread.hpp"
 
 namespace diurna {
 
@@ -69,7 +70,8 @@ double SkySeries::albedo_at(Instant when) const {
 
 SkyState SkySeries::at(Instant when, const SunPosition& geometric) const {
     Forcing now = weather_.at(when);
-    if (weather_.sample.size() == 1) return sky_state(geometric, elevation_, now, clear_);
+    if (weather_.sample.size() == 1)
+        return spread(when, sky_state(geometric, elevation_, now, clear_));
     const SunPosition sun = apparent_sun(geometric, now.air, elevation_);
     const Sunlight light =
         course_.at(when, sun.elevation_deg > 0.0 ? clear_sunlight(sun, now.air, elevation_, clear_)
@@ -79,6 +81,12 @@ SkyState SkySeries::at(Instant when, const SunPosition& geometric) const {
     now.diffuse = light.diffuse_horizontal;
     SkyState sky = sky_state(geometric, elevation_, now, clear_);
     sky.albedo = albedo_at(when);
+    return spread(when, sky);
+}
+
+SkyState SkySeries::spread(Instant when, SkyState sky) const {
+    if (weather_.spreads && sky.to_sun.z() > 0.0)
+        sky.split = weather_.spreads->at(when, sky.to_sun);
     return sky;
 }
 

@@ -15,11 +15,14 @@ inline double tilted_sky_excess(const SkyVector& sky) {
     return 0.09 * (double{sky[3]} - 0.5 * double{sky[0]});
 }
 
-/// What of a sky's scattered sunlight, as shares of that on the horizontal, comes from round the
-/// sun, and what a wall receives more of a sky brighter towards the horizon (less: negative).
+/// How a sky's scattered sunlight is spread, as shares of that on the horizontal: what comes from
+/// round the sun, what a wall receives more of a sky brighter towards the horizon (less: negative),
+/// and coefficients of sky functions beyond an even sky.
 struct DiffuseSplit {
-    double circumsolar = 0.0;  // 0 to 0.9
+    double circumsolar = 0.0;  // 0 to 1, on the horizontal
     double horizon = 0.0;
+    SkyVector uneven{};   // Σ uneven_k T_k is 0 on open level ground
+    bool by_air = false;  // of a scene's air (sky_spread.hpp), else by perez_split()
 };
 /// By Perez and others (1990, Solar Energy 44, 271), in the continuous form of Driesse and others
 /// (2024, Solar Energy 267). None where the sun is down.

@@ -144,17 +144,27 @@ SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing
 SkyLight sky_light(const SkyState& sky) {
     const double sine = sky.to_sun.z(), diffuse = sky.diffuse_horizontal;
     const double horizon = diffuse * sky.split.horizon;
-    if (!(sine > 0.0)) return {.beam = 0.0, .even = diffuse, .horizon = horizon};
+    if (!(sine > 0.0)) return {.beam = 0.0, .even = diffuse, .horizon = horizon, .uneven = {}};
     // Circumsolar light is that of a beam; near the horizon its strength is bounded.
     const double circumsolar = diffuse * sky.split.circumsolar * std::min(1.0, sine / least_sine);
-    return {.beam = sky.direct_normal + circumsolar / sine,
-            .even = diffuse - circumsolar,
-            .horizon = horizon};
+    SkyLight light{.beam = sky.direct_normal + circumsolar / sine,
+                   .even = diffuse - circumsolar,
+                   .horizon = horizon,
+                   .uneven = sky.split.uneven};
+    for (float& of_function : light.uneven) of_function *= float(diffuse);
+    return light;
 }
 
 double facet_sunlight(const SkyLight& light, double seen, const OpenSky& open) {
     // (T27) of docs/theory.md
-    return light.beam * seen + std::max(0.0, light.even * open.view + light.horizon * open.horizon);
+    float uneven = 0.0f;
+    for (std::size_t k = 0; k < sky_functions; ++k) uneven += light.uneven[k] * open.shares[k];
+    return light.beam * seen +
+           std::max(0.0, light.even * open.view + light.horizon * open.horizon + double{uneven});
+}
+
+OpenSky open_sky(const SkyVector& shares) {
+    return {.view = double{shares[0]}, .horizon = horizon_view(shares), .shares = shares};
 }
 
 double facet_sunlight(const SkyState& sky, double sun_cosine, double sun_fraction,

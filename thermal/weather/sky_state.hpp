@@ -37,16 +37,20 @@ SkyState sky_state(const Site& site, double elevation, Instant instant, const Fo
 SkyState sky_state(const SunPosition& geometric, double elevation, const Forcing& forcing,
                    const ClearSky& clear = {});
 
-/// What a facet sees of the sky: its view, 0 to 1, and what of the horizon (sky_shape.hpp).
+/// What a facet sees of the sky: its view, 0 to 1, and what of the horizon (sky_shape.hpp); its
+/// shares T_k of sky functions, which count where the sky has coefficients of them.
 struct OpenSky {
     double view = 1.0, horizon = 0.0;
+    SkyVector shares{};
 };
+OpenSky open_sky(const SkyVector& shares);
 
-/// What the sky sends as if from the sun, on a plane facing it, evenly from all over it, and what a
-/// wall receives more of a sky brighter towards the horizon [W m⁻²]: as Perez and others split it
-/// (1990).
+/// What the sky sends as if from the sun, on a plane facing it, evenly from all over it, what a
+/// wall receives more of a sky brighter towards the horizon, and coefficients of sky functions
+/// [W m⁻²]: by DiffuseSplit.
 struct SkyLight {
     double beam = 0.0, even = 0.0, horizon = 0.0;
+    SkyVector uneven{};
 };
 SkyLight sky_light(const SkyState& sky);
 

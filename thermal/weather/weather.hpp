@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "terrain/place/site.hpp"
 
 namespace diurna {
+
+struct SkySpreads;
 
 inline constexpr double not_measured = std::numeric_limits<double>::quiet_NaN();
 
@@ -56,6 +59,8 @@ struct Weather {
     /// weather.interval: what warnings advise.
     bool declarable = true;
     bool carried = true;  // to the height of each facet, from that of weather.height_m: scenes
+    /// How its scattered sunlight is spread over the sky; null: by perez_split().
+    std::shared_ptr<const SkySpreads> spreads{};
 
     Forcing at(Instant when) const;
     AirState air_at(Instant when) const;

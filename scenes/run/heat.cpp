@@ -241,7 +241,7 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
                                    needed ? needed->who
                                           : all_represent_themselves(scene.world.surfaces().size()),
                                    scene, points);
-    if (points.point.empty() && points.left_out > 0) {
+    if (points.point.empty() && points.skipped > 0) {
         result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));
     }
     if (needed) {

@@ -166,6 +166,7 @@ std::string heat_key(const Prepared& prepared, const std::vector<RunInput>& inpu
     facts.line(job_key(others, {}));
     facts.line(pictures_count ? scene.said : scene.said_but_for_pictures);
     facts.number(tolerance);
+    facts.number(scene.check_points);
     const SpanOptions span = scene_span(scene);
     facts.number(seconds_between(Instant{}, span.wanted.front()));
     if (pictures_count) {

@@ -80,6 +80,7 @@ struct Scene {
     int sky_rays = 64;                         // per facet of the ground
     int object_sky_rays = 256;                 // per facet of buildings and objects
     int sun_samples = 4;                       // per facet and instant
+    int check_points = 128;                    // places in pictures solved by themselves
     std::uint64_t seed = 1;
     std::vector<FileRead> files{};  // all that were opened for it so far
     // What the file says, settings included: all of it, and without what nothing but pictures

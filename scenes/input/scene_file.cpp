@@ -68,6 +68,11 @@ void read_about(const Section& about, Scene& scene) {
                                          "rays to the sun's disc, for each facet and instant; four "
                                          "times as many where a shadow's edge may pass",
                                          4, {1, 256});
+    scene.check_points = about.integer_or(
+        "check_points",
+        "places in pictures that are solved by themselves, each with its own sun, sky and "
+        "surroundings by 4096 rays; the run reports how far its facets are from them; 0: none",
+        128, {0, 4096});
 }
 
 /// The scene's own materials, each of which may start from those above it.

@@ -100,10 +100,9 @@ std::string errors_table(const Prepared& prepared, const JobReport& report) {
                                      escaped(decision.why)));
     }
     return out +
-           "</table>\n<p class=\"key\">They are of different kinds and not added up. What the "
-           "noise "
-           "of rays, the size of facets and the step add, a run does not know of itself; the notes "
-           "tell bounds of what was left out.</p>\n";
+           "</table>\n<p class=\"key\">They are of different kinds and not added up. What the step "
+           "adds, a run does not know of itself; the notes tell bounds of what was left "
+           "out.</p>\n";
 }
 
 std::string timings_table(const JobReport& report) {

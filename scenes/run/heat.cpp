@@ -13,6 +13,8 @@
 #include "materials/base/error.hpp"
 #include "scenes/cache/heat_inputs.hpp"
 #include "scenes/cache/inputs.hpp"
+#include "scenes/run/check_error.hpp"
+#include "scenes/run/check_points.hpp"
 #include "scenes/run/needed_facets.hpp"
 #include "scenes/run/stage_heat.hpp"
 #include "scenes/run/state_owner.hpp"
@@ -141,22 +143,42 @@ std::string why_whole(const Prepared& scene, double tolerance) {
     return "";
 }
 
-/// The span of facets that stand for all.
+/// The span of representative facets, and of check points beside them.
 SpanResult solve_needed(std::span<const SpanStage> stages, const SpanOptions& options,
-                        const Representatives& who) {
+                        const Representatives& who, const Prepared& scene,
+                        const CheckPoints& points) {
     std::vector<std::unique_ptr<SolvedPart>> part;
     std::vector<SpanStage> solved;
     for (const SpanStage& stage : stages) {
-        part.push_back(std::make_unique<SolvedPart>(stage.input, who));
+        part.push_back(std::make_unique<SolvedPart>(stage.input, who, points.beside));
         solved.push_back({stage.from, part.back()->input(),
-                          [&stage, &who](const std::vector<Instant>& when) {
-                              return solved_part(stage.exposure(when), who);
+                          [&](const std::vector<Instant>& when) {
+                              return solved_part(stage.exposure(when), who,
+                                                 points.point.empty()
+                                                     ? SunExposure{}
+                                                     : sun_at(points, scene, when));
                           },
                           stage.early});
     }
     SpanResult result = solve_span(solved, options);
-    spread(who, result);
+    const std::size_t facets = who.solved.size(), beside = points.beside.size();
+    std::vector<float> patches;
+    for (std::size_t i = 0; beside > 0 && i < result.temperature.instant.size(); ++i) {
+        const std::span<const float> row = result.temperature.at(i).subspan(facets);
+        patches.insert(patches.end(), row.begin(), row.end());
+    }
+    spread(who, result, beside);
+    if (beside > 0) {
+        const CheckError error = check_error(scene, points, result.temperature, patches);
+        result.notes.push_back(in_words(error, points, scene.scene.tolerance));
+    }
     return result;
+}
+
+/// Whether points can be solved besides: nothing moves, and no state is read or kept.
+bool can_check(const Prepared& scene) {
+    return scene.movement.none() && !scene.scene.output.state &&
+           scene.scene.time.spin_up != SpanStart::state;
 }
 
 /// (facet that rays know) 1 where it or a level of a texture in its place is solved.
@@ -183,14 +205,15 @@ std::string reported(const NeededFacets& needed, const TemperatureField& field) 
 
 }  // namespace
 
-SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance) {
+SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance,
+                       int check_points) {
     const Prepared& scene = stages.scene();
     const std::optional<HeatState> earlier = earlier_state(scene);
     progress.stage("heat balance");
     SpanOptions span = scene_span(scene.scene);
     span.from = earlier ? &*earlier : nullptr;
     span.day.progress = [&](double share) { progress.done(share); };
-    span.day.tell = [&](const std::string& left) { progress.doing(left); };
+    span.day.tell = [&](const std::string& doing) { progress.doing(doing); };
     std::vector<std::unique_ptr<StageHeat>> heat;
     std::vector<SpanStage> parts;
     for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -207,7 +230,20 @@ SpanResult solve_scene(const Stages& stages, Progress& progress, double toleranc
         needed = needed_facets(stages, first.input().network, tolerance);
         for (const auto& own : heat) own->ask_for(solid_facets(*needed, scene.world));
     }
-    SpanResult result = needed ? solve_needed(parts, span, needed->who) : solve_span(parts, span);
+    CheckPoints points;
+    if (check_points > 0 && can_check(scene)) {
+        points = diurna::check_points(stages, first.input().network, check_points);
+    }
+    const bool whole_scene = !needed && points.point.empty();
+    SpanResult result =
+        whole_scene ? solve_span(parts, span)
+                    : solve_needed(parts, span,
+                                   needed ? needed->who
+                                          : all_represent_themselves(scene.world.surfaces().size()),
+                                   scene, points);
+    if (points.point.empty() && points.skipped > 0) {
+        result.notes.push_back(in_words(CheckError{}, points, scene.scene.tolerance));
+    }
     if (needed) {
         result.notes.push_back(reported(*needed, result.temperature));
     } else if (scene.scene.tolerance > 0.0) {

@@ -24,7 +24,10 @@ void check_start(const Prepared& prepared);
 /// what of.
 ///
 /// - tolerance: [K] rms that pictures may be worse by; 0: every facet is solved
-SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance = 0.0);
+/// - check_points: places in pictures that are solved besides; a note reports how far facets are
+///   from them (scenes/run/check_error.hpp). None where objects move or a state is kept or read
+SpanResult solve_scene(const Stages& stages, Progress& progress, double tolerance = 0.0,
+                       int check_points = 0);
 
 inline constexpr const char* state_file = "state.nc";
 /// Writes temperatures with names, clock and fluxes, and beside them the state at the end, if the

@@ -9,6 +9,46 @@
 
 namespace diurna {
 
+namespace {
+
+/// Rows in which every solid facet is its levels.
+class RowsOverLevels {
+ public:
+    RowsOverLevels(const TextureLevels& levels, const ViewFactors& solid, std::size_t rows)
+        : levels_(levels), solid_(solid) {
+        of_levels.row.reserve(rows + 1);
+        of_levels.row.push_back(0);
+    }
+    /// One more, of a row of the solid ones.
+    void append(std::size_t row) {
+        copies_.clear();
+        for (std::uint32_t k = solid_.row[row]; k < solid_.row[row + 1]; ++k) {
+            const std::size_t source = index(solid_.facet[k]);
+            const TextureLevels::OfFacet& of_facet = levels_.of_facet[source];
+            of_levels.facet.push_back(solid_.facet[k]);
+            of_levels.factor.push_back(solid_.factor[k] * levels_.share[source]);
+            for (std::uint32_t c = 0; c + 1 < of_facet.levels; ++c) {
+                const std::uint32_t copy = of_facet.first_copy + c;
+                copies_.emplace_back(copy, solid_.factor[k] * levels_.share[copy]);
+            }
+        }
+        std::sort(copies_.begin(), copies_.end());
+        for (const auto& [source, factor] : copies_) {
+            of_levels.facet.push_back(FacetId{source});
+            of_levels.factor.push_back(factor);
+        }
+        of_levels.row.push_back(static_cast<std::uint32_t>(of_levels.facet.size()));
+    }
+    ViewFactors of_levels{};
+
+ private:
+    const TextureLevels& levels_;
+    const ViewFactors& solid_;
+    std::vector<std::pair<std::uint32_t, float>> copies_{};
+};
+
+}  // namespace
+
 std::vector<float> for_all_levels(const TextureLevels& texture_levels,
                                   std::span<const float> solid) {
     if (solid.empty()) return {};
@@ -38,33 +78,18 @@ FacetViews for_all_levels(const TextureLevels& texture_levels, const FacetViews&
     if (!solid.shares.empty()) {
         for (const std::uint32_t f : texture_levels.origin) all.shares.push_back(solid.shares[f]);
     }
-    const ViewFactors& from = solid.others;
-    if (from.row.empty()) return all;
-    ViewFactors& to = all.others;
-    to.row.reserve(n + 1);
-    to.row.push_back(0);
-    std::vector<std::pair<std::uint32_t, float>> copies;
-    for (std::size_t f = 0; f < n; ++f) {
-        const std::size_t o = texture_levels.origin[f];
-        copies.clear();
-        for (std::uint32_t k = from.row[o]; k < from.row[o + 1]; ++k) {
-            const std::size_t source = index(from.facet[k]);
-            const TextureLevels::OfFacet& of_facet = texture_levels.of_facet[source];
-            to.facet.push_back(from.facet[k]);
-            to.factor.push_back(from.factor[k] * texture_levels.share[source]);
-            for (std::uint32_t c = 0; c + 1 < of_facet.levels; ++c) {
-                copies.emplace_back(of_facet.first_copy + c,
-                                    from.factor[k] * texture_levels.share[of_facet.first_copy + c]);
-            }
-        }
-        std::sort(copies.begin(), copies.end());
-        for (const auto& [source, factor] : copies) {
-            to.facet.push_back(FacetId{source});
-            to.factor.push_back(factor);
-        }
-        to.row.push_back(static_cast<std::uint32_t>(to.facet.size()));
-    }
+    if (solid.others.row.empty()) return all;
+    RowsOverLevels rows(texture_levels, solid.others, n);
+    for (const std::uint32_t f : texture_levels.origin) rows.append(f);
+    all.others = std::move(rows.of_levels);
     return all;
+}
+
+ViewFactors levels_seen(const TextureLevels& texture_levels, const ViewFactors& solid) {
+    const std::size_t n = solid.row.size() - 1;
+    RowsOverLevels rows(texture_levels, solid, n);
+    for (std::size_t f = 0; f < n; ++f) rows.append(f);
+    return std::move(rows.of_levels);
 }
 
 }  // namespace diurna

@@ -16,4 +16,7 @@ std::vector<float> for_all_levels(const TextureLevels& texture_levels,
 /// surroundings' levels by its share.
 FacetViews for_all_levels(const TextureLevels& texture_levels, const FacetViews& solid);
 
+/// Rows over solid facets as rows over all: each of a facet's levels by its share.
+ViewFactors levels_seen(const TextureLevels& texture_levels, const ViewFactors& solid);
+
 }  // namespace diurna

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "materials/base/parallel.hpp"
@@ -152,30 +153,31 @@ std::size_t finer_level(double hidden, std::size_t levels) {
     return std::min(wanted, levels - 1);
 }
 
-}  // namespace
-
-FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
-                       const FacetViewOptions& options) {
+/// Rows of `from`, which may be the scene's facets.
+///
+/// - ground: the first so many of `from` take ground's rays, the others `object_rays`
+/// - buried: (facet of `from`) 1 where no ray is cast; empty: nowhere
+FacetViews sampled(const FacetSet& from, const FacetSet& facets, const RayScene& scene,
+                   std::size_t ground, std::vector<std::uint8_t> buried,
+                   const FacetViewOptions& options) {
     assert(options.rays > 0 && options.rays <= 65535);
     assert(options.object_rays > 0 && options.object_rays <= 65535);
-    assert(options.near_objects.size() <= options.first_object);
+    assert(options.near_objects.size() <= ground);
     const std::vector<HemisphereRays> ground_rays = finer_rays(options);
     const HemisphereRays object_rays(options.object_rays, options.seed);
     const SkyBound bound(facets, scene.copies());
 
     FacetViews views;
-    if (options.first_object < facets.size()) {
-        views.buried = below_ground(facets, scene, options.first_object);
-    }
-    views.rays.resize(facets.size());
-    views.sky.resize(facets.size());
-    views.below.resize(facets.size());
-    views.hidden.resize(facets.size());
-    views.shares.resize(facets.size());
-    std::vector<FactorRows> blocks((facets.size() + facets_per_block - 1) / facets_per_block);
+    views.buried = std::move(buried);
+    views.rays.resize(from.size());
+    views.sky.resize(from.size());
+    views.below.resize(from.size());
+    views.hidden.resize(from.size());
+    views.shares.resize(from.size());
+    std::vector<FactorRows> blocks((from.size() + facets_per_block - 1) / facets_per_block);
     std::vector<FactorRows> copied(scene.copies().empty() ? 0 : blocks.size());
 
-    for_each_block(facets.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
+    for_each_block(from.size(), facets_per_block, [&](std::size_t begin, std::size_t end) {
         RayPacket rays;
         BlockRays found(scene, facets, options.first_object, options.others, options.sunlight);
         SkyBound::Sines sines = SkyBound::unknown;
@@ -186,7 +188,7 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
             for (std::size_t f = begin; f < last; ++f) {
                 if (!options.near_objects[f]) continue;
                 for (std::size_t p = 0; p < ground_rays[0].packets(); ++p) {
-                    ground_rays[0].fill(facets, f, p, rays);
+                    ground_rays[0].fill(from, f, p, rays);
                     first.trace(rays, ground_rays[0].lanes(p),
                                 static_cast<std::uint32_t>(f - begin), SkyBound::unknown);
                 }
@@ -201,14 +203,14 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
         }
         for (std::size_t f = begin; f < end; ++f) {
             if ((f - begin) % facets_per_bound == 0) {
-                sines = bound.sines(facets, f, std::min(end, f + facets_per_bound));
+                sines = bound.sines(from, f, std::min(end, f + facets_per_bound));
             }
             const HemisphereRays& sampler =
-                f < options.first_object ? ground_rays[level[f - begin]] : object_rays;
+                f < ground ? ground_rays[level[f - begin]] : object_rays;
             views.rays[f] = static_cast<std::uint16_t>(sampler.rays());
             if (!views.buried.empty() && views.buried[f]) continue;
             for (std::size_t p = 0; p < sampler.packets(); ++p) {
-                sampler.fill(facets, f, p, rays);
+                sampler.fill(from, f, p, rays);
                 found.trace(rays, sampler.lanes(p), static_cast<std::uint32_t>(f - begin), sines);
             }
         }
@@ -232,16 +234,33 @@ FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
                 views.shares[f] = {};
                 continue;
             }
-            views.shares[f] = open_shares(facets.normal[f], found.covered[f - begin], weight,
-                                          double{views.sky[f]});
+            views.shares[f] =
+                open_shares(from.normal[f], found.covered[f - begin], weight, double{views.sky[f]});
         }
     });
-    views.others = joined(blocks, facets.size());
-    if (!copied.empty()) views.copied = joined(copied, facets.size());
+    views.others = joined(blocks, from.size());
+    if (!copied.empty()) views.copied = joined(copied, from.size());
     if (std::all_of(views.hidden.begin(), views.hidden.end(), [](float h) { return h == 0.0f; })) {
         views.hidden.clear();
     }
     return views;
+}
+
+}  // namespace
+
+FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
+                       const FacetViewOptions& options) {
+    std::vector<std::uint8_t> buried;
+    if (options.first_object < facets.size()) {
+        buried = below_ground(facets, scene, options.first_object);
+    }
+    return sampled(facets, facets, scene, std::min(options.first_object, facets.size()),
+                   std::move(buried), options);
+}
+
+FacetViews patch_views(const FacetSet& patches, const FacetSet& facets, const RayScene& scene,
+                       const FacetViewOptions& options) {
+    return sampled(patches, facets, scene, 0, {}, options);
 }
 
 }  // namespace diurna

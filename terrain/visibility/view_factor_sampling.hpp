@@ -45,4 +45,11 @@ struct FacetViewOptions {
 FacetViews facet_views(const FacetSet& facets, const RayScene& scene,
                        const FacetViewOptions& options = {});
 
+/// The same of patches that lie on facets and that no ray knows or meets: `object_rays` of each;
+/// none is buried.
+///
+/// - facets: those of the scene, of which `first_object` is one
+FacetViews patch_views(const FacetSet& patches, const FacetSet& facets, const RayScene& scene,
+                       const FacetViewOptions& options = {});
+
 }  // namespace diurna

@@ -59,7 +59,7 @@ class SunlightAtOnce {
 
     /// What facets reflect of each other, to the bound.
     void bounce(double bound) {
-        const std::size_t n = instants_.size();
+        const std::size_t n = instants_.size(), counted = scene_.facets.size() - scene_.beside;
         std::vector<float> scale(n), unsent(incident_.size()), counts(scene_.facets.size());
         for (std::size_t k = 0; k < n; ++k) {
             scale[k] = float(1.0 / (bound * light_[k * sun_.sky.tiers].global));
@@ -74,7 +74,7 @@ class SunlightAtOnce {
             return most;
         };
         for_each_index(scene_.facets.size(), [&](std::size_t f) {
-            counts[f] = reflect(f, &incident_[f * n], &unsent[f * n]);
+            counts[f] = f < counted ? reflect(f, &incident_[f * n], &unsent[f * n]) : 0.0f;
         });
         const ViewFactors& seen = scene_.views.others;
         interreflect(
@@ -82,7 +82,7 @@ class SunlightAtOnce {
             {.value = unsent.data(), .stride = n, .lanes = n, .counts = counts},
             [&](std::size_t f, const float* arrived, float* out) {
                 for (std::size_t k = 0; k < n; ++k) incident_[f * n + k] += arrived[k];
-                return reflect(f, arrived, out);
+                return f < counted ? reflect(f, arrived, out) : 0.0f;
             });
     }
 
@@ -168,8 +168,10 @@ void incident_sunlight(const ExchangingFacets& scene, const SunlitInstants& sun,
                        std::span<float> incident) {
     const std::size_t facets = scene.facets.size();
     const bool bounces = scene.exchange && !scene.views.others.facet.empty();
+    const std::vector<float> albedo = greatest_albedo(scene);
     const double bound =
-        sunlight_bound * (1.0 - double(greatest_sent_on(scene.views, greatest_albedo(scene))));
+        sunlight_bound * (1.0 - double(greatest_sent_on(
+                                    scene.views, std::span(albedo).first(facets - scene.beside))));
     std::vector<std::size_t> lit;
     for (std::size_t i = 0; i < sun.sky.instants(); ++i) {
         if (sun.sky.sky[i * sun.sky.tiers].global_horizontal() > 0.0) {

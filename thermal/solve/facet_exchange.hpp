@@ -29,6 +29,7 @@ struct ExchangingFacets {
     const FacetSet& facets;
     const FacetViews& views;
     const FacetOptics& optics;
+    std::size_t beside = 0;                    // the last so many, which others do not see
     bool exchange = true;                      // else each sees sun and sky alone
     const ChangingAlbedo* changing = nullptr;  // null: none changes
 };

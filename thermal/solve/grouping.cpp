@@ -40,7 +40,7 @@ constexpr float nothing_but_itself = 0.999f;
 }  // namespace
 
 std::vector<KindOf> group_by_material(SolveState& solve) {
-    std::map<std::pair<std::size_t, bool>, std::size_t> place_of;
+    std::map<std::tuple<std::size_t, bool, bool>, std::size_t> place_of;
     std::vector<KindOf> kinds;
     std::map<std::tuple<std::size_t, std::size_t, bool, bool, bool, bool>, std::size_t>
         open;  // still taking facets
@@ -55,7 +55,8 @@ std::vector<KindOf> group_by_material(SolveState& solve) {
         const bool target = !solve.in_network.empty() && solve.in_network[f];
         const bool closed =
             !sheet && !target && seen_as_itself(solve.input.views, f) > nothing_but_itself;
-        const auto [place, is_new] = place_of.try_emplace({index(id), closed}, kinds.size());
+        const auto [place, is_new] =
+            place_of.try_emplace({index(id), closed, f >= solve.counted}, kinds.size());
         const std::size_t m = place->second;
         if (is_new) kinds.push_back({id, closed});
         const bool modes = in_modes(solve.options, surface);

@@ -23,13 +23,18 @@ const Material& material_of(const SolveState& solve, std::size_t facet) {
     return solve.input.materials[solve.input.facets.material[facet]];
 }
 
-/// The albedo, at all instants, of all facets with water; none if it never changes theirs.
+/// The albedo, at all instants, of all facets with water that others see; none if it never changes
+/// theirs.
 ChangingAlbedo under_water(const SolveState& solve, const CoveredFacets& water) {
-    ChangingAlbedo changing{.facet = water.facet, .albedo = {}};
+    ChangingAlbedo changing;
+    for (const std::uint32_t f : water.facet) {
+        if (f < solve.counted) changing.facet.push_back(f);
+    }
     bool changes = false;
     changing.albedo.reserve(water.cover.size());
     for (std::size_t n = 0; n < water.cover.size(); ++n) {
         const std::size_t f = water.facet[n % water.facet.size()];
+        if (f >= solve.counted) continue;
         const Material& material = material_of(solve, f);
         changing.albedo.push_back(
             shown_albedo(material, covered_albedo(material.thermal, water.cover[n])));
@@ -135,6 +140,7 @@ void add_sunlight(SolveState& solve) {
         incident_sunlight({.facets = solve.input.facets,
                            .views = own ? *own : solve.input.views,
                            .optics = optics,
+                           .beside = solve.input.beside,
                            .exchange = solve.options.exchange,
                            .changing = changing},
                           {.sky = sky, .fraction = fraction}, sunlight);
@@ -200,7 +206,7 @@ double relight(SolveState& solve, const CoveredFacets& water) {
         const float* const albedo = covered ? &solve.changing.albedo[place++] : nullptr;
         const double change = most_of_an_hour(solve, f, albedo, n, before);
         solve.relit[f] += float(change);
-        most = std::max(most, change);
+        if (f < solve.counted) most = std::max(most, change);
     }
     for (Block& block : solve.block) {
         for (const auto* face : {&block.facet, &block.behind}) {

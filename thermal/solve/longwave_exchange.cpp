@@ -79,7 +79,7 @@ bool send(const SolveState& solve, float least, int sweeps, Field& field) {
                 for (std::size_t k = 0; k < count; ++k) {
                     unsent[k] += reflectance * all * arrived[k];
                 }
-                return scale * largest({unsent, count});
+                return f < solve.counted ? scale * largest({unsent, count}) : 0.0f;
             },
             sweeps);
         for (std::size_t f = 0; f < solve.facets; ++f) left[f] |= counts[f] > 1.0f;
@@ -184,7 +184,7 @@ void reflect(SolveState& solve, const Level& level, float least, Field& field) {
             change += back * change;
         }
         field.most[f] *= 1.0f + back;
-        field.sends[f] = reflectance * field.most[f] > least * field.open;
+        field.sends[f] = f < solve.counted && reflectance * field.most[f] > least * field.open;
         for (std::size_t k = 0; k < field.used; ++k) {
             field.leaving[f * field.used + k] = reflectance * field.change[f * field.used + k];
         }
@@ -215,7 +215,7 @@ void send_more(SolveState& solve, const Level& level, std::span<const std::size_
                const Eigen::MatrixXd& warmer, Field& field) {
     for (std::size_t l = 0; l < facets.size(); ++l) {
         const std::size_t f = facets[l];
-        field.sends[f] = 1;
+        field.sends[f] = f < solve.counted;
         const float emissivity = solve.optics.emissivity[f];
         const float all = field.to_and_fro(f, 1.0f - emissivity);
         for (std::size_t k = 0; k < field.used; ++k) {
@@ -291,7 +291,9 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             const float most = most_of(block, field);
             if (most < least || most > beyond_first_order) {
                 block.unfollowed += double(most);
-                if (most > beyond_first_order) warmest[b] = double(most) / usual_loss;
+                if (most > beyond_first_order && !solve.is_beside(block)) {
+                    warmest[b] = double(most) / usual_loss;
+                }
                 return;
             }
             const auto count = Eigen::Index(block.facet.size());
@@ -329,11 +331,12 @@ double follow(SolveState& solve, const Level& level, float least, Field& field) 
             }
             warm(solve, level, block, day.warmer,
                  block.behind.empty() ? nullptr : &day.warmer_behind);
-            warmest[b] = day.warmer.cwiseAbs().maxCoeff();
+            double warmer = day.warmer.cwiseAbs().maxCoeff();
             if (!block.behind.empty()) {
-                warmest[b] = std::max(warmest[b], day.warmer_behind.cwiseAbs().maxCoeff());
+                warmer = std::max(warmer, day.warmer_behind.cwiseAbs().maxCoeff());
             }
-            block.warmed += warmest[b];
+            block.warmed += warmer;
+            if (!solve.is_beside(block)) warmest[b] = warmer;
             send_more(solve, level, block.facet, day.warmer, field);
             send_more(solve, level, block.behind, day.warmer_behind, field);
         },
@@ -361,7 +364,8 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
                 .most = std::vector<float>(solve.facets),
                 .sends = std::vector<std::uint8_t>(solve.facets, 0),
                 .itself = std::vector<float>(solve.facets),
-                .open = 1.0f - greatest_sent_on(solve.input.views, reflectance)};
+                .open = 1.0f - greatest_sent_on(solve.input.views,
+                                                std::span(reflectance).first(solve.counted))};
     for (std::size_t f = 0; f < solve.facets; ++f) {
         field.itself[f] = seen_as_itself(solve.input.views, f);
     }
@@ -374,7 +378,7 @@ ExchangeChange exchange_longwave(SolveState& solve, const Level& level) {
             std::fill_n(field.changes(f).begin(), field.used, 0.0f);
         }
     }
-    const float first = *std::max_element(field.most.begin(), field.most.end());
+    const float first = largest(std::span(field.most).first(solve.counted));
     result.heat = double(first);
     const float least = std::max(least_change, least_share * first);
     const auto tell_blocks = [&] {

@@ -142,13 +142,15 @@ void PointFacets::take_in(const Level& level) {
         for (std::size_t l = 0; l < block.facet.size(); ++l) {
             const Need& one = need[b][l];
             const std::size_t f = block.facet[l];
+            if (!one.taken && f >= solve_.counted) continue;
             if (!one.taken) {
                 left_out_.unfollowed += one.unfollowed ? 1 : 0;
                 left_out_.most_dew_unfollowed = std::max(left_out_.most_dew_unfollowed, one.dew);
                 left_out_.dew_left_out = std::max(left_out_.dew_left_out, one.warming);
                 continue;
             }
-            taken_[f] = fresh_ = true;
+            taken_[f] = true;
+            fresh_ = fresh_ || f < solve_.counted;
             point_.push_back({.facet = f,
                               .block = b,
                               .lane = l,
@@ -159,7 +161,7 @@ void PointFacets::take_in(const Level& level) {
                               .end = {}});
         }
     }
-    for (const FacetPoint& p : point_) fresh_ = fresh_ || p.kelvin.empty();
+    for (const FacetPoint& p : point_) fresh_ = fresh_ || (counts(p) && p.kelvin.empty());
 }
 
 void PointFacets::set_out_from(const std::vector<HeatState::Point>& left) {
@@ -365,7 +367,9 @@ void PointFacets::run_groups(const Level& level, std::vector<FacetPoint*> waitin
     std::stable_sort(waiting.begin(), waiting.end(),
                      [&](const FacetPoint* a, const FacetPoint* b) { return key(a) < key(b); });
     // The more, the better the lanes are filled; the fewer, the better the processors.
-    const std::size_t most = enthalpy_lanes * std::clamp<std::size_t>(waiting.size() / 128, 2, 16);
+    const auto number = std::size_t(std::count_if(waiting.begin(), waiting.end(),
+                                                  [&](const FacetPoint* p) { return counts(*p); }));
+    const std::size_t most = enthalpy_lanes * std::clamp<std::size_t>(number / 128, 2, 16);
     std::vector<std::span<FacetPoint* const>> group;
     for (std::size_t from = 0; from < waiting.size();) {
         std::size_t to = from + 1;
@@ -400,6 +404,7 @@ void PointFacets::pass(SolveState& solve, const Level& level) {
     run_groups(level, std::move(together));
     stores_ = batched_ = 0;
     for (const FacetPoint& p : point_) {
+        if (!counts(p)) continue;
         const Kind& kind = level.kind[solve_.block[p.block].material];
         stores_ += kind.column.surface.store.capacity_mm > 0.0 ? 1 : 0;
         batched_ += by_itself(level, p) ? 0 : 1;
@@ -431,6 +436,8 @@ PointFacets::Summary PointFacets::summary() const {
     s.stores = stores_;
     s.batched = batched_;
     for (const FacetPoint& p : point_) {
+        if (!counts(p)) continue;
+        ++s.points;
         if (p.alternates) {
             ++s.alternating;
             if (p.residual > s.alternation) s.alternating_facet = p.facet;

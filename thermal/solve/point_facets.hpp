@@ -52,9 +52,9 @@ class PointFacets {
     /// What the span leaves of all points.
     std::vector<HeatState::Point> left() const;
 
-    std::size_t size() const { return point_.size(); }
-    /// Worst of all points: of the last run, and (worst_passes) of all runs together.
+    /// Worst of all points that count: of the last run, and (worst_passes) of all runs together.
     struct Summary {
+        std::size_t points = 0;
         double residual = 0.0;      // [K] |P(T) − T|, of those whose days do not alternate
         double largest_move = 0.0;  // [K] that the next start is away
         std::size_t worst_facet = 0;
@@ -87,6 +87,7 @@ class PointFacets {
     void march_span(const Level& level, const FacetForcing& forcing, PointFacet& facet,
                     FacetPoint& point, Eigen::MatrixXd* map) const;
     bool rests(const FacetPoint& point) const;
+    bool counts(const FacetPoint& point) const { return point.facet < solve_.counted; }
     void run_groups(const Level& level, std::vector<FacetPoint*> waiting);
 
     const SolveState& solve_;

@@ -1,7 +1,10 @@
 #include "thermal/solve/representatives.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace diurna {
@@ -76,9 +79,10 @@ NetworkObject chosen(NetworkObject object, const Representatives& r) {
     return object;
 }
 
-/// Rows of so many values for each solved facet as rows for every facet.
-std::vector<float> spread(const Representatives& r, const std::vector<float>& part) {
-    const std::size_t solved = r.solved.size(), all = r.place.size();
+/// Rows of so many values for each that was solved as rows for every facet.
+std::vector<float> spread(const Representatives& r, const std::vector<float>& part,
+                          std::size_t solved) {
+    const std::size_t all = r.place.size();
     std::vector<float> whole(part.size() / solved * all);
     for (std::size_t row = 0; row * solved < part.size(); ++row) {
         const float* const from = part.data() + row * solved;
@@ -89,8 +93,8 @@ std::vector<float> spread(const Representatives& r, const std::vector<float>& pa
 }
 
 /// What lies on solved facets lies on those that they stand for.
-CoveredFacets spread(const Representatives& r, const CoveredFacets& part) {
-    std::vector<std::uint32_t> place_in_part(r.solved.size(), no_number);
+CoveredFacets spread(const Representatives& r, const CoveredFacets& part, std::size_t solved) {
+    std::vector<std::uint32_t> place_in_part(solved, no_number);
     for (std::size_t i = 0; i < part.facet.size(); ++i) {
         place_in_part[part.facet[i]] = static_cast<std::uint32_t>(i);
     }
@@ -109,11 +113,83 @@ CoveredFacets spread(const Representatives& r, const CoveredFacets& part) {
     return whole;
 }
 
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+}
+
+void append(FacetSet& facets, const FacetSet& more) {
+    const auto first = static_cast<std::uint32_t>(facets.vertex.size());
+    append(facets.vertex, more.vertex);
+    for (std::array<std::uint32_t, 3> corner : more.corner) {
+        for (std::uint32_t& v : corner) v += first;
+        facets.corner.push_back(corner);
+    }
+    append(facets.centroid, more.centroid);
+    append(facets.normal, more.normal);
+    append(facets.area, more.area);
+    append(facets.material, more.material);
+    append(facets.object, more.object);
+}
+
+/// Values of which none may mean that all are `usual`.
+template <class T>
+void append(std::vector<T>& to, std::size_t before, const std::vector<T>& more, std::size_t count,
+            T usual) {
+    if (to.empty() && more.empty()) return;
+    to.resize(before, usual);
+    append(to, more);
+    to.resize(before + count, usual);
+}
+
+/// What patches see, of each facet the one that stands for it.
+void append(FacetViews& views, const FacetViews& more, const Representatives& r) {
+    const std::size_t before = views.sky.size(), count = more.sky.size();
+    append(views.hidden, before, more.hidden, count, 0.0f);
+    append(views.sky, more.sky);
+    append(views.below, more.below);
+    if (!views.rays.empty()) append(views.rays, more.rays);
+    if (!views.shares.empty()) append(views.shares, more.shares);
+    Representatives rows{.solved = std::vector<std::uint32_t>(count), .place = r.place};
+    std::iota(rows.solved.begin(), rows.solved.end(), 0u);
+    const ViewFactors others = chosen(more.others, rows);
+    const std::uint32_t first = views.others.row.back();
+    for (std::size_t k = 1; k < others.row.size(); ++k) {
+        views.others.row.push_back(first + others.row[k]);
+    }
+    append(views.others.facet, others.facet);
+    append(views.others.factor, others.factor);
+}
+
+/// Of facets, and then of patches as the facets that these are like have it.
+template <class T>
+std::vector<T> chosen(const std::vector<T>& whole, const Representatives& r,
+                      const BesideFacets& beside) {
+    std::vector<T> part = chosen(whole, r);
+    if (whole.empty()) return part;
+    for (const std::uint32_t facet : beside.like) part.push_back(whole[facet]);
+    return part;
+}
+
 }  // namespace
 
-SolvedPart::SolvedPart(const SolveInput& whole, const Representatives& r)
+Representatives all_represent_themselves(std::size_t facets) {
+    Representatives r;
+    r.solved.resize(facets);
+    std::iota(r.solved.begin(), r.solved.end(), 0u);
+    r.place = r.solved;
+    return r;
+}
+
+SolvedPart::SolvedPart(const SolveInput& whole, const Representatives& r,
+                       const BesideFacets& beside)
     : facets_(chosen(whole.facets, r)), views_(chosen(whole.views, r)) {
     if (whole.sunlight_views != nullptr) sunlight_views_ = chosen(*whole.sunlight_views, r);
+    if (beside.size() > 0) {
+        append(facets_, beside.facets);
+        append(views_, beside.views, r);
+        if (whole.sunlight_views != nullptr) append(sunlight_views_, beside.sunlight_views, r);
+    }
     std::vector<NetworkObject> network;
     for (const NetworkObject& object : whole.network) network.push_back(chosen(object, r));
     input_ = std::make_unique<const SolveInput>(
@@ -126,44 +202,60 @@ SolvedPart::SolvedPart(const SolveInput& whole, const Representatives& r)
                    .utc_offset = whole.utc_offset,
                    .elevation = whole.elevation,
                    .by_height = whole.by_height,
-                   .height = chosen(whole.height, r),
-                   .part = chosen(whole.part, r),
+                   .height = chosen(whole.height, r, beside),
+                   .part = chosen(whole.part, r, beside),
+                   .beside = beside.size(),
                    .network = std::move(network),
-                   .open_above = chosen(whole.open_above, r),
+                   .open_above = chosen(whole.open_above, r, beside),
                    .clear_sky = whole.clear_sky,
                    .measured_share = whole.measured_share,
                    .sunlight_views = whole.sunlight_views != nullptr ? &sunlight_views_ : nullptr});
 }
 
-SunExposure solved_part(const SunExposure& whole, const Representatives& r) {
+SunExposure solved_part(const SunExposure& whole, const Representatives& r,
+                        const SunExposure& beside) {
     SunExposure part{.instant = whole.instant, .fraction = {}};
+    const std::size_t instants = whole.instant.size(), solved = r.solved.size();
+    const std::size_t patches = beside.fraction.size() / std::max<std::size_t>(1, instants);
     if (!whole.fraction.empty()) {
-        part.fraction.reserve(whole.instant.size() * r.solved.size());
-        for (std::size_t i = 0; i < whole.instant.size(); ++i) {
+        part.fraction.reserve(instants * (solved + patches));
+        for (std::size_t i = 0; i < instants; ++i) {
             const float* const row = whole.fraction.data() + i * r.place.size();
             for (const std::uint32_t facet : r.solved) part.fraction.push_back(row[facet]);
+            const auto patch = beside.fraction.begin() + static_cast<std::ptrdiff_t>(i * patches);
+            part.fraction.insert(part.fraction.end(), patch,
+                                 patch + static_cast<std::ptrdiff_t>(patches));
         }
     }
     for (const ShadowEdge& edge : whole.edge) {
         if (r.of(edge.facet) != edge.facet) continue;
         part.edge.push_back({edge.step, r.place[edge.facet], edge.share});
     }
+    if (beside.edge.empty()) return part;
+    for (const ShadowEdge& edge : beside.edge) {
+        part.edge.push_back(
+            {edge.step, static_cast<std::uint32_t>(solved + edge.facet), edge.share});
+    }
+    std::stable_sort(part.edge.begin(), part.edge.end(), [](const auto& a, const auto& b) {
+        return std::pair(a.step, a.facet) < std::pair(b.step, b.facet);
+    });
     return part;
 }
 
-void spread(const Representatives& r, SpanResult& result) {
-    if (r.everything()) return;
+void spread(const Representatives& r, SpanResult& result, std::size_t beside) {
+    if (r.everything() && beside == 0) return;
+    const std::size_t solved = r.solved.size() + beside;
     TemperatureField& field = result.temperature;
-    field.kelvin = spread(r, field.kelvin);
+    field.kelvin = spread(r, field.kelvin, solved);
     field.facets = r.place.size();
     field.solved_as.clear();
-    for (std::size_t f = 0; f < r.place.size(); ++f) {
+    for (std::size_t f = 0; !r.everything() && f < r.place.size(); ++f) {
         field.solved_as.push_back(static_cast<std::uint32_t>(r.of(f)));
     }
-    field.water = spread(r, field.water);
+    field.water = spread(r, field.water, solved);
     HeatFluxField& heat = result.heat;
     if (heat.empty()) return;
-    for (std::vector<float>& term : heat.watts) term = spread(r, term);
+    for (std::vector<float>& term : heat.watts) term = spread(r, term, solved);
     heat.facets = r.place.size();
 }
 

@@ -84,6 +84,9 @@ struct SolveInput {
     const AirByHeight* by_height = nullptr;
     std::vector<float> height{};   // (facet) [m] above the sea; empty: all at the weather's
     std::vector<FilmPart> part{};  // (facet) to the wind; empty: of unknown size, in the open
+    /// Of the facets the last so many, which others do not see: what they are has no say in what
+    /// others are, to the last bit. Of no target.
+    std::size_t beside = 0;
     std::vector<NetworkObject> network{};  // targets whose facets conduct from one to the next
     /// (facet) share of what falls straight down that nothing above keeps off it; empty: all.
     std::vector<float> open_above{};

@@ -153,12 +153,13 @@ std::vector<std::size_t> steps_around(std::span<const Instant> wanted,
 SolveInput of_piece(const SolveInput& span, const SunExposure& sun, const Weather* own_weather,
                     const HeatState* from, const TemperatureField* guess) {
     const auto& [facets, views, span_sun, materials, weather, site, clock, elevation, by_height,
-                 height, part, network, open_above, clear_sky, measured_share, sunlight_views,
-                 span_from, span_guess] = span;
-    return {facets,         views,   sun,        materials, own_weather ? *own_weather : weather,
-            site,           clock,   elevation,  by_height, height,
-            part,           network, open_above, clear_sky, measured_share,
-            sunlight_views, from,    guess};
+                 height, part, beside, network, open_above, clear_sky, measured_share,
+                 sunlight_views, span_from, span_guess] = span;
+    return {
+        facets,         views,          sun,       materials,  own_weather ? *own_weather : weather,
+        site,           clock,          elevation, by_height,  height,
+        part,           beside,         network,   open_above, clear_sky,
+        measured_share, sunlight_views, from,      guess};
 }
 
 /// Solves a piece, from the walk's state if it has one, and leaves there what comes of it.

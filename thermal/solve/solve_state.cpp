@@ -15,6 +15,7 @@ SolveState::SolveState(const SolveInput& given, const SolveOptions& how,
       instant(step_instants(how)),
       step(how.duration / double(instant.size() - 1)),
       facets(given.facets.size()),
+      counted(facets - given.beside),
       tiers(air_tiers(given.by_height, given.height)),
       optics(facet_optics(given.facets, given.materials)),
       other_side(other_sides(given.facets)) {

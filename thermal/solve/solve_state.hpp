@@ -162,6 +162,7 @@ struct SolveState {
     std::vector<Instant> instant;  // = step_instants(options)
     double step;                   // [s]
     std::size_t facets;
+    std::size_t counted;  // of these, the first, by which it is judged; others: SolveInput::beside
     AirTiers tiers;
     FacetOptics optics;
     std::vector<std::uint32_t> other_side;  // terrain/visibility/two_sides.hpp
@@ -196,6 +197,8 @@ struct SolveState {
     bool of_target(const Block& of) const {
         return !in_network.empty() && in_network[of.facet.front()];
     }
+    /// Whether its facets are beside those that count.
+    bool is_beside(const Block& of) const { return of.facet.front() >= counted; }
     /// Whether a facet is the back of another, whose column is its too.
     bool is_back(std::size_t f) const {
         return !other_side.empty() && other_side[f] != index(no_facet) &&

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -161,7 +162,7 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
     report.estimated_error = change.warmer;
     for (const Block& block : solve.block) {
         if (!options.periodic) break;
-        if (solve.of_target(block)) continue;
+        if (solve.of_target(block) || solve.is_beside(block)) continue;
         report.periodic_residual = std::max(report.periodic_residual, block.residual);
         report.estimated_error =
             std::max(report.estimated_error, block.largest_move + change.warmer);
@@ -187,17 +188,16 @@ void judge(const SolveState& solve, const PointFacets& points, const NetworkFace
 class Nearing {
  public:
     void add(const SolveReport& report, const SolveOptions& options) {
-        left_[1] = left_[0];
-        left_[0] = now_;
-        now_ = std::max(report.periodic_residual / options.tolerance,
-                        report.estimated_error / options.settled);
+        std::shift_right(left_.begin(), left_.end(), 1);
+        left_.front() = std::max(report.periodic_residual / options.tolerance,
+                                 report.estimated_error / options.settled);
     }
-    /// The last two have brought it nearer by a quarter: what goes to and fro does so less and
-    /// less.
-    bool nearer() const { return now_ < 0.75 * left_[1]; }
+    /// The last four have brought it nearer by a half: what goes to and fro does so less and less.
+    /// Four, as a block that rested may wake and be further than it was.
+    bool nearer() const { return left_.front() < 0.5 * left_.back(); }
 
  private:
-    double now_ = 1e9, left_[2] = {1e9, 1e9};
+    std::array<double, 5> left_{1e9, 1e9, 1e9, 1e9, 1e9};  // the last first
 };
 
 /// Passes over the span at its own steps until they change nothing that counts.
@@ -245,9 +245,11 @@ void pass_until_settled(SolveState& solve, Level& level, PointFacets& points,
 void tell_steps(const SolveState& solve, const PointFacets& points, const NetworkFacets& targets,
                 SolveReport& report) {
     StepRecord record;
-    for (const Block& block : solve.block) record.merge(block.record);
+    for (const Block& block : solve.block) {
+        if (!solve.is_beside(block)) record.merge(block.record);
+    }
     const PointFacets::Summary single = points.summary();
-    report.points = points.size();
+    report.points = single.points;
     report.point_passes = single.worst_passes;
     report.limited = single.limited;
     report.batched = single.batched;
@@ -275,9 +277,12 @@ void tell_steps(const SolveState& solve, const PointFacets& points, const Networ
     report.newton_iterations = double(record.iterations) / double(std::max(1LL, record.stages));
     report.worst_newton_iterations = record.worst_iterations;
     report.bisections = record.bisections;
-    const auto [coldest, warmest] = std::minmax_element(solve.kelvin.begin(), solve.kelvin.end());
-    report.coldest = *coldest;
-    report.warmest = *warmest;
+    for (std::size_t i = 0; i < solve.instant.size(); ++i) {
+        const std::span row(solve.kelvin.data() + i * solve.facets, solve.counted);
+        const auto [coldest, warmest] = std::minmax_element(row.begin(), row.end());
+        report.coldest = i == 0 ? *coldest : std::min<double>(report.coldest, *coldest);
+        report.warmest = i == 0 ? *warmest : std::max<double>(report.warmest, *warmest);
+    }
 }
 
 /// Once more over the span, every facet, as it has settled: what the balance is made of.

@@ -35,7 +35,7 @@ std::string furthest_facets(const SolveState& solve, const PointFacets& points,
     const double single = points.summary().residual, network = targets.summary().residual;
     const Block* worst = nullptr;
     for (const Block& block : solve.block) {
-        if (solve.of_target(block) || block.facet.empty()) continue;
+        if (block.facet.empty() || solve.of_target(block) || solve.is_beside(block)) continue;
         if (worst == nullptr || block.residual > worst->residual) worst = &block;
     }
     const double plain = worst == nullptr ? 0.0 : worst->residual;

@@ -15,11 +15,11 @@ std::optional<Eigen::Vector3d> read_normal(const Section& section) {
         "south and west",
         3);
     const Eigen::Vector3d normal(axes[0], axes[1], axes[2]);
-    if (!(normal.norm() > 1e-6)) {
+    if (!(normal.stableNorm() > 1e-6)) {
         section.mistake("normal", "has no direction, expected [east, north, up] such as [0, 0, 1]");
         return Eigen::Vector3d::UnitZ();
     }
-    return normal.normalized();
+    return normal.stableNormalized();
 }
 
 }  // namespace

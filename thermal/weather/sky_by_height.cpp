@@ -16,10 +16,20 @@ double ratio(double there, double here) {
     return here > least_light ? std::clamp(there / here, least_ratio, most_ratio) : 1.0;
 }
 
-double formula(const AirState& air, const Forcing& now, const ClearSky& clear) {
-    return std::isnan(now.cloud_fraction)
-               ? clear_longwave(air, clear.longwave)
-               : cloudy_longwave(air, now.cloud_fraction, clear.longwave);
+/// Longwave over other air: between that of its clear sky and its black body where it was here, so
+/// that an overcast stays one; of a sky darker than the clear one here, by the clear skies' ratio.
+double carried_longwave(double here, const AirState& from, const AirState& to,
+                        const ClearSky& clear) {
+    const double clear_here = clear_longwave(from, clear.longwave);
+    const double clear_there = clear_longwave(to, clear.longwave);
+    if (!(clear_here > 0.0)) return here;
+    if (here <= clear_here) return here * clear_there / clear_here;
+    const auto black = [](const AirState& air) {
+        return stefan_boltzmann * power4(air.temperature);
+    };
+    if (!(black(from) > clear_here)) return here * clear_there / clear_here;
+    const double cover = (here - clear_here) / (black(from) - clear_here);
+    return clear_there + cover * (black(to) - clear_there);
 }
 
 void thin_out(const Forcing& now, const AirState& there, const AirByHeight& rule, double height,
@@ -48,8 +58,7 @@ void thin_out(const Forcing& now, const AirState& there, const AirByHeight& rule
 SkyState sky_at_height(const SkyState& station, const Forcing& now, const AirState& there,
                        const AirByHeight& rule, double height, const ClearSky& clear) {
     SkyState sky = station;
-    const double here = formula(now.air, now, clear);
-    if (here > 0.0) sky.longwave_down *= formula(there, now, clear) / here;
+    sky.longwave_down = carried_longwave(sky.longwave_down, now.air, there, clear);
     sky.tilted_longwave *= power4(there.temperature / now.air.temperature);
     if (sky.to_sun.z() > 0.0 && sky.global_horizontal() > 0.0) {
         thin_out(now, there, rule, height, clear, sky);

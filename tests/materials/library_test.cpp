@@ -346,7 +346,7 @@ TEST_CASE("a sheet with an open back has no room behind it", "[materials][librar
     CHECK(mistakes(window + "bottom = { kind = \"flux\", value_W_m2 = 0.0 }\n").empty());
     const auto both = mistakes(window + "bottom = { kind = \"temperature\", value_K = 290.0 }\n");
     REQUIRE(both.size() == 1);
-    CHECK(both.front().hint == "leave out `bottom` or `back`");
+    CHECK(both.front().hint == "remove `bottom` or `back`");
 }
 
 TEST_CASE("more than all of the light is refused", "[materials][library]") {

@@ -191,7 +191,7 @@ TEST_CASE("one bad level of a list costs no good one", "[materials][profile]") {
     }
     REQUIRE(bad.notes.size() == 1);
     CHECK_THAT(bad.notes[0],
-               Catch::Contains("1 of 25 levels left out") && Catch::Contains("line 9"));
+               Catch::Contains("1 of 25 levels are skipped") && Catch::Contains("line 9"));
 }
 
 TEST_CASE("a sounding of the Integrated Global Radiosonde Archive is read",

@@ -163,7 +163,8 @@ void check_shards() {
     check_same(whole().out, folder.path / "killed");
     // Killed after all else: its ledger is still there.
     write_text(folder.path / "killed/variants/v1/ledger.jsonl", "{}\n");
-    CHECK(printed(command + " 2>/dev/null").find("0 variants rendered, 4 kept, 0 heats solved") !=
+    CHECK(printed(command + " 2>/dev/null")
+              .find("0 variants rendered, 4 reused, 0 heat balances computed") !=
           std::string::npos);
     check_same(whole().out, folder.path / "killed");
 }
@@ -395,10 +396,11 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
     CHECK(reported.find("no observer \"west\"") != std::string::npos);
     reported = lines_of(folder, axis("observer.east.samples", "[4, -1]"));
     CHECK(reported.starts_with(place(":14: observer[0].samples: found -1")));
-    CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("no sweep") != std::string::npos);
+    CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("cannot change a sweep") !=
+          std::string::npos);
     CHECK(lines_of(folder, "draw = 3\n" + axis("scene.seed", "[1, 2]")).find("there are 2") !=
           std::string::npos);
-    CHECK(lines_of(folder, axis("scene.seed", "[]")).find("one value or more") !=
+    CHECK(lines_of(folder, axis("scene.seed", "[]")).find("at least one value") !=
           std::string::npos);
     CHECK(lines_of(folder, axis("scene.seed", "[1, 2]") + axis("scene.seed", "[1]"))
               .find("two change scene.seed") != std::string::npos);

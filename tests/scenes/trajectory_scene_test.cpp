@@ -205,13 +205,13 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     CHECK_THAT(reported(with(aimed, "[0.0, 40.0]", "[0.0, 40.0, 50.0]")),
                Contains("3 numbers for 2 waypoints"));
     CHECK_THAT(reported(with(aimed, "[0.0, 40.0]", "[0.0, 0.0]")),
-               Contains("not later than number 1"));
+               Contains("not later than time 1"));
     CHECK_THAT(reported(with(aimed, "trajectory = \"approach\"", "trajectory = \"aproach\"")),
                Contains("aproach") && Contains("approach"));
     CHECK_THAT(reported(with(aimed, "look_at_m = [0.0, 0.0]", "look_at = \"hanger\"")),
                Contains("hanger") && Contains("hangar"));
     CHECK_THAT(reported(with(aimed, "frame_every_s = 10.0", "place_m = [0.0, 0.0]")),
-               Contains("place_m") && Contains("beside a trajectory"));
+               Contains("place_m") && Contains("combined with a trajectory"));
     CHECK_THAT(reported(with(aimed, "frame_every_s = 10.0\n", "")),
                Contains("frame_every_s or frames"));
     CHECK_THAT(
@@ -253,7 +253,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
     const std::string beside =
         with(log, "file = \"way.csv\"", "file = \"way.csv\"\nspeed_m_s = 5.0");
     const std::string way = "time_s,east_m,north_m,height_m\n0,-2000,-2000,900\n40,0,0,500\n";
-    CHECK_THAT(reported(beside, way), Contains("speed_m_s") && Contains("beside file"));
+    CHECK_THAT(reported(beside, way), Contains("speed_m_s") && Contains("combined with file"));
     CHECK(lines(reported(beside, way)) == 1);
     CHECK_THAT(reported(log, "time_s,east_m,north_m,height_m\n0,0,0,900\n0,0,0,900\n"),
                Contains("way.csv:3:1") && Contains("not later"));
@@ -288,7 +288,7 @@ TEST_CASE("what a way or its observer cannot be is told", "[scenes][trajectory][
         reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nvelocity_m_s = [0, 0, 0]\n"),
         Contains("velocity_m_s: is zero"));
     CHECK_THAT(reported(still + "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n"),
-               Contains("more than one way"));
+               Contains("several line-of-sight keys"));
     CHECK(lines(reported(still +
                          "azimuth_deg = 0.0\nelevation_deg = 0.0\nlook_at = \"hangar\"\n")) == 1);
 }

@@ -357,8 +357,8 @@ TEST_CASE("what cannot be a detail is refused in one line", "[terrain][detail][s
     CHECK(refusal(sampled(fine_raster(500000.0, 6398550.0), surface)) ==
           "fine.tif: lies wholly outside coarse.tif");
     CHECK(refusal(sampled(fine_raster(676000.0, 6399000.0, 21, 90.0), surface))
-              .find("fine.tif: has its posts 90 m apart, coarse.tif 30.9 m; a detail is finer") ==
+              .find("fine.tif: has posts 90 m apart, coarse.tif 30.9 m; a detail must be finer") ==
           0);
     CHECK(refusal(sampled(fine_raster(), surface), {.blend = 400.0})
-              .find("fine.tif: is 600 m wide, less than two strips of 400 m") == 0);
+              .find("fine.tif: is 600 m wide, less than the two blending strips of 400 m") == 0);
 }

@@ -294,7 +294,7 @@ TEST_CASE("a span goes on from the state of another, to 1e-4 K", "[thermal][span
     CHECK_THROWS_WITH(load_heat_state(folder.path / "state.nc",
                                       {.mesh = "hills", .columns = {"soil: 3 m", "roof: 1 m"}}),
                       Catch::Contains("'roof: 2 m' there is 'roof: 1 m' here"));
-    std::ofstream(folder.path / "text.nc") << "no state";
+    std::ofstream(folder.path / "text.nc") << "not a state file";
     CHECK_THROWS_WITH(load_heat_state(folder.path / "text.nc", owner),
                       Catch::Contains("text.nc: is no netCDF file"));
     std::filesystem::resize_file(folder.path / "state.nc", 2000);

@@ -179,10 +179,10 @@ TEST_CASE("times stand in several columns, codes are missing", "[thermal][weathe
     CHECK(has(refused(file, {.columns = columns({{"year", "year"},
                                                  {"doy", "day_of_year"},
                                                  {"T", "air_temperature degC"}})}),
-              "no offset from UTC"));
+              "the UTC offset is too large"));
     CHECK(has(
         refused(file, {.columns = columns({{"year", "year UTC"}, {"T", "air_temperature degC"}})}),
-        "name no day"));
+        "no column for the day"));
 }
 
 TEST_CASE("a column that nobody reads and a far station are warned of", "[thermal][weather_file]") {

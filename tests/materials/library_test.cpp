@@ -84,7 +84,7 @@ TEST_CASE("the library has what the scenes ask for", "[materials][library]") {
         CHECK_FALSE(material(name).thermal.layers.empty());
     }
     CHECK_THROWS_WITH(library().find("aspalt", "scene.toml:3:1: material"),
-                      Catch::StartsWith("scene.toml:3:1: material: no material 'aspalt'") &&
+                      Catch::StartsWith("scene.toml:3:1: material: unknown material 'aspalt'") &&
                           Catch::Contains("did you mean 'asphalt'?"));
 }
 
@@ -325,7 +325,7 @@ TEST_CASE("what is missing from a material is named", "[materials][library]") {
     REQUIRE(unknown.size() == 1);
     CHECK(unknown.front().line() ==
           (data_folder() / "column.toml").string() +
-              ":2:8: material.name: no material 'asphlt' in the library (did you mean "
+              ":2:8: material.name: unknown material 'asphlt' in the library (did you mean "
               "'asphalt'?)");
     CHECK(mistakes("[material]\nname = \"x\"\nlike = \"gras\"\n").front().hint ==
           "did you mean 'grass'?");

@@ -148,8 +148,8 @@ TEST_CASE("one table [instrument] will do, and what is wrong with one is told in
     CHECK(mistakes_of(one + "[instrument]\npreset = \"cooled_mwir\"\n").empty());
     const std::vector<std::array<std::string, 2>> wrong = {
         {"[instrument]\npreset = \"cooled\"\n", "preset"},
-        {"[instrument]\nobserver = \"west\"\n", "no observer \"west\""},
-        {"[instrument]\nband = \"8-12\"\n", "no band \"8-12\""},
+        {"[instrument]\nobserver = \"west\"\n", "unknown observer \"west\""},
+        {"[instrument]\nband = \"8-12\"\n", "unknown band \"8-12\""},
         {"[instrument]\noptics = { f_numbr = 2.0 }\n", "did you mean 'f_number'?"},
         {"[instrument]\noptics = { transmission_curve = [[8.0, 0.9], [12.0, 0.9]] }\n",
          "no response in the band 3-5"},

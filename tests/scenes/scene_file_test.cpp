@@ -56,7 +56,7 @@ TEST_CASE("mistakes of a scene carry place, expectation and the nearest word",
     found = mistakes_of(with(small_scene(), "\"asphalt\"", "\"asfalt\""));
     REQUIRE(found.size() == 1);
     CHECK(found[0].where.find(":17:12: ground[0].material") != std::string::npos);
-    CHECK(found[0].problem == "no material \"asfalt\"");
+    CHECK(found[0].problem == "unknown material \"asfalt\"");
     CHECK(found[0].hint == "did you mean 'asphalt'? `diurna materials` lists the library");
 
     found = mistakes_of(with(with(small_scene(), "width = 64", "width = 0"), "\"3-5\"", "\"5-3\""));

@@ -190,7 +190,7 @@ TEST_CASE("mistyped names are told with what mends them", "[scenes][warnings]") 
     };
     const std::string base = small_scene();
     const std::string tarmac = refusal(with(base, "\"asphalt\"", "\"tarmac\""));
-    CHECK(tarmac.find("no material \"tarmac\" (did you mean 'asphalt'? `diurna materials`") !=
+    CHECK(tarmac.find("unknown material \"tarmac\" (did you mean 'asphalt'? `diurna materials`") !=
           std::string::npos);
     CHECK(refusal(with(base, "\"asphalt\"", "\"Asphalt\"")).find("did you mean 'asphalt'?") !=
           std::string::npos);

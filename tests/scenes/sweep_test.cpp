@@ -388,12 +388,12 @@ TEST_CASE("what a sweep gets wrong is told where it stands", "[scenes][sweep]") 
         return file + ":" + std::to_string(count) + line;
     };
     std::string reported = lines_of(folder, axis("building.hangar.roof", "[\"painted_stel\"]"));
-    CHECK(reported.starts_with(place(":11: building[0].roof: no material \"painted_stel\"")));
+    CHECK(reported.starts_with(place(":11: building[0].roof: unknown material \"painted_stel\"")));
     reported = lines_of(folder, axis("observer.east.hieght_above_ground_m", "[1.0, 2.0]"));
     CHECK(reported.starts_with(place(":11: observer[0].hieght_above_ground_m: unknown key")));
     CHECK(std::count(reported.begin(), reported.end(), '\n') == 1);
     reported = lines_of(folder, axis("observer.west.samples", "[1, 2]"));
-    CHECK(reported.find("no observer \"west\"") != std::string::npos);
+    CHECK(reported.find("unknown observer \"west\"") != std::string::npos);
     reported = lines_of(folder, axis("observer.east.samples", "[4, -1]"));
     CHECK(reported.starts_with(place(":14: observer[0].samples: found -1")));
     CHECK(lines_of(folder, axis("sweep.draw", "[1]")).find("cannot change a sweep") !=

@@ -183,7 +183,7 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
         CHECK(line.find(part) != std::string::npos);
     };
     has(problem(with(textured(good), "texture = \"t\"", "texture = \"tt\"")),
-        "no texture \"tt\" in [[texture]] (did you mean 't'?)");
+        "unknown texture \"tt\" in [[texture]] (did you mean 't'?)");
     has(problem(textured(good + "sdt = 1")), "unknown key");
     has(problem(textured("std = 0.02")), "correlation_length_m: missing");
     has(problem(textured("what = \"colour\"\n" + good)), "texture[0].what");
@@ -193,7 +193,7 @@ TEST_CASE("every mistake in a texture is one clear line", "[scenes][texture][sce
         "on material \"asphalt\": more than 2.5 % of values would be cut off");
     has(problem(textured("what = \"mixture\"\n" + good)), "expected the names of two materials");
     has(problem(textured("what = \"mixture\"\nbetween = [\"grass\", \"gras\"]\n" + good)),
-        "no material \"gras\" (did you mean 'grass'?)");
+        "unknown material \"gras\" (did you mean 'grass'?)");
     has(problem(textured("file = \"none.png\"")), "no such file: ");
     has(problem(textured("file = \"grid.asc\"\nmetres_per_texel = 1.0")),
         "gives values from 0 to 255, expected 0 to 1");

@@ -221,7 +221,7 @@ TEST_CASE("heights above the sea and the ellipsoid part by the geoid",
     const Prepared untold = prepared(scene_with(eye(at + "height_above_ellipsoid_m = 1500.0\n")));
     const auto tells = [](const Prepared& p) {
         return std::any_of(p.notes.begin(), p.notes.end(), [](const std::string& note) {
-            return note.find("\"eye\" above the ellipsoid") != std::string::npos;
+            return note.find("\"eye\" use the same zero") != std::string::npos;
         });
     };
     CHECK(tells(untold));
